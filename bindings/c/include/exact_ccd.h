@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 // The version of the binary interface. It grows with each change that a compiled caller notices.
-#define EXACT_CCD_ABI_VERSION 2
+#define EXACT_CCD_ABI_VERSION 3
 
 // The outcome of a call.
 typedef enum exact_ccd_status_t {
@@ -169,55 +169,37 @@ enum exact_ccd_status_t exact_ccd_audit_examine(struct exact_ccd_audit_t *audit,
 // Frees an audit. Null is allowed.
 void exact_ccd_audit_free(struct exact_ccd_audit_t *audit);
 
-// The first time of each of `query_count` queries, rounded down to `double`; NaN for those whose
-// primitives never come within `min_distance`.
+// `exact_ccd_time_of_impact` of each of `query_count` queries.
 //
 // `x0` and `x1` are the positions of `vertex_count` vertices at t = 0 and t = 1. `vertices` has the
-// indices of the vertices of each query, as many as the kind has points, in its order. `times` has
-// room for `query_count` numbers. Runs on as many threads as `exact_ccd_set_threads` has set.
-enum exact_ccd_status_t exact_ccd_batch_times(uint32_t kind,
-                                              const double *x0,
-                                              const double *x1,
-                                              size_t vertex_count,
-                                              const uint32_t *vertices,
-                                              size_t query_count,
-                                              double min_distance,
-                                              double *times);
-
-// `exact_ccd_batch_times` on a number of threads of this call: from 1 to 1024, or 0 for the number that
-// `exact_ccd_set_threads` has set.
-enum exact_ccd_status_t exact_ccd_batch_times_on(uint32_t threads,
-                                                 uint32_t kind,
-                                                 const double *x0,
-                                                 const double *x1,
-                                                 size_t vertex_count,
-                                                 const uint32_t *vertices,
-                                                 size_t query_count,
-                                                 double min_distance,
-                                                 double *times);
-
-// `exact_ccd_batch_times` for vertices of different thickness: a number for each of the
-// `vertex_count` vertices. That of a primitive is the largest of its vertices, and the distance of a
-// query the sum of both, rounded up.
-enum exact_ccd_status_t exact_ccd_batch_times_thick(uint32_t kind,
-                                                    const double *x0,
-                                                    const double *x1,
-                                                    size_t vertex_count,
-                                                    const uint32_t *vertices,
-                                                    size_t query_count,
-                                                    const double *thickness,
-                                                    double *times);
-
-// `exact_ccd_batch_times_thick` on a number of threads of this call, as in `exact_ccd_batch_times_on`.
-enum exact_ccd_status_t exact_ccd_batch_times_thick_on(uint32_t threads,
-                                                       uint32_t kind,
+// indices of the vertices of each query, as many as the kind has points, in its order. `separation`
+// and `until` are as in `exact_ccd_collides`. `threads` is the number of threads of this call: from 1
+// to 1024, or 0 for the number that `exact_ccd_set_threads` has set. `times` has room for
+// `query_count` numbers.
+enum exact_ccd_status_t exact_ccd_batch_time_of_impact(uint32_t kind,
                                                        const double *x0,
                                                        const double *x1,
                                                        size_t vertex_count,
                                                        const uint32_t *vertices,
                                                        size_t query_count,
-                                                       const double *thickness,
+                                                       double separation,
+                                                       double until,
+                                                       uint32_t threads,
                                                        double *times);
+
+// `exact_ccd_batch_time_of_impact` for vertices of different thickness: a number for each of the
+// `vertex_count` vertices. That of a primitive is the largest of its vertices, and the separation of a
+// query the sum of both, rounded up.
+enum exact_ccd_status_t exact_ccd_batch_time_of_impact_thick(uint32_t kind,
+                                                             const double *x0,
+                                                             const double *x1,
+                                                             size_t vertex_count,
+                                                             const uint32_t *vertices,
+                                                             size_t query_count,
+                                                             const double *thickness,
+                                                             double until,
+                                                             uint32_t threads,
+                                                             double *times);
 
 // Only primitives that the callback allows can collide; all, if it is null. It replaces an earlier
 // rule. `data` is passed on to the callback, which is called as long as it is the rule of the detector.
@@ -402,58 +384,54 @@ enum exact_ccd_status_t exact_ccd_mesh_edges(const struct exact_ccd_mesh_t *mesh
 // Frees a mesh. Detectors of the mesh keep what they need. Null is allowed.
 void exact_ccd_mesh_free(struct exact_ccd_mesh_t *mesh);
 
-// Decides if two primitives come within a distance of each other in a time step; for
-// `min_distance` = 0, if they touch. Exact.
+// Decides if two primitives touch in a time step: if they come within the distance `separation` of each
+// other, or are in contact if it is 0. Exact.
 //
-// `points_t0` and `points_t1` are the points of the query, in the order of its kind, at t = 0 and at
-// t = 1; in between, each moves in a straight line. `min_distance` is a finite number of at least 0.
+// `x0` and `x1` are the points of the query, in the order of its kind, at t = 0 and at t = 1; in
+// between, each moves in a straight line. `separation` is a finite number of at least 0. `until` is
+// the last time that counts, 1 for the whole step: primitives that first touch later do not collide.
+// The exact time is compared, not the rounded one; `until` may be any number but NaN.
 enum exact_ccd_status_t exact_ccd_collides(uint32_t kind,
-                                           const double *points_t0,
-                                           const double *points_t1,
-                                           double min_distance,
+                                           const double *x0,
+                                           const double *x1,
+                                           double separation,
+                                           double until,
                                            bool *collides);
 
-// The first time at which two primitives come within a distance of each other, rounded down to
-// `double`; for `min_distance` = 0, at which they touch. It is 0 if they are within it at the
-// start, and NaN if they never come within it.
+// The first time at which two primitives touch, rounded down to `double`. It is 0 if they touch at the
+// start, and NaN if they do not collide.
 //
 // Arguments as in `exact_ccd_collides`.
 enum exact_ccd_status_t exact_ccd_time_of_impact(uint32_t kind,
-                                                 const double *points_t0,
-                                                 const double *points_t1,
-                                                 double min_distance,
+                                                 const double *x0,
+                                                 const double *x1,
+                                                 double separation,
+                                                 double until,
                                                  double *time);
 
-// `exact_ccd_time_of_impact` until a time: NaN also if the primitives come within the distance only
-// after `until`. The exact time is compared, not the rounded one. `until` may be any number but NaN.
-enum exact_ccd_status_t exact_ccd_time_of_impact_until(uint32_t kind,
-                                                       const double *points_t0,
-                                                       const double *points_t1,
-                                                       double min_distance,
-                                                       double until,
-                                                       double *time);
-
-// The first time at which two primitives come within a distance of each other, with the closest
-// points and the normal then. `impact` is written only if `collides` is.
+// The first time at which two primitives touch, with the closest points and the normal then. `impact`
+// is written only if `collides` is.
 //
 // Arguments as in `exact_ccd_collides`.
 enum exact_ccd_status_t exact_ccd_impact(uint32_t kind,
-                                         const double *points_t0,
-                                         const double *points_t1,
-                                         double min_distance,
+                                         const double *x0,
+                                         const double *x1,
+                                         double separation,
+                                         double until,
                                          bool *collides,
                                          struct exact_ccd_impact_t *impact);
 
-// The times at which two primitives are within a distance of each other: the maximal closed
-// intervals, in increasing order. For `min_distance` = 0, the times at which they touch.
+// The times at which two primitives touch: the maximal closed intervals, in increasing order; none if
+// the first is after `until`.
 //
 // The first `capacity` intervals are written to `intervals`, which may be null for 0, and their
 // number to `count`, even if that is larger. There are at most 32. Other arguments as in
 // `exact_ccd_collides`.
 enum exact_ccd_status_t exact_ccd_intervals(uint32_t kind,
-                                            const double *points_t0,
-                                            const double *points_t1,
-                                            double min_distance,
+                                            const double *x0,
+                                            const double *x1,
+                                            double separation,
+                                            double until,
                                             struct exact_ccd_interval_t *intervals,
                                             size_t capacity,
                                             size_t *count);
@@ -464,8 +442,8 @@ enum exact_ccd_status_t exact_ccd_intervals(uint32_t kind,
 // `upper` is infinite if the distance exceeds all `double`. Other arguments as in
 // `exact_ccd_collides`.
 enum exact_ccd_status_t exact_ccd_distance_at(uint32_t kind,
-                                              const double *points_t0,
-                                              const double *points_t1,
+                                              const double *x0,
+                                              const double *x1,
                                               double time,
                                               double *lower,
                                               double *upper);
@@ -483,6 +461,42 @@ const char *exact_ccd_version(void);
 // The `EXACT_CCD_ABI_VERSION` with which the library was compiled. A program that loads the library
 // at run time compares it with that of its header.
 uint32_t exact_ccd_abi_version(void);
+
+// `exact_ccd_detector_is_free` for each of `world_count` worlds, with the mesh and the settings of the
+// detector.
+//
+// `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then those of
+// the next, and so on. `is_free` has room for `world_count` results. The message of an error names the
+// first world that is wrong, from 0.
+enum exact_ccd_status_t exact_ccd_worlds_is_free(const struct exact_ccd_detector_t *detector,
+                                                 const double *x0,
+                                                 const double *x1,
+                                                 size_t vertex_count,
+                                                 size_t world_count,
+                                                 bool *is_free);
+
+// `exact_ccd_detector_earliest_contact` for each world; `is_found` and `contacts` have room for
+// `world_count` results, and a contact is written only where one is found. Other arguments as in
+// `exact_ccd_worlds_is_free`.
+enum exact_ccd_status_t exact_ccd_worlds_earliest_contact(const struct exact_ccd_detector_t *detector,
+                                                          const double *x0,
+                                                          const double *x1,
+                                                          size_t vertex_count,
+                                                          size_t world_count,
+                                                          bool *is_found,
+                                                          struct exact_ccd_contact_t *contacts);
+
+// `exact_ccd_detector_free_step` for each world: `sizes` has room for `world_count` numbers, and
+// `positions` for the points of all worlds. `positions` may be `x0` or `x1`. Other arguments as in
+// `exact_ccd_worlds_is_free`.
+enum exact_ccd_status_t exact_ccd_worlds_free_step(const struct exact_ccd_detector_t *detector,
+                                                   const double *x0,
+                                                   const double *x1,
+                                                   size_t vertex_count,
+                                                   size_t world_count,
+                                                   double keep,
+                                                   double *sizes,
+                                                   double *positions);
 
 #ifdef __cplusplus
 }  // extern "C"

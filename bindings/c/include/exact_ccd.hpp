@@ -191,7 +191,7 @@ inline bool collides(Kind kind, Points x0, Points x1, double separation = 0, dou
     detail::check_points(kind, x0, x1);
     bool answer = false;
     check(exact_ccd_collides(
-        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, 1, until, &answer));
+        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, until, &answer));
     return answer;
 }
 
@@ -202,7 +202,7 @@ inline std::optional<double> time_of_impact(
     detail::check_points(kind, x0, x1);
     double time = 0;
     check(exact_ccd_time_of_impact(
-        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, 1, until, &time));
+        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, until, &time));
     return std::isnan(time) ? std::nullopt : std::optional(time);
 }
 
@@ -213,7 +213,7 @@ inline std::optional<Impact> impact(Kind kind, Points x0, Points x1, double sepa
     bool is_found = false;
     Impact answer{};
     check(exact_ccd_impact(
-        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, 1, until, &is_found, &answer));
+        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, until, &is_found, &answer));
     return is_found ? std::optional(answer) : std::nullopt;
 }
 
@@ -228,7 +228,7 @@ inline std::vector<Interval> intervals(
     check(exact_ccd_intervals(static_cast<std::uint32_t>(kind),
                               x0.data(),
                               x1.data(),
-                              separation, 1,
+                              separation,
                               until,
                               answer.data(),
                               answer.size(),

@@ -19,9 +19,10 @@ const GRAIN: usize = 4096;
 /// `exact_ccd_time_of_impact` of each of `query_count` queries.
 ///
 /// `x0` and `x1` are the positions of `vertex_count` vertices at t = 0 and t = 1. `vertices` has the
-/// indices of the vertices of each query, as many as the kind has points, in its order. `separation` and `until`
-/// are as in `exact_ccd_collides`. `threads` is the number of threads of this call: from 1 to 1024, or 0 for the
-/// number that `exact_ccd_set_threads` has set. `times` has room for `query_count` numbers.
+/// indices of the vertices of each query, as many as the kind has points, in its order. `separation`
+/// and `until` are as in `exact_ccd_collides`. `threads` is the number of threads of this call: from 1
+/// to 1024, or 0 for the number that `exact_ccd_set_threads` has set. `times` has room for
+/// `query_count` numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_batch_time_of_impact(
     kind: u32,

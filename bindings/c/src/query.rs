@@ -39,10 +39,10 @@ pub(crate) fn options(separation: f64, until: f64) -> Result<Options, Error> {
 /// Decides if two primitives touch in a time step: if they come within the distance `separation` of each
 /// other, or are in contact if it is 0. Exact.
 ///
-/// `x0` and `x1` are the points of the query, in the order of its kind, at t = 0 and at t = 1; in between,
-/// each moves in a straight line. `separation` is a finite number of at least 0. `until` is the last time that
-/// counts, 1 for the whole step: primitives that first touch later do not collide. The exact time is compared,
-/// not the rounded one; `until` may be any number but NaN.
+/// `x0` and `x1` are the points of the query, in the order of its kind, at t = 0 and at t = 1; in
+/// between, each moves in a straight line. `separation` is a finite number of at least 0. `until` is
+/// the last time that counts, 1 for the whole step: primitives that first touch later do not collide.
+/// The exact time is compared, not the rounded one; `until` may be any number but NaN.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_collides(
     kind: u32,
@@ -65,8 +65,8 @@ pub unsafe extern "C" fn exact_ccd_collides(
     })
 }
 
-/// The first time at which two primitives touch, rounded down to `double`. It is 0 if they touch at the start,
-/// and NaN if they do not collide.
+/// The first time at which two primitives touch, rounded down to `double`. It is 0 if they touch at the
+/// start, and NaN if they do not collide.
 ///
 /// Arguments as in `exact_ccd_collides`.
 #[unsafe(no_mangle)]
@@ -91,8 +91,8 @@ pub unsafe extern "C" fn exact_ccd_time_of_impact(
     })
 }
 
-/// The first time at which two primitives touch, with the closest points and the normal then. `impact` is
-/// written only if `collides` is.
+/// The first time at which two primitives touch, with the closest points and the normal then. `impact`
+/// is written only if `collides` is.
 ///
 /// Arguments as in `exact_ccd_collides`.
 #[unsafe(no_mangle)]
@@ -124,8 +124,8 @@ pub unsafe extern "C" fn exact_ccd_impact(
     })
 }
 
-/// The times at which two primitives touch: the maximal closed intervals, in increasing order; none if the
-/// first is after `until`.
+/// The times at which two primitives touch: the maximal closed intervals, in increasing order; none if
+/// the first is after `until`.
 ///
 /// The first `capacity` intervals are written to `intervals`, which may be null for 0, and their
 /// number to `count`, even if that is larger. There are at most 32. Other arguments as in

@@ -38,8 +38,8 @@ impl<'a> Worlds<'a> {
         })
     }
 
-    /// The results of `work` for the positions of each world, or the error of the first world that has one. A
-    /// thread keeps a detector from world to world.
+    /// The results of `work` for the positions of each world, or the error of the first world that has
+    /// one. A thread keeps a detector from world to world.
     fn each<T: Send>(
         &self,
         detector: &Detector,
@@ -62,9 +62,9 @@ impl<'a> Worlds<'a> {
 /// `exact_ccd_detector_is_free` for each of `world_count` worlds, with the mesh and the settings of the
 /// detector.
 ///
-/// `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then those of the next, and so
-/// on. `is_free` has room for `world_count` results. The message of an error names the first world that is wrong,
-/// from 0.
+/// `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then those of
+/// the next, and so on. `is_free` has room for `world_count` results. The message of an error names the
+/// first world that is wrong, from 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_worlds_is_free(
     detector: *const Detector,
@@ -90,8 +90,9 @@ pub unsafe extern "C" fn exact_ccd_worlds_is_free(
     })
 }
 
-/// `exact_ccd_detector_earliest_contact` for each world; `is_found` and `contacts` have room for `world_count`
-/// results, and a contact is written only where one is found. Other arguments as in `exact_ccd_worlds_is_free`.
+/// `exact_ccd_detector_earliest_contact` for each world; `is_found` and `contacts` have room for
+/// `world_count` results, and a contact is written only where one is found. Other arguments as in
+/// `exact_ccd_worlds_is_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_worlds_earliest_contact(
     detector: *const Detector,
@@ -130,8 +131,9 @@ pub unsafe extern "C" fn exact_ccd_worlds_earliest_contact(
     })
 }
 
-/// `exact_ccd_detector_free_step` for each world: `sizes` has room for `world_count` numbers, and `positions` for the
-/// points of all worlds. `positions` may be `x0` or `x1`. Other arguments as in `exact_ccd_worlds_is_free`.
+/// `exact_ccd_detector_free_step` for each world: `sizes` has room for `world_count` numbers, and
+/// `positions` for the points of all worlds. `positions` may be `x0` or `x1`. Other arguments as in
+/// `exact_ccd_worlds_is_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_worlds_free_step(
     detector: *const Detector,
@@ -144,8 +146,8 @@ pub unsafe extern "C" fn exact_ccd_worlds_free_step(
     positions: *mut f64,
 ) -> Status {
     call(|| {
-        // SAFETY: the documentation of the function states the promise. The results are written after the last
-        // use of the positions, which may be the same memory.
+        // SAFETY: the documentation of the function states the promise. The results are written after
+        // the last use of the positions, which may be the same memory.
         unsafe {
             let detector = reference("detector", detector)?;
             let options = FreeStepOptions::default().with_keep(keep);

@@ -42,9 +42,9 @@ impl Row {
     }
 }
 
-/// The index of the first contact of each world; the kind, the indices of both primitives and the vertices
-/// of each contact, its impact, and the bounds of its distance. A pair of fewer than four vertices has −1 for the
-/// others.
+/// The index of the first contact of each world; the kind, the indices of both primitives and the
+/// vertices of each contact, its impact, and the bounds of its distance. A pair of fewer than four
+/// vertices has −1 for the others.
 pub(crate) type Columns<'py> = (
     Bound<'py, PyArray1<i64>>,
     Bound<'py, PyArray1<u8>>,

@@ -145,7 +145,7 @@ def test_the_calls_of_a_rule() -> None:
         first, second = contact["vertices"][:split].tolist(), contact["vertices"][split:].tolist()
         in_contact |= {(v, w) for v in first for w in second}
     for answer in (False, True):
-        for method in ("collides", "contacts"):
+        for method in ("collides", "collisions"):
             assert called(method, x0, x1, answer=answer) <= in_contact
     assert called("intersections", x0, answer=False) == set()
     # The sides of the falling face that meet the floor.

@@ -33,7 +33,7 @@ def test_a_pierced_start(name: str, rule) -> None:
         assert (twin.edge, twin.face, str(twin)) == (*expected, str(error.value))
         # The detector goes on, and gives the answers of one without the check.
         answers = [getattr(detector, name)(FREE, PIERCED) for detector in (plain, checked)]
-        assert np.array_equal(*answers) if name == "contacts" else answers[0] == answers[1]
+        assert np.array_equal(*answers) if name == "collisions" else answers[0] == answers[1]
 
 
 def test_the_pairs_that_cannot_collide() -> None:
