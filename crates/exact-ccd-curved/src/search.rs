@@ -23,9 +23,9 @@ const SHORTEST: f64 = f64::EPSILON / 2.0;
 ///
 /// `trajectories` are those of the points, in the order of the kind: four for
 /// [`VertexFace`](exact_ccd::VertexFace) and [`EdgeEdge`](exact_ccd::EdgeEdge), three for
-/// [`VertexEdge`](exact_ccd::VertexEdge), two for [`VertexVertex`](exact_ccd::VertexVertex). They may be
-/// of different types behind `&dyn Trajectory`. d = 0 is contact. The search is for the first time not after the last one
-/// that counts, which ends the step.
+/// [`VertexEdge`](exact_ccd::VertexEdge), two for [`VertexVertex`](exact_ccd::VertexVertex). They may be of
+/// different types behind `&dyn Trajectory`. d = 0 is contact. The search is for the first time not after
+/// the last one that counts, which ends the step.
 ///
 /// The step is cut into chords where that is needed. The chords within d + Δ, Δ being a bound of the
 /// deviation of both primitives, are not certainly free; those within d + ε − Δ certainly come within

@@ -12,8 +12,8 @@ use crate::trajectory::Trajectory;
 /// bounds: at which they are at most d apart, for the separation d of the options.
 ///
 /// The step is cut into intervals of time in which the deviations are small compared with the motion. In
-/// each, every vertex moves along its chord and is as thick as its deviation and d / 2. The pairs that
-/// come within the sum of their thicknesses are searched as by [`time_of_impact`](crate::time_of_impact), those
+/// each, every vertex moves along its chord and is as thick as its deviation and d / 2. The pairs that come
+/// within the sum of their thicknesses are searched as by [`time_of_impact`](crate::time_of_impact), those
 /// with the earliest chords first, until no other can be earlier. Primitives that share a vertex are left
 /// out. The result does not depend on the number of threads.
 ///

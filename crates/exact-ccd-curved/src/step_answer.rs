@@ -13,8 +13,8 @@ pub struct CurvedStep {
     /// The pair with the earliest time until which it is certainly free, if a pair is not free.
     pub pair: Option<Pair>,
     /// The answer for that pair: all pairs are certainly farther than d apart before
-    /// [`free_until`](Answer::free_until), and until the last time that counts if it [is free](Answer::is_free). The
-    /// number of chords is that of all pairs.
+    /// [`free_until`](Answer::free_until), and until the last time that counts if it [is
+    /// free](Answer::is_free). The number of chords is that of all pairs.
     pub answer: Answer,
     /// The number of intervals of time with a broad phase of their own.
     pub intervals: usize,

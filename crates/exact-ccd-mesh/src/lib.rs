@@ -26,8 +26,9 @@
 //! - [`StepReport`] counts the contacts of a step and has the earliest one.
 //! - [`Detector`] finds contact in step after step, without a test of every candidate, and
 //!   [certifies the step](Detector::free_step) that a solver can take.
-//! - [`Options`] have the distance at which primitives touch, and the last time that counts. [`CONTACT`] is the
-//!   distance 0 and the whole step, and a [`MinDistance`] is one for all or a thickness of each vertex. [`Pair`] has the kinds of pairs, and which distances they cover.
+//! - [`Options`] have the distance at which primitives touch, and the last time that counts. [`CONTACT`] is
+//!   the distance 0 and the whole step, and a [`MinDistance`] is one for all or a thickness of each vertex.
+//!   [`Pair`] has the kinds of pairs, and which distances they cover.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
 //! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
 //! - [`intersections`] finds the places where a mesh at rest meets itself, and an [`Audit`]

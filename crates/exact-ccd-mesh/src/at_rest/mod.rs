@@ -1,4 +1,5 @@
-//! Meshes at rest: the places where a mesh meets itself, and the check that nothing crosses where a step begins.
+//! Meshes at rest: the places where a mesh meets itself, and the check that nothing crosses where a step
+//! begins.
 
 mod intersections;
 mod start_check;

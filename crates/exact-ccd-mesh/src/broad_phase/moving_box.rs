@@ -7,11 +7,11 @@ use super::aabb::Aabb;
 /// A box at both ends of a step, whose sides move at constant speed in between (T = 2), or a box at
 /// rest (T = 1).
 ///
-/// Coordinates are relative to an origin, one for each time and the same for all boxes, and rounded to single
-/// precision, which halves the memory traffic. Rounding is monotone: a number that is not greater than another
-/// before rounding is not greater after it. So boxes that meet still meet. A thread with another [`environment`] than the default one rounds outward,
-/// past the results of all other threads. No coordinate is subnormal, so that comparisons do not depend on
-/// the environment.
+/// Coordinates are relative to an origin, one for each time and the same for all boxes, and rounded to
+/// single precision, which halves the memory traffic. Rounding is monotone: a number that is not greater
+/// than another before rounding is not greater after it. So boxes that meet still meet. A thread with
+/// another [`environment`] than the default one rounds outward, past the results of all other threads. No
+/// coordinate is subnormal, so that comparisons do not depend on the environment.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct MovingBox<const T: usize> {

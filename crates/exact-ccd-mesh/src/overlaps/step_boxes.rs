@@ -31,8 +31,8 @@ pub(crate) struct StepBoxes<const T: usize> {
     margin: Margin,
     /// Those of the vertices, if they differ.
     margins: Vec<f64>,
-    /// A vertex amid many others: coordinates are relative to its place at each time, so that single precision
-    /// is fine, however far all of them move together.
+    /// A vertex amid many others: coordinates are relative to its place at each time, so that single
+    /// precision is fine, however far all of them move together.
     origin: Option<u32>,
     /// The places of this vertex when all boxes were placed last.
     origins: [Point; T],
@@ -69,7 +69,8 @@ impl<const T: usize> Default for StepBoxes<T> {
 }
 
 impl<const T: usize> StepBoxes<T> {
-    /// Ends the current step. The next one is of the same mesh, with the same predicate, and with this margin.
+    /// Ends the current step. The next one is of the same mesh, with the same predicate, and with this
+    /// margin.
     pub(crate) fn end(&mut self, margin: &Margin) {
         self.has_begun = false;
         if self.margin != *margin {

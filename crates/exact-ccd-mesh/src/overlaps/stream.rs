@@ -122,8 +122,8 @@ impl<'a, const T: usize> Overlaps<'a, T> {
     }
 }
 
-/// The margin with which a union of boxes has all of their points: where comparisons read subnormal numbers as
-/// zero, it may lack those.
+/// The margin with which a union of boxes has all of their points: where comparisons read subnormal numbers
+/// as zero, it may lack those.
 fn lacking() -> f64 {
     if environment::is_default() {
         0.0

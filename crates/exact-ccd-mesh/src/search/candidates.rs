@@ -20,10 +20,10 @@ use crate::steps::Step;
 /// same mesh from the same start to positions in between, such as [`Step::at`] returns: so one
 /// broad phase suffices for a whole line search.
 ///
-/// [`Options`] have the distance at which primitives touch, and the last time that counts. Decisions are about
-/// all pairs of the mesh if that distance is not above the [minimum
-/// distance](CandidateOptions::min_distance) for which the candidates were found. A vertex without a thickness
-/// has the thickness 0. Other methods decide contact.
+/// [`Options`] have the distance at which primitives touch, and the last time that counts. Decisions are
+/// about all pairs of the mesh if that distance is not above the [minimum
+/// distance](CandidateOptions::min_distance) for which the candidates were found. A vertex without a
+/// thickness has the thickness 0. Other methods decide contact.
 ///
 /// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
 /// mesh does not have are no contacts.
@@ -139,7 +139,8 @@ impl Candidates {
         self.counts().total() == 0
     }
 
-    /// Returns true if any of the pairs touches in the step, exactly. Ends soon after the first contact found.
+    /// Returns true if any of the pairs touches in the step, exactly. Ends soon after the first contact
+    /// found.
     #[must_use]
     pub fn collides(&self, step: Step<'_>, options: Options<impl Into<MinDistance>>) -> bool {
         let contact = AnyContact::new(options.until, |_| true);

@@ -86,12 +86,13 @@ impl<B: BroadPhase> Detector<B> {
     /// The same detector, with or without the check of the start; without it by default.
     ///
     /// With it, an answer about a step from positions `x0` has the error [`StepError::Crossing`] if an edge
-    /// passes through a face there, as [`Meeting::Crossing`](crate::Meeting) defines it, among the pairs that
-    /// can collide. Primitives that merely touch are contacts at t = 0, as always. The check is a pass over the
-    /// mesh at rest. No pass is made if `x0` is, bit for bit, the start of the step before, or the end of the
-    /// last step that [`collides`](Self::collides) or [`collision`](Self::collision) found free, such as the positions of a [`free_step`](Self::free_step). With a
-    /// predicate of [`with_can_collide`](Self::with_can_collide), only the first holds: it may leave out the
-    /// pairs through which an edge comes to cross a face.
+    /// passes through a face there, as [`Meeting::Crossing`](crate::Meeting) defines it, among the pairs
+    /// that can collide. Primitives that merely touch are contacts at t = 0, as always. The check is a pass
+    /// over the mesh at rest. No pass is made if `x0` is, bit for bit, the start of the step before, or the
+    /// end of the last step that [`collides`](Self::collides) or [`collision`](Self::collision) found free,
+    /// such as the positions of a [`free_step`](Self::free_step). With a predicate of
+    /// [`with_can_collide`](Self::with_can_collide), only the first holds: it may leave out the pairs
+    /// through which an edge comes to cross a face.
     ///
     /// ```
     /// use exact_ccd::CONTACT;

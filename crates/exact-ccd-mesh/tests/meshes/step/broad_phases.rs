@@ -49,8 +49,8 @@ fn a_vertex_far_away_does_not_increase_the_number_of_pairs() {
     }
 }
 
-/// Boxes, too, are relative to the other vertices: the numbers of pairs, of candidates and of contacts are those
-/// of the motion without the common part.
+/// Boxes, too, are relative to the other vertices: the numbers of pairs, of candidates and of contacts are
+/// those of the motion without the common part.
 #[test]
 fn a_common_motion_does_not_matter() {
     let apart = falling_sheet();
