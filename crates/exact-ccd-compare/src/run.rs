@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use exact_ccd::{Ccd, Decide, Query};
+use exact_ccd::{Ccd, Decide, Kind, Query};
 use exact_ccd_data::DataKind;
 
 use crate::contestant::Contestant;
