@@ -33,7 +33,8 @@ mod coordinate;
 mod data_folder;
 mod error;
 mod fields;
-#[cfg(all(test, feature = "parquet"))]
+#[cfg(test)]
+#[cfg(feature = "parquet")]
 mod hostile;
 mod json;
 mod kind;
