@@ -116,7 +116,7 @@ impl Comparison {
     }
 
     /// The part of the work that is done.
-    fn done<K>(&self, standings: &[Standing], sample: &[Subject<K>]) -> f64 {
+    fn done<K: DataKind>(&self, standings: &[Standing], sample: &[Subject<K>]) -> f64 {
         let done = |standing: &Standing| {
             let answered = standing.answers.len() as f64 / sample.len() as f64;
             let spent = 1.0 - standing.left.as_secs_f64() / self.budget.as_secs_f64();
