@@ -9,7 +9,7 @@ use exact_ccd_check::bytes::Bytes;
 use exact_ccd_check::certificate::{FREE, Head, MAGIC, REST, next_ids, stretches};
 use exact_ccd_check::check::Proved;
 use exact_ccd_mesh::{
-    AllPairs, Bvh, CandidateOptions, Candidates, Contact, MinDistance, Pair, PairKind, crossings,
+    AllPairs, Bvh, CandidateOptions, Candidates, Contact, MinDistance, Pair, PairKind,
 };
 use proof::{Scene, certify, verify};
 
@@ -73,18 +73,14 @@ fn contacts(scene: &Scene, d: f64) -> Vec<Contact> {
     let step = motion.step().unwrap();
     Candidates::with_options(step, &AllPairs, &options(d))
         .unwrap()
-        .contacts(step)
+        .collisions(step, within(distance))
 }
 
 /// Returns true if all statements are true, by the exact kernel.
 fn are_true(scene: &Scene, proved: &Proved) -> bool {
     let contacts = contacts(scene, proved.distance);
     proved.steps.iter().all(|step| {
-        let crosses = || {
-            !crossings(&scene.mesh, scene.positions()[0], &Default::default())
-                .unwrap()
-                .is_empty()
-        };
+        let crosses = || scene.is_pierced();
         let is_free = |until: f64| {
             contacts
                 .iter()

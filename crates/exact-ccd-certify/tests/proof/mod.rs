@@ -5,7 +5,9 @@ use exact_ccd_certify::{Maker, Uncertified};
 use exact_ccd_check::check::Proved;
 use exact_ccd_check::ply::Frame;
 use exact_ccd_check::{Failure, Mesh, check};
-use exact_ccd_mesh::{Contact, Detector, MinDistance, TriangleMesh, crossings};
+use exact_ccd_mesh::{
+    Bvh, Contact, Detector, IntersectionOptions, Meeting, TriangleMesh, intersections,
+};
 
 /// A mesh in motion, for the maker and for the checker.
 pub(crate) struct Scene {
@@ -34,18 +36,22 @@ impl Scene {
     }
 
     pub(crate) fn earliest(&self, d: f64) -> Option<Contact> {
-        let d = MinDistance::uniform(Separation::new(d).unwrap());
-        let mut detector = Detector::new(self.mesh.clone()).with_min_distance(d).unwrap();
+        let d = Separation::new(d).unwrap();
         let [x0, x1] = self.positions();
-        detector.earliest_contact(x0, x1).unwrap()
+        Detector::new(self.mesh.clone()).collision(x0, x1, d).unwrap()
+    }
+
+    /// True if an edge passes through a face at the start.
+    pub(crate) fn is_pierced(&self) -> bool {
+        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let found = intersections(&self.mesh, self.positions()[0], &Bvh, &options);
+        !found.unwrap().is_empty()
     }
 }
 
 /// The certificate of a step, with the statement about its start if nothing crosses there.
 pub(crate) fn certify(scene: &Scene, d: f64) -> Result<Vec<u8>, Uncertified> {
-    let rest = crossings(&scene.mesh, scene.positions()[0], &Default::default())
-        .unwrap()
-        .is_empty();
+    let rest = !scene.is_pierced();
     let mut maker = Maker::new(Separation::new(d).unwrap());
     maker
         .add_step(&scene.mesh, scene.positions(), rest, scene.earliest(d).as_ref())
