@@ -96,7 +96,7 @@ fn print_row(scene: &str, name: &str, question: &Question, step: Step<'_>) {
         for (pool, index) in pools.iter().zip(0..) {
             times[index].push(milliseconds(pool, || question.answer(step, &Bvh, bvh.clone())));
             times[2 + index].push(milliseconds(pool, || {
-                question.answer(step, &Sweep, sweep.clone())
+                question.answer(step, &Sweep, sweep.clone());
             }));
         }
     }

@@ -5,7 +5,9 @@
 use std::path::Path;
 
 use exact_ccd::{Separation, Thickness};
-use exact_ccd_mesh::{Aabb, Audit, MinDistance, Point, TriangleMesh, intersections, step};
+use exact_ccd_mesh::{
+    Aabb, Audit, Bvh, IntersectionOptions, MinDistance, Point, TriangleMesh, intersections, step,
+};
 use exact_ccd_scene::Scene;
 use exact_ccd_sim::{BodyKind, Simulation, State, Statistics, StepFilter, System, shapes};
 
@@ -36,7 +38,11 @@ fn run(name: &str, steps: usize) -> (Simulation, Vec<Statistics>) {
         assert!(all.last().unwrap().converged, "{name}: {all:?}");
         assert_eq!(at, simulation.state().positions);
     }
-    assert!(intersections(&surface, &at).unwrap().is_empty(), "{name}");
+    let touching = IntersectionOptions::default();
+    assert!(
+        intersections(&surface, &at, &Bvh, &touching).unwrap().is_empty(),
+        "{name}"
+    );
     (simulation, all)
 }
 

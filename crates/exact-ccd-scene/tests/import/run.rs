@@ -1,6 +1,6 @@
 //! Imported scenes of tutorial size run, and are free of contact.
 
-use exact_ccd_mesh::{Aabb, Point, intersections, step};
+use exact_ccd_mesh::{Aabb, Bvh, IntersectionOptions, Point, intersections, step};
 use exact_ccd_scene::Scene;
 use serde_json::json;
 
@@ -22,7 +22,8 @@ fn run(scene: &Scene, steps: usize) -> Vec<Point> {
         assert!(statistics.converged, "{statistics:?}");
         contacts += statistics.contacts;
     }
-    assert!(intersections(&surface, &at).unwrap().is_empty());
+    let touching = IntersectionOptions::default();
+    assert!(intersections(&surface, &at, &Bvh, &touching).unwrap().is_empty());
     assert!(contacts > 0);
     at
 }
