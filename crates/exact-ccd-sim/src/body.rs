@@ -28,9 +28,9 @@ pub struct Body {
 /// The kind of a [`Body`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodyKind {
-    /// An elastic solid of linear tetrahedra, which lock in bending: a beam that is one cell thick deflects by
-    /// about a quarter of the deflection of beam theory. Meshes with more cells across the thickness are less
-    /// stiff. Nearly incompressible materials (Poisson's ratio near ½) lock in volume as well.
+    /// An elastic solid of linear tetrahedra, which lock in bending: a beam that is one cell thick deflects
+    /// by about a quarter of the deflection of beam theory. Meshes with more cells across the thickness are
+    /// less stiff. Nearly incompressible materials (Poisson's ratio near ½) lock in volume as well.
     Solid {
         /// The corners of its tetrahedra, in either orientation.
         tetrahedra: Vec<[u32; 4]>,

@@ -29,8 +29,8 @@ pub(crate) struct Bend {
 
 impl Bend {
     /// The bending at the second of three vertices, with the positions of all vertices at rest and the
-    /// flexural rigidity E I in N m². `None` if an edge has no length at rest, or if the second edge returns along the
-    /// first.
+    /// flexural rigidity E I in N m². `None` if an edge has no length at rest, or if the second edge returns
+    /// along the first.
     pub(crate) fn new(vertices: [u32; 3], rest: &[Point], rigidity: f64) -> Option<Self> {
         let shape = Shape::new(&gather(rest, &vertices))?;
         let squared = shape.squared();

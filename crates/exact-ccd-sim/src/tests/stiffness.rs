@@ -80,7 +80,7 @@ fn the_stiffness_doubles_if_a_critical_distance_decreases() {
     assert_eq!(range.adapt(stiffer, near, nearer), stiffer);
 }
 
-/// If scripts move all vertices, no vertex is free. The barrier still acts on the springs of the scripts.
+/// If scripts move all vertices, no vertex is free.
 #[test]
 fn the_barrier_acts_without_free_vertices() {
     let cloth = shapes::cloth([2, 2], [1.0, 1.0]);
