@@ -38,7 +38,7 @@ fn print_row(name: &str, Motion { mesh, x0, x1, .. }: &Motion) -> Result<(), Lin
         let between = Instant::now();
         let steps = detector.free_steps(x0, x1, &[], &options)?;
         ratios.push(between.elapsed().as_secs_f64() / (between - start).as_secs_f64());
-        Ok((common, steps))
+        Ok::<_, LineSearchError>((common, steps))
     };
     let (common, steps) = turn()?;
     for _ in 1..TURNS {

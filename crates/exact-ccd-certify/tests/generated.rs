@@ -4,13 +4,11 @@
 
 mod proof;
 
-use exact_ccd::{Point, Separation};
+use exact_ccd::{Options, Point, Separation};
 use exact_ccd_check::bytes::Bytes;
 use exact_ccd_check::certificate::{FREE, Head, MAGIC, REST, next_ids, stretches};
 use exact_ccd_check::check::Proved;
-use exact_ccd_mesh::{
-    AllPairs, Bvh, CandidateOptions, Candidates, Contact, MinDistance, Pair, PairKind,
-};
+use exact_ccd_mesh::{AllPairs, Bvh, CandidateOptions, Candidates, Contact, MinDistance, Pair, PairKind};
 use proof::{Scene, certify, verify};
 
 /// Numbers that look random and are the same everywhere.
@@ -73,7 +71,7 @@ fn contacts(scene: &Scene, d: f64) -> Vec<Contact> {
     let step = motion.step().unwrap();
     Candidates::with_options(step, &AllPairs, &options(d))
         .unwrap()
-        .collisions(step, within(distance))
+        .collisions(step, Options::within(Separation::new(d).unwrap()))
 }
 
 /// Returns true if all statements are true, by the exact kernel.

@@ -6,7 +6,7 @@ use exact_ccd_check::check::Proved;
 use exact_ccd_check::ply::Frame;
 use exact_ccd_check::{Failure, Mesh, check};
 use exact_ccd_mesh::{
-    Bvh, Contact, Detector, IntersectionOptions, Meeting, TriangleMesh, intersections,
+    Bvh, Contact, Detector, IntersectionOptions, Meeting, Options, TriangleMesh, intersections,
 };
 
 /// A mesh in motion, for the maker and for the checker.
@@ -38,7 +38,9 @@ impl Scene {
     pub(crate) fn earliest(&self, d: f64) -> Option<Contact> {
         let d = Separation::new(d).unwrap();
         let [x0, x1] = self.positions();
-        Detector::new(self.mesh.clone()).collision(x0, x1, d).unwrap()
+        Detector::new(self.mesh.clone())
+            .collision(x0, x1, Options::within(d))
+            .unwrap()
     }
 
     /// True if an edge passes through a face at the start.
