@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use exact_ccd_mesh::{Candidates, Point, Step};
+use exact_ccd_mesh::{Candidates, Point, MinDistance, Step};
 use nalgebra::Vector3;
 
 use super::newton::{Iterate, Newton};
@@ -85,7 +85,9 @@ impl Newton<'_> {
             };
             let candidates = self.system.near(step, &self.barrier);
             let obstacles = self.system.obstacle_pairs(step);
-            if self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step) {
+            // Offsets do not act between obstacles.
+            let contact = MinDistance::default();
+            if self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step, &contact) {
                 let collisions = self.collisions(&candidates, &end);
                 if potential.value(&end, collisions.as_slice()).is_finite() {
                     now.positions = end;
@@ -95,8 +97,8 @@ impl Newton<'_> {
                 }
             }
             let free = if attempt == 0 {
-                let free = self.filter.free_part(&candidates, step);
-                free.min(self.filter.free_part(&obstacles, step))
+                let free = self.filter.free_part(&candidates, step, self.system.min_distance());
+                free.min(self.filter.free_part(&obstacles, step, &contact))
                     .min(self.system.free_of_half_spaces(step))
             } else {
                 1.0
