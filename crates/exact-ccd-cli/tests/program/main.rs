@@ -9,6 +9,7 @@ mod convert;
 mod distances;
 mod examples;
 mod folder;
+mod golden;
 mod half_spaces;
 mod ids;
 mod import;
