@@ -46,8 +46,8 @@ impl<B: BroadPhase> Detector<B> {
     /// certified. So the rounds end: from round 32 on, a contact brings vertices to that size, and there are
     /// at most as many further rounds as vertices.
     ///
-    /// `pinned` are vertices that go all the way, such as those of obstacles and scripts. If there are any, the
-    /// least size of the others is 0, and a pair that touches nonetheless is reported as blocked.
+    /// `pinned` are vertices that go all the way, such as those of obstacles and scripts. If there are any,
+    /// the least size of the others is 0, and a pair that touches nonetheless is reported as blocked.
     ///
     /// ```
     /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};

@@ -172,8 +172,8 @@ impl<const T: usize> StepBoxes<T> {
         }
     }
 
-    /// Places the boxes of all primitives of a kind of pairs in a step that differs from the one before in the
-    /// ends of the marked vertices, which [`move_marked`](Self::move_marked) has taken.
+    /// Places the boxes of all primitives of a kind of pairs in a step that differs from the one before in
+    /// the ends of the marked vertices, which [`move_marked`](Self::move_marked) has taken.
     pub(crate) fn place_marked<K: Searched>(&mut self, mesh: &TriangleMesh, is_marked: &[bool]) {
         let [first, second] = K::SETS;
         self.place_some(mesh, first, |vertex| is_marked[vertex as usize]);
