@@ -66,7 +66,7 @@ pub use mesh::{
 };
 pub use overlaps::{BoxKind, CandidateError, CandidateOptions};
 pub use pairs::{CanCollide, MinDistance, Pair, PairCounts, PairKind, ThicknessCount};
-pub use search::{Candidates, Contact, Detector, StepReport, contact_points, step};
+pub use search::{Candidates, Contact, Detector, FirstContacts, StepReport, contact_points, step};
 pub use steps::{Motion, MotionError, Step, StepError, Welding};
 
 /// The examples in the README of this crate, as tests.

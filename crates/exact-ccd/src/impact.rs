@@ -1,5 +1,6 @@
 //! The earliest contact: time, parameters and normal, as contact solvers need them.
 
+use crate::kind::Kind;
 use crate::point::Point;
 use crate::time::ContactTime;
 
@@ -46,6 +47,24 @@ impl Impact {
     #[must_use]
     pub fn touching_at_start(&self) -> bool {
         self.time.is_start()
+    }
+
+    /// The weights of the points of the query in the vector from the closest point of the second primitive to
+    /// that of the first: as many as it has points, then zeros.
+    #[must_use]
+    pub fn weights<K: Kind>(&self) -> [f64; 4] {
+        let [u, v] = self.parameters;
+        let mut weights = [0.0; 4];
+        let (first, second) = weights[..K::Points::default().as_ref().len()].split_at_mut(K::FIRST);
+        for (primitive, place, sign) in [(first, u, 1.0), (second, v, -1.0)] {
+            match primitive {
+                [a] => *a = sign,
+                [a, b] => (*a, *b) = (sign * (1.0 - place), sign * place),
+                [a, b, c] => (*a, *b, *c) = (sign * (1.0 - u - v), sign * u, sign * v),
+                _ => {}
+            }
+        }
+        weights
     }
 }
 

@@ -8,7 +8,7 @@ use exact_ccd::Impact;
 
 use crate::mesh::TriangleMesh;
 use crate::pairs::{Pair, PairKind};
-use crate::search::{Collect, NarrowPhase, contact_weights};
+use crate::search::{Collect, NarrowPhase};
 use crate::steps::Step;
 use crate::vector::{dot, minus};
 
@@ -50,14 +50,14 @@ impl<'a> Retreats<'a> {
     /// A vertex with the weight w in the vector between the closest points, and the displacement d, changes
     /// the gap along the normal n by w n · d, to first order. The gap closes: a vertex approaches if its
     /// change has the sign of the sum of all changes.
-    fn held_back(&self, vertices: &[u32], first: usize, impact: &Impact) -> ArrayVec<u32, 4> {
+    fn held_back<K: PairKind>(&self, vertices: &[u32], impact: &Impact) -> ArrayVec<u32, 4> {
         let mut held_back: ArrayVec<u32, 4> = vertices.iter().copied().collect();
         held_back.retain(|&mut vertex| self.can_retreat[vertex as usize]);
         let Some(normal) = impact.normal else {
             return held_back;
         };
         let [x0, x1] = self.step.positions();
-        let weights = contact_weights(first, vertices.len(), impact.parameters);
+        let weights = impact.weights::<K>();
         let change = |place: usize| {
             let vertex = vertices[place] as usize;
             weights[place] * dot(normal, minus(x1[vertex], x0[vertex]))
@@ -98,7 +98,7 @@ impl Collect for Retreats<'_> {
             found.push(Retreat {
                 pair: K::pair(ids),
                 time: impact.time.lower(),
-                vertices: self.held_back(vertices.as_ref(), K::FIRST, &impact),
+                vertices: self.held_back::<K>(vertices.as_ref(), &impact),
             });
         });
         if !found.is_empty() {

@@ -49,21 +49,6 @@ pub fn contact_points(
     Some([on(first, u)?, on(second, v)?])
 }
 
-/// The weights of the vertices of a pair in the vector from the second of its closest points to the first.
-pub(crate) fn contact_weights(first: usize, count: usize, [u, v]: [f64; 2]) -> [f64; 4] {
-    let mut weights = [0.0; 4];
-    let (a, b) = weights[..count].split_at_mut(first);
-    for (primitive, place, sign) in [(a, u, 1.0), (b, v, -1.0)] {
-        match primitive {
-            [a] => *a = sign,
-            [a, b] => (*a, *b) = (sign * (1.0 - place), sign * place),
-            [a, b, c] => (*a, *b, *c) = (sign * (1.0 - u - v), sign * u, sign * v),
-            _ => {}
-        }
-    }
-    weights
-}
-
 /// The sum of points with weights that add up to 1: between the points, though rounding may lead beyond them,
 /// and beyond the largest f64.
 fn mean<const N: usize>(points: [(f64, Point); N]) -> Point {

@@ -9,6 +9,7 @@ mod contact;
 mod contact_points;
 mod culled_search;
 mod detector;
+mod first_contacts;
 mod method;
 mod narrow_phase;
 mod report;
@@ -17,9 +18,9 @@ pub use candidates::Candidates;
 pub use contact::Contact;
 pub use contact_points::contact_points;
 pub use detector::Detector;
+pub use first_contacts::FirstContacts;
 pub use report::{StepReport, step};
 
 pub(crate) use collect::{AnyContact, Collect, Earliest};
-pub(crate) use contact_points::contact_weights;
 pub(crate) use culled_search::CulledSearch;
 pub(crate) use narrow_phase::NarrowPhase;

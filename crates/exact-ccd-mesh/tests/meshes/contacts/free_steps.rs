@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use exact_ccd::{EdgeEdge, Separation, Thickness, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{EdgeEdge, Options, Separation, Thickness, VertexEdge, VertexFace, VertexVertex, exact};
 use exact_ccd_mesh::{
     Detector, FreeStepOptions, FreeSteps, LineSearchError, MinDistance, Pair, PairKind, Point, Step,
     TriangleMesh,
@@ -327,4 +327,30 @@ fn what_pinned_vertices_forbid_is_reported() {
             vertex_count
         })
     );
+}
+
+/// The first contact of each vertex, from a loop over all pairs.
+#[test]
+fn first_contacts_are_those_of_all_pairs() {
+    let mut random = Rng::with_seed(64);
+    let mut found = 0;
+    for _ in 0..100 {
+        let (scene, scale) = scene(&mut random);
+        let min_distance = min_distance(&mut random, &scene, scale);
+        let contacts = contacts_within(scene.step(), &scene.pairs(), &min_distance);
+        let mut expected = vec![f64::INFINITY; scene.x0.len()];
+        for contact in &contacts {
+            for vertex in contact.pair.vertices(&scene.mesh).unwrap() {
+                let first = &mut expected[vertex as usize];
+                *first = first.min(contact.impact.time.lower());
+            }
+        }
+        let mut detector = Detector::new(scene.mesh.clone());
+        let options = Options::within(min_distance);
+        let first = detector.first_contacts(&scene.x0, &scene.x1, options).unwrap();
+        assert_eq!(first.times(), expected);
+        assert_eq!(first.contacts.len(), contacts.len());
+        found += usize::from(!contacts.is_empty());
+    }
+    assert!(found > 30, "{found}");
 }

@@ -1,0 +1,207 @@
+//! Derivatives of the time of impact and of the distance with respect to the points of a query.
+
+use core::array;
+
+use crate::distance::{Separation, TimeOutOfStep};
+use crate::impact::Impact;
+use crate::kind::Kind;
+use crate::options::Options;
+use crate::point::Point;
+use crate::query::Query;
+
+/// The derivatives of a value with respect to the coordinates of all points of a query.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gradient<K: Kind> {
+    /// With respect to the points at t = 0 and at t = 1.
+    pub points: [K::Points; 2],
+}
+
+/// The reason why a derivative is not defined, or not certain to be.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NotDifferentiable {
+    /// The primitives do not touch in the step.
+    #[error("the primitives do not touch in the step: there is no time of impact")]
+    Free,
+    /// The primitives touch at t = 0, where the time of impact ends to depend on the points.
+    #[error("the primitives touch at the start of the step, where the time of impact is no smooth function")]
+    Start,
+    /// The first contact is at t = 1: a small change of the points removes it.
+    #[error(
+        "the primitives first touch at the end of the step: a small change of the points removes the contact"
+    )]
+    End,
+    /// The primitives do not approach each other along the normal: a tangency.
+    #[error(
+        "the primitives are tangent: their distance does not fall through the value at the time of impact"
+    )]
+    Tangent,
+    /// The closest points pass from one feature to another, or are not unique, as those of parallel edges.
+    #[error("the closest points are not unique, or on the boundary of a primitive in contact")]
+    Features,
+    /// The distance is 0 at this time.
+    #[error("the distance is 0 at this time, where it is no smooth function")]
+    Touching,
+    /// A derivative overflows.
+    #[error("a derivative is not a finite number")]
+    Overflow,
+    /// The time is not in [0, 1].
+    #[error(transparent)]
+    Time(#[from] TimeOutOfStep),
+}
+
+/// A parameter this near to 0 or 1 may be on the boundary: it is within 2⁻³² of the exact one, and u + v is
+/// within 2⁻³¹.
+const NEAR_BOUNDARY: f64 = 1.0 / (1u64 << 30) as f64;
+
+/// A relative velocity below this fraction of those of the points may vanish. It has an error of 2⁻³² for the
+/// normal and as much for each weight.
+const NEAR_TANGENT: f64 = 1.0 / (1u64 << 28) as f64;
+
+/// Edges are nearly parallel, or a face nearly flat, if the square of the sine of their angle is below this.
+const NEAR_PARALLEL: f64 = 1.0 / (1u64 << 40) as f64;
+
+impl<K: Kind> Query<K> {
+    /// The derivatives of the time of impact with respect to the points at both ends of the step.
+    ///
+    /// Let F be the vector from the closest point of the second primitive to that of the first, the sum of
+    /// the points with weights wᵢ, and n the normal. At the first time t at which the gap n · F has the given
+    /// value, the derivatives of the gap with respect to the points at t = 0 and at t = 1 are wᵢ (1 − t) n
+    /// and wᵢ t n (the parameters need not be varied: the gap does not change with them, to first order). By
+    /// implicit differentiation, those of t are these times −1 / (n · Σ wᵢ vᵢ), vᵢ being the velocities.
+    ///
+    /// The factors are computed in f64, with the [errors](Impact) of parameters and normal.
+    ///
+    /// ```
+    /// use exact_ccd::{CONTACT, Query, VertexFace};
+    ///
+    /// let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let at = |z: f64| [[0.25, 0.25, z], face[0], face[1], face[2]];
+    /// let query = Query::<VertexFace>::new(at(1.0), at(-1.0))?;
+    /// // The time is z₀ / (z₀ − z₁): 1/4 for each unit of z at either end.
+    /// let gradient = query.time_gradient(CONTACT)?;
+    /// assert_eq!(gradient.points.map(|points| points[0]), [[0.0, 0.0, 0.25]; 2]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NotDifferentiable`], also where the errors leave it open.
+    pub fn time_gradient(&self, options: impl Into<Options>) -> Result<Gradient<K>, NotDifferentiable> {
+        let options = options.into();
+        let impact = self.impact(options).ok_or(NotDifferentiable::Free)?;
+        if impact.time.is_start() {
+            return Err(NotDifferentiable::Start);
+        }
+        if impact.time.upper() >= 1.0 {
+            return Err(NotDifferentiable::End);
+        }
+        let normal = self.unique_normal(&impact, options.separation)?;
+        let weights = impact.weights::<K>();
+        let [x0, x1] = self.points();
+        let (mut velocity, mut largest) = (0.0, 0.0);
+        for ((a, b), weight) in x0.as_ref().iter().zip(x1.as_ref()).zip(weights) {
+            for axis in 0..3 {
+                let summand = weight * normal[axis] * (b[axis] - a[axis]);
+                velocity += summand;
+                largest += summand.abs().max(weight.abs() * (b[axis] - a[axis]).abs());
+            }
+        }
+        if velocity.abs() <= NEAR_TANGENT * largest {
+            return Err(NotDifferentiable::Tangent);
+        }
+        let t = impact.time.lower();
+        gradient([1.0 - t, t].map(|at| -at / velocity), &weights, normal)
+    }
+
+    /// The derivatives of the distance of the primitives at time `t` with respect to the points at both ends
+    /// of the step: wᵢ (1 − t) n and wᵢ t n, as in [`time_gradient`](Self::time_gradient).
+    ///
+    /// The closest points are those of the points at t, rounded.
+    ///
+    /// # Errors
+    /// [`NotDifferentiable`], also where rounding leaves it open.
+    pub fn distance_gradient(&self, t: f64) -> Result<Gradient<K>, NotDifferentiable> {
+        TimeOutOfStep::check(t)?;
+        let [mut now, end] = *self.points();
+        for (now, end) in now.as_mut().iter_mut().zip(end.as_ref()) {
+            *now = array::from_fn(|axis| (1.0 - t) * now[axis] + t * end[axis]);
+        }
+        let resting = Self::from_finite([now, now]);
+        let distance = resting.distance_at(0.0)?.upper;
+        if distance == 0.0 {
+            return Err(NotDifferentiable::Touching);
+        }
+        let within = Separation::new(distance).map_err(|_| NotDifferentiable::Overflow)?;
+        let impact = resting.impact(within).ok_or(NotDifferentiable::Features)?;
+        let normal = resting.unique_normal(&impact, within)?;
+        gradient([1.0 - t, t], &impact.weights::<K>(), normal)
+    }
+
+    /// The normal of an impact, if the closest points are unique, and within both primitives at contact.
+    fn unique_normal(&self, impact: &Impact, separation: Separation) -> Result<Point, NotDifferentiable> {
+        let [u, v] = impact.parameters;
+        let normal = impact.normal.ok_or(NotDifferentiable::Features)?;
+        if separation.is_zero() {
+            // A vertex meets an edge, or two vertices meet, by coincidence only.
+            let Some(_) = K::FEATURES.inner else {
+                return Err(NotDifferentiable::Features);
+            };
+            let last = if K::FEATURES.are_of_triangle() {
+                1.0 - u - v
+            } else {
+                (1.0 - u).min(1.0 - v)
+            };
+            if u.min(v).min(last) < NEAR_BOUNDARY {
+                return Err(NotDifferentiable::Features);
+            }
+        }
+        let t = impact.time.lower();
+        let four = self.four();
+        let [e1, e2] = [K::SPAN[1], K::SPAN[2]].map(|(i, j)| {
+            array::from_fn(|axis| {
+                let at = |k: usize| (1.0 - t) * four[0][k][axis] + t * four[1][k][axis];
+                at(i) - at(j)
+            })
+        });
+        let [length1, length2] = [e1, e2].map(|e| squared(e));
+        let is_unique = match K::FEATURES.inner {
+            Some(_) => squared(cross(e1, e2)) > NEAR_PARALLEL * length1 * length2,
+            // An edge, or two vertices.
+            None => length2 > 0.0 || K::FEATURES.sides.is_empty(),
+        };
+        if is_unique {
+            Ok(normal)
+        } else {
+            Err(NotDifferentiable::Features)
+        }
+    }
+}
+
+/// The derivatives: the normal times the weight of each point, and times a factor of each end.
+fn gradient<K: Kind>(
+    factors: [f64; 2],
+    weights: &[f64; 4],
+    normal: Point,
+) -> Result<Gradient<K>, NotDifferentiable> {
+    let points = factors.map(|factor| {
+        let mut points = K::Points::default();
+        for (point, weight) in points.as_mut().iter_mut().zip(weights) {
+            *point = normal.map(|n| factor * weight * n);
+        }
+        points
+    });
+    let mut values = points.iter().flat_map(|points| points.as_ref().as_flattened());
+    if values.all(|value| value.is_finite()) {
+        Ok(Gradient { points })
+    } else {
+        Err(NotDifferentiable::Overflow)
+    }
+}
+
+fn cross(a: Point, b: Point) -> Point {
+    [[1, 2], [2, 0], [0, 1]].map(|[i, j]: [usize; 2]| a[i] * b[j] - a[j] * b[i])
+}
+
+fn squared(a: Point) -> f64 {
+    a[0] * a[0] + a[1] * a[1] + a[2] * a[2]
+}
