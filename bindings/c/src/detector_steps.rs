@@ -54,16 +54,16 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
 /// sizes, from 0 to 1, are written to `sizes`, and the positions at the end to `positions`.
 ///
 /// The motion from `x0` to `positions`, as they are, has been decided exactly: no two primitives touch but
-/// the pairs of `blocked`. These touch at t = 0, or a pinned vertex runs into a vertex that stays where it
-/// is. `pinned` has the `pinned_count` vertices that go all the way, such as those of obstacles; it may be
-/// null for 0. A contact at time t holds back the vertices that approach, by the factor `keep` t in the first
-/// round; 0 < `keep` <= 1. docs/steps.md has the whole rule. Without pinned vertices, no size is below that of
-/// `exact_ccd_detector_free_step`.
+/// the pairs of `blocked`. Those touch at t = 0, or their vertices that are not pinned stay at the start.
+/// `pinned` has the `pinned_count` vertices that go all the way, such as those of obstacles; it may be null
+/// for 0. Without pinned vertices, no size is below that of `exact_ccd_detector_free_step`.
 ///
-/// `sizes` has room for `vertex_count` numbers, and `positions` for as many points; `positions` may be `x0` or
-/// `x1`. `rounds` is the number of searches for contact. `blocked` is sorted, and freed with
-/// `exact_ccd_pairs_free`. A mesh that is pierced at `x0` may be free of contact, as in
-/// `exact_ccd_detector_collides`.
+/// A contact at time t holds back the vertices that approach, in the first round by the factor `keep` t,
+/// for 0 < `keep` <= 1; docs/steps.md has the rule. `rounds` is the number of searches for contact.
+///
+/// `sizes` has room for `vertex_count` numbers, and `positions` for as many points; `positions` may be
+/// `x0` or `x1`. The list `blocked` is freed with `exact_ccd_pairs_free`. A mesh that is pierced at `x0`
+/// may be free of contact, as in `exact_ccd_detector_collides`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_free_steps(
     detector: *mut Detector,

@@ -27,7 +27,7 @@ impl<'a> Worlds<'a> {
         vertex_count: usize,
         world_count: usize,
     ) -> Result<Self, Error> {
-        let count = vertex_count.checked_mul(world_count).unwrap_or(usize::MAX);
+        let count = vertex_count.saturating_mul(world_count);
         // SAFETY: the caller's promise.
         let (x0, x1) = unsafe { (array("x0", x0.cast(), count)?, array("x1", x1.cast(), count)?) };
         Ok(Self {

@@ -189,7 +189,8 @@ static void wrong_batches(void)
     queries[4 * 9001 + 2] = 4;
     queries[4 * 15001 + 1] = 5;
     const double thickness[4] = {0, 0, 0, 0};
-    fails(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 0, times),
+    fails(exact_ccd_batch_time_of_impact(
+              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 0, times),
           EXACT_CCD_STATUS_INVALID_MESH,
           "query 9001");
     fails(exact_ccd_batch_time_of_impact_thick(
@@ -199,7 +200,8 @@ static void wrong_batches(void)
     const exact_ccd_error_t error = exact_ccd_last_error_fields();
     CHECK(error.status == EXACT_CCD_STATUS_INVALID_MESH && error.has_query && error.query == 9001);
     CHECK(strcmp(error.message, exact_ccd_last_error()) == 0);
-    fails(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 3, times),
+    fails(exact_ccd_batch_time_of_impact(
+              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 3, times),
           EXACT_CCD_STATUS_INVALID_MESH,
           "query 9001");
     for (int i = 0; i < COUNT; ++i) {
@@ -593,8 +595,14 @@ static void worlds(void)
     fails(exact_ccd_worlds_collides(detector, x0, x1, 4, COUNT, 1, collides),
           EXACT_CCD_STATUS_INVALID_POSITIONS,
           "world 1: at the end, vertex 0");
-    fails(exact_ccd_worlds_collides(detector, x0, x1, 3, COUNT, 1, collides), EXACT_CCD_STATUS_INVALID_POSITIONS, "world 0");
-    fails(exact_ccd_worlds_collides(detector, x0, x1, 4, SIZE_MAX, 1, collides), EXACT_CCD_STATUS_INVALID_ARGUMENT, "memory");
+    fails(exact_ccd_worlds_collides(
+              detector, x0, x1, 3, COUNT, 1, collides),
+          EXACT_CCD_STATUS_INVALID_POSITIONS,
+          "world 0");
+    fails(exact_ccd_worlds_collides(
+              detector, x0, x1, 4, SIZE_MAX, 1, collides),
+          EXACT_CCD_STATUS_INVALID_ARGUMENT,
+          "memory");
     fails(exact_ccd_worlds_collision(detector, x0, x1, 4, COUNT, 1, NULL, contacts),
           EXACT_CCD_STATUS_INVALID_ARGUMENT,
           "collides");
@@ -611,7 +619,8 @@ static void numbers_of_threads(void)
         batches();
         const uint32_t query[4] = {0, 1, 2, 3};
         double time = -1;
-        OK(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, query, 1, 0, 1, counts[3 - i], &time));
+        OK(exact_ccd_batch_time_of_impact(
+            EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, query, 1, 0, 1, counts[3 - i], &time));
         CHECK(time == 0.5);
     }
     fails(exact_ccd_set_threads(1025), EXACT_CCD_STATUS_INVALID_ARGUMENT, "1025 threads");
