@@ -52,8 +52,8 @@ int main()
         detector.set_min_distance(0.01);
         const auto step = detector.free_step(x0, x1);
         std::printf("certified step: %.17g\n", step.size);
-        std::printf("contacts in the full step: %zu\n", detector.contacts(x0, x1).size());
-        return detector.is_free(x0, step.positions) ? 0 : 1;
+        std::printf("contacts in the full step: %zu\n", detector.collisions(x0, x1).size());
+        return detector.collides(x0, step.positions) ? 1 : 0;
     } catch (const exact_ccd::Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 2;

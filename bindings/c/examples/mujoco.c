@@ -89,11 +89,11 @@ int main(int argc, char** argv)
         mj_step(model, data);
         mj_forward(model, data);
         place_geoms(model, data, x1);
-        bool is_found = false;
+        bool collides = false;
         exact_ccd_contact_t contact;
-        check(exact_ccd_detector_earliest_contact(detector, x0, x1, vertex_count, &is_found, &contact));
+        check(exact_ccd_detector_collision(detector, x0, x1, vertex_count, 1, &collides, &contact));
         printf("step %d: %d contacts of MuJoCo", step, (int)data->ncon);
-        if (is_found) {
+        if (collides) {
             printf(", first contact at %.17g of the step", contact.impact.time);
             missed += data->ncon == 0;
         }

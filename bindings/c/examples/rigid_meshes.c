@@ -36,14 +36,14 @@ int main(void)
 
     exact_ccd_mesh_t* mesh = NULL;
     exact_ccd_detector_t* detector = NULL;
-    bool is_found = false;
+    bool collides = false;
     exact_ccd_contact_t contact;
     const int error = failed(exact_ccd_mesh_new(VERTICES, faces, 6, NULL, 0, &mesh))
                       || failed(exact_ccd_detector_new(mesh, &detector))
                       || failed(exact_ccd_detector_set_groups(detector, bodies, VERTICES))
-                      || failed(exact_ccd_detector_earliest_contact(
-                          detector, x0, x1, VERTICES, &is_found, &contact));
-    if (!error && is_found) {
+                      || failed(exact_ccd_detector_collision(
+                          detector, x0, x1, VERTICES, 1, &collides, &contact));
+    if (!error && collides) {
         printf("contact at %.17g of the step, vertices %u %u %u %u\n",
                contact.impact.time,
                contact.vertices[0],
@@ -53,5 +53,5 @@ int main(void)
     }
     exact_ccd_detector_free(detector);
     exact_ccd_mesh_free(mesh);
-    return error || !is_found;
+    return error || !collides;
 }

@@ -66,6 +66,9 @@ typedef struct exact_ccd_detector_t exact_ccd_detector_t;
 // The connectivity of a mesh: faces, edges and vertices. It never changes.
 typedef struct exact_ccd_mesh_t exact_ccd_mesh_t;
 
+// Pairs of primitives, sorted by kind, then by the first index, then by the second.
+typedef struct exact_ccd_pairs_t exact_ccd_pairs_t;
+
 // The first time at which two primitives touch or come within a distance, and the place.
 typedef struct exact_ccd_impact_t {
   // The time, from 0 to 1, rounded down to `double`.
@@ -130,6 +133,18 @@ typedef struct exact_ccd_error_t {
   // That face; else 4294967295.
   uint32_t face;
 } exact_ccd_error_t;
+
+// Two primitives of a mesh.
+typedef struct exact_ccd_pair_t {
+  // The kind of the pair, of `exact_ccd_kind_t`.
+  uint32_t kind;
+  // The index of the first primitive: the vertex, or the edge of the smaller index.
+  uint32_t first;
+  // The index of the second: the face, the edge or the vertex.
+  uint32_t second;
+  // The vertices, in the order of the kind; 4294967295 in the places that the kind does not use.
+  uint32_t vertices[4];
+} exact_ccd_pair_t;
 
 // A closed interval of times, whose ends are rounded down to `double`. The end is rounded down as
 // well: an interval that ends at 1 has `end` = 1.
@@ -241,6 +256,39 @@ enum exact_ccd_status_t exact_ccd_detector_new(const struct exact_ccd_mesh_t *me
 // Frees a detector. Null is allowed.
 void exact_ccd_detector_free(struct exact_ccd_detector_t *detector);
 
+// Decides if any two primitives touch in a step. `x0` and `x1` are the positions of the `vertex_count`
+// vertices at t = 0 and t = 1. `until`, from 0 to 1, is the last time that counts, 1 for the whole step:
+// primitives that first touch later do not collide. The exact time is compared, not the rounded one. Ends
+// soon after the first contact found.
+//
+// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
+// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
+enum exact_ccd_status_t exact_ccd_detector_collides(struct exact_ccd_detector_t *detector,
+                                                    const double *x0,
+                                                    const double *x1,
+                                                    size_t vertex_count,
+                                                    double until,
+                                                    bool *collides);
+
+// The earliest contact of a step; `contact` is written only if `collides` is true. Other arguments as in
+// `exact_ccd_detector_collides`.
+enum exact_ccd_status_t exact_ccd_detector_collision(struct exact_ccd_detector_t *detector,
+                                                     const double *x0,
+                                                     const double *x1,
+                                                     size_t vertex_count,
+                                                     double until,
+                                                     bool *collides,
+                                                     struct exact_ccd_contact_t *contact);
+
+// All contacts of a step, the earliest first. The list is freed with `exact_ccd_contacts_free`. Other
+// arguments as in `exact_ccd_detector_collides`.
+enum exact_ccd_status_t exact_ccd_detector_collisions(struct exact_ccd_detector_t *detector,
+                                                      const double *x0,
+                                                      const double *x1,
+                                                      size_t vertex_count,
+                                                      double until,
+                                                      struct exact_ccd_contacts_t **contacts);
+
 // Pairs count as in contact from this distance on: a finite number of at least 0, which is the
 // default.
 //
@@ -283,41 +331,6 @@ enum exact_ccd_status_t exact_ccd_detector_set_threads(struct exact_ccd_detector
 enum exact_ccd_status_t exact_ccd_detector_set_start_check(struct exact_ccd_detector_t *detector,
                                                            bool is_on);
 
-// Decides if a step is free of contact. `x0` and `x1` are the positions of the `vertex_count`
-// vertices at t = 0 and t = 1. Ends soon after the first contact found.
-//
-// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
-// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
-enum exact_ccd_status_t exact_ccd_detector_is_free(struct exact_ccd_detector_t *detector,
-                                                   const double *x0,
-                                                   const double *x1,
-                                                   size_t vertex_count,
-                                                   bool *is_free);
-
-// The earliest contact of a step; `contact` is written only if there is one. Positions as in
-// `exact_ccd_detector_is_free`.
-//
-// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
-// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
-enum exact_ccd_status_t exact_ccd_detector_earliest_contact(struct exact_ccd_detector_t *detector,
-                                                            const double *x0,
-                                                            const double *x1,
-                                                            size_t vertex_count,
-                                                            bool *is_found,
-                                                            struct exact_ccd_contact_t *contact);
-
-// The contacts of a step whose first time is not after `until`, from 0 to 1, the earliest first; all
-// for 1. The list is freed with `exact_ccd_contacts_free`. Positions as in `exact_ccd_detector_is_free`.
-//
-// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
-// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
-enum exact_ccd_status_t exact_ccd_detector_contacts(struct exact_ccd_detector_t *detector,
-                                                    const double *x0,
-                                                    const double *x1,
-                                                    size_t vertex_count,
-                                                    double until,
-                                                    struct exact_ccd_contacts_t **contacts);
-
 // A step that is certified to be free of contact: its size, from 0 to 1, and the positions at its
 // end, which are written to `positions`.
 //
@@ -336,6 +349,32 @@ enum exact_ccd_status_t exact_ccd_detector_free_step(struct exact_ccd_detector_t
                                                      double keep,
                                                      double *size,
                                                      double *positions);
+
+// A size for each vertex, such that the motion of all vertices is certified to be free of contact: the
+// sizes, from 0 to 1, are written to `sizes`, and the positions at the end to `positions`.
+//
+// The motion from `x0` to `positions`, as they are, has been decided exactly: no two primitives touch but
+// the pairs of `blocked`. Those touch at t = 0, or their vertices that are not pinned stay at the start.
+// `pinned` has the `pinned_count` vertices that go all the way, such as those of obstacles; it may be null
+// for 0. Without pinned vertices, no size is below that of `exact_ccd_detector_free_step`.
+//
+// A contact at time t holds back the vertices that approach, in the first round by the factor `keep` t,
+// for 0 < `keep` <= 1; docs/steps.md has the rule. `rounds` is the number of searches for contact.
+//
+// `sizes` has room for `vertex_count` numbers, and `positions` for as many points; `positions` may be
+// `x0` or `x1`. The list `blocked` is freed with `exact_ccd_pairs_free`. A mesh that is pierced at `x0`
+// may be free of contact, as in `exact_ccd_detector_collides`.
+enum exact_ccd_status_t exact_ccd_detector_free_steps(struct exact_ccd_detector_t *detector,
+                                                      const double *x0,
+                                                      const double *x1,
+                                                      size_t vertex_count,
+                                                      const uint32_t *pinned,
+                                                      size_t pinned_count,
+                                                      double keep,
+                                                      double *sizes,
+                                                      double *positions,
+                                                      size_t *rounds,
+                                                      struct exact_ccd_pairs_t **blocked);
 
 // The message of the last call on this thread that failed; empty if none has. It names the argument,
 // the vertex or the query that is wrong. The string is valid until the next call that fails on this
@@ -383,6 +422,14 @@ enum exact_ccd_status_t exact_ccd_mesh_edges(const struct exact_ccd_mesh_t *mesh
 
 // Frees a mesh. Detectors of the mesh keep what they need. Null is allowed.
 void exact_ccd_mesh_free(struct exact_ccd_mesh_t *mesh);
+
+// The number of pairs, and a pointer to the first, which is valid until the list is freed.
+enum exact_ccd_status_t exact_ccd_pairs_data(const struct exact_ccd_pairs_t *pairs,
+                                             const struct exact_ccd_pair_t **data,
+                                             size_t *count);
+
+// Frees a list of pairs. Null is allowed.
+void exact_ccd_pairs_free(struct exact_ccd_pairs_t *pairs);
 
 // Decides if two primitives touch in a time step: if they come within the distance `separation` of each
 // other, or are in contact if it is 0. Exact.
@@ -462,33 +509,47 @@ const char *exact_ccd_version(void);
 // at run time compares it with that of its header.
 uint32_t exact_ccd_abi_version(void);
 
-// `exact_ccd_detector_is_free` for each of `world_count` worlds, with the mesh and the settings of the
+// `exact_ccd_detector_collides` for each of `world_count` worlds, with the mesh and the settings of the
 // detector.
 //
 // `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then those of
-// the next, and so on. `is_free` has room for `world_count` results. The message of an error names the
+// the next, and so on. `collides` has room for `world_count` results. The message of an error names the
 // first world that is wrong, from 0.
-enum exact_ccd_status_t exact_ccd_worlds_is_free(const struct exact_ccd_detector_t *detector,
-                                                 const double *x0,
-                                                 const double *x1,
-                                                 size_t vertex_count,
-                                                 size_t world_count,
-                                                 bool *is_free);
+enum exact_ccd_status_t exact_ccd_worlds_collides(const struct exact_ccd_detector_t *detector,
+                                                  const double *x0,
+                                                  const double *x1,
+                                                  size_t vertex_count,
+                                                  size_t world_count,
+                                                  double until,
+                                                  bool *collides);
 
-// `exact_ccd_detector_earliest_contact` for each world; `is_found` and `contacts` have room for
-// `world_count` results, and a contact is written only where one is found. Other arguments as in
-// `exact_ccd_worlds_is_free`.
-enum exact_ccd_status_t exact_ccd_worlds_earliest_contact(const struct exact_ccd_detector_t *detector,
-                                                          const double *x0,
-                                                          const double *x1,
-                                                          size_t vertex_count,
-                                                          size_t world_count,
-                                                          bool *is_found,
-                                                          struct exact_ccd_contact_t *contacts);
+// `exact_ccd_detector_collision` for each world; `collides` and `contacts` have room for `world_count`
+// results, and a contact is written only where `collides` is true. Other arguments as in
+// `exact_ccd_worlds_collides`.
+enum exact_ccd_status_t exact_ccd_worlds_collision(const struct exact_ccd_detector_t *detector,
+                                                   const double *x0,
+                                                   const double *x1,
+                                                   size_t vertex_count,
+                                                   size_t world_count,
+                                                   double until,
+                                                   bool *collides,
+                                                   struct exact_ccd_contact_t *contacts);
+
+// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then those
+// of the next, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
+// `exact_ccd_worlds_collides`.
+enum exact_ccd_status_t exact_ccd_worlds_collisions(const struct exact_ccd_detector_t *detector,
+                                                    const double *x0,
+                                                    const double *x1,
+                                                    size_t vertex_count,
+                                                    size_t world_count,
+                                                    double until,
+                                                    size_t *counts,
+                                                    struct exact_ccd_contacts_t **contacts);
 
 // `exact_ccd_detector_free_step` for each world: `sizes` has room for `world_count` numbers, and
 // `positions` for the points of all worlds. `positions` may be `x0` or `x1`. Other arguments as in
-// `exact_ccd_worlds_is_free`.
+// `exact_ccd_worlds_collides`.
 enum exact_ccd_status_t exact_ccd_worlds_free_step(const struct exact_ccd_detector_t *detector,
                                                    const double *x0,
                                                    const double *x1,

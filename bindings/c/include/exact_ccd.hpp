@@ -78,6 +78,7 @@ using Point = std::array<double, 3>;
 using Impact = exact_ccd_impact_t;
 using Interval = exact_ccd_interval_t;
 using Contact = exact_ccd_contact_t;
+using Pair = exact_ccd_pair_t;
 
 /// True for the types that are `N` numbers `T` in memory. For other structs than these arrays, specialise it:
 ///
@@ -180,6 +181,19 @@ inline std::size_t query_count(Kind kind, View<std::uint32_t, 1> indices)
                                     + std::to_string(point_count(kind)));
     }
     return indices.size() / point_count(kind);
+}
+
+/// The elements of a list of the library, which is freed.
+template <typename Element, typename List>
+std::vector<Element> copy(List* list,
+                          exact_ccd_status_t (*elements)(const List*, const Element**, std::size_t*),
+                          void (*free)(List*))
+{
+    const std::unique_ptr<List, void (*)(List*)> owner(list, free);
+    const Element* data = nullptr;
+    std::size_t count = 0;
+    check(elements(list, &data, &count));
+    return std::vector<Element>(data, data + count);
 }
 
 }  // namespace detail
@@ -357,6 +371,15 @@ public:
         std::vector<Point> positions;
     };
 
+    /// A step for every vertex, certified to be free of contact but for the pairs `blocked`.
+    struct FreeSteps {
+        std::vector<double> sizes;
+        std::vector<Point> positions;
+        /// The number of searches for contact.
+        std::size_t rounds;
+        std::vector<Pair> blocked;
+    };
+
     /// An edge and a face, by their indices, that meet at rest.
     struct Intersection {
         std::uint32_t edge, face;
@@ -440,47 +463,36 @@ public:
     /// edge passes through a face at `x0`. Without it, which is the default, such a mesh may be free of contact.
     void set_start_check(bool is_on) { check(exact_ccd_detector_set_start_check(handle(), is_on)); }
 
-    /// True if no two primitives touch. A mesh that is pierced at `x0` may be free: see `set_start_check`, and
-    /// docs/pairs.md for the pairs that are compared.
-    bool is_free(Points x0, Points x1)
+    /// True if any two primitives touch. `until`, from 0 to 1, is the last time that counts; the exact time is
+    /// compared. A mesh that is pierced at `x0` may be free of contact: see `set_start_check`, and docs/pairs.md
+    /// for the pairs that are compared.
+    bool collides(Points x0, Points x1, double until = 1)
     {
         detail::check_counts(x0, x1);
         bool answer = false;
-        check(exact_ccd_detector_is_free(handle(), x0.data(), x1.data(), x0.size(), &answer));
+        check(exact_ccd_detector_collides(handle(), x0.data(), x1.data(), x0.size(), until, &answer));
         return answer;
     }
 
-    /// The earliest contact. A mesh that is pierced at `x0` may have none: see `set_start_check`, and
-    /// docs/pairs.md for the pairs that are compared.
-    std::optional<Contact> earliest_contact(Points x0, Points x1)
+    /// The earliest contact; none if the primitives do not collide.
+    std::optional<Contact> collision(Points x0, Points x1, double until = 1)
     {
         detail::check_counts(x0, x1);
         bool is_found = false;
         Contact contact{};
-        check(exact_ccd_detector_earliest_contact(
-            handle(), x0.data(), x1.data(), x0.size(), &is_found, &contact));
+        check(exact_ccd_detector_collision(
+            handle(), x0.data(), x1.data(), x0.size(), until, &is_found, &contact));
         return is_found ? std::optional(contact) : std::nullopt;
     }
 
-    /// The contacts until a time, the earliest first. A mesh that is pierced at `x0` may have none: see
-    /// `set_start_check`.
-    std::vector<Contact> contacts(Points x0, Points x1, double until = 1)
+    /// All contacts, the earliest first.
+    std::vector<Contact> collisions(Points x0, Points x1, double until = 1)
     {
         detail::check_counts(x0, x1);
         exact_ccd_contacts_t* contacts = nullptr;
-        check(exact_ccd_detector_contacts(
+        check(exact_ccd_detector_collisions(
             handle(), x0.data(), x1.data(), x0.size(), until, &contacts));
-        struct Free {
-            void operator()(exact_ccd_contacts_t* contacts) const noexcept
-            {
-                exact_ccd_contacts_free(contacts);
-            }
-        };
-        const std::unique_ptr<exact_ccd_contacts_t, Free> owner(contacts);
-        const Contact* data = nullptr;
-        std::size_t count = 0;
-        check(exact_ccd_contacts_data(contacts, &data, &count));
-        return std::vector<Contact>(data, data + count);
+        return detail::copy<Contact>(contacts, exact_ccd_contacts_data, exact_ccd_contacts_free);
     }
 
     /// The size of a step without contact, at most `keep` times the time of impact, and the certified
@@ -498,6 +510,28 @@ public:
                                            &step.size,
                                            reinterpret_cast<double*>(step.positions.data())));
         return step;
+    }
+
+    /// A size for each vertex, such that the motion of all vertices to the positions is certified to be free of
+    /// contact, but for the pairs `blocked`. The vertices `pinned` go all the way. docs/steps.md has the rule.
+    FreeSteps free_steps(Points x0, Points x1, View<std::uint32_t, 1> pinned = {}, double keep = 0.9)
+    {
+        detail::check_counts(x0, x1);
+        FreeSteps steps{std::vector<double>(x0.size()), std::vector<Point>(x0.size()), 0, {}};
+        exact_ccd_pairs_t* blocked = nullptr;
+        check(exact_ccd_detector_free_steps(handle(),
+                                            x0.data(),
+                                            x1.data(),
+                                            x0.size(),
+                                            pinned.data(),
+                                            pinned.size(),
+                                            keep,
+                                            steps.sizes.data(),
+                                            reinterpret_cast<double*>(steps.positions.data()),
+                                            &steps.rounds,
+                                            &blocked));
+        steps.blocked = detail::copy<Pair>(blocked, exact_ccd_pairs_data, exact_ccd_pairs_free);
+        return steps;
     }
 
     exact_ccd_detector_t* handle() const noexcept { return handle_.get(); }

@@ -1,9 +1,10 @@
 //! Contacts as C structures.
 
 use exact_ccd::Point;
-use exact_ccd_mesh::{Pair, TriangleMesh, contact_points};
+use exact_ccd_mesh::{TriangleMesh, contact_points};
 
 use crate::kind::Kind;
+use crate::pair::Pair;
 
 /// The first time at which two primitives touch or come within a distance, and the place.
 #[repr(C)]
@@ -99,16 +100,16 @@ impl Contact {
         positions: [&[Point]; 2],
         contact: &exact_ccd_mesh::Contact,
     ) -> Self {
-        let (kind, first, second) = ids(contact.pair);
-        let mut vertices = [u32::MAX; 4];
-        // A contact is between primitives that the mesh has.
-        let of_pair = contact.pair.vertices(mesh).unwrap_or_default();
-        let (a, b) = of_pair.split_at(contact.pair.first_len().min(of_pair.len()));
-        for (place, &vertex) in vertices.iter_mut().zip(&of_pair) {
-            *place = vertex;
-        }
+        let Pair {
+            kind,
+            first,
+            second,
+            vertices,
+        } = Pair::of(mesh, contact.pair);
+        let used = vertices.iter().take_while(|&&vertex| vertex != u32::MAX).count();
+        let (a, b) = vertices[..used].split_at(contact.pair.first_len().min(used));
         Self {
-            kind: kind as u32,
+            kind,
             first,
             second,
             vertices,
@@ -127,14 +128,5 @@ impl Contact {
             distance: [0.0; 2],
             impact: Impact::default(),
         }
-    }
-}
-
-fn ids(pair: Pair) -> (Kind, u32, u32) {
-    match pair {
-        Pair::VertexFace { vertex, face } => (Kind::VertexFace, vertex, face),
-        Pair::EdgeEdge { a, b } => (Kind::EdgeEdge, a, b),
-        Pair::VertexEdge { vertex, edge } => (Kind::VertexEdge, vertex, edge),
-        Pair::VertexVertex { a, b } => (Kind::VertexVertex, a, b),
     }
 }

@@ -32,7 +32,7 @@ pub unsafe extern "C" fn exact_ccd_contacts_data(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_contacts_free(contacts: *mut Contacts) {
     if !contacts.is_null() {
-        // SAFETY: made by `exact_ccd_detector_contacts`, and freed once: the caller's promise.
+        // SAFETY: made by `exact_ccd_detector_collisions`, and freed once: the caller's promise.
         drop(unsafe { Box::from_raw(contacts) });
     }
 }

@@ -1,7 +1,7 @@
 //! Detectors: contact in the steps of one mesh.
 
 use exact_ccd::Options;
-use exact_ccd_mesh::MinDistance;
+use exact_ccd_mesh::{FreeStepOptions, MinDistance};
 
 use crate::border::call;
 use crate::error::{Error, Status};
@@ -29,6 +29,12 @@ impl Detector {
     /// The minimum distance, and the whole step.
     pub(crate) fn options(&self) -> Options<MinDistance> {
         Options::within(self.min_distance.clone())
+    }
+
+    /// The minimum distance, and the part of the time of impact that a certified step keeps.
+    pub(crate) fn free_step_options(&self, keep: f64) -> FreeStepOptions<'static> {
+        let options = FreeStepOptions::default().with_keep(keep);
+        options.with_min_distance(self.min_distance.clone())
     }
 
     /// The result of a computation with the detector, on its threads.

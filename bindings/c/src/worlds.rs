@@ -1,14 +1,14 @@
 //! Steps of many worlds, which have one mesh and positions of their own.
 
 use exact_ccd::Point;
-use exact_ccd_mesh::FreeStepOptions;
 use rayon::prelude::*;
 
 use crate::border::call;
 use crate::contact::Contact;
+use crate::contacts::Contacts;
 use crate::detector::Detector;
 use crate::error::{Error, Status};
-use crate::pointers::{array, fill, places, reference};
+use crate::pointers::{Out, array, fill, places, reference};
 
 /// The positions of worlds: as many for each as there are vertices.
 struct Worlds<'a> {
@@ -27,7 +27,7 @@ impl<'a> Worlds<'a> {
         vertex_count: usize,
         world_count: usize,
     ) -> Result<Self, Error> {
-        let count = vertex_count.checked_mul(world_count).unwrap_or(usize::MAX);
+        let count = vertex_count.saturating_mul(world_count);
         // SAFETY: the caller's promise.
         let (x0, x1) = unsafe { (array("x0", x0.cast(), count)?, array("x1", x1.cast(), count)?) };
         Ok(Self {
@@ -59,69 +59,71 @@ impl<'a> Worlds<'a> {
     }
 }
 
-/// `exact_ccd_detector_is_free` for each of `world_count` worlds, with the mesh and the settings of the
+/// `exact_ccd_detector_collides` for each of `world_count` worlds, with the mesh and the settings of the
 /// detector.
 ///
 /// `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then those of
-/// the next, and so on. `is_free` has room for `world_count` results. The message of an error names the
+/// the next, and so on. `collides` has room for `world_count` results. The message of an error names the
 /// first world that is wrong, from 0.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_worlds_is_free(
+pub unsafe extern "C" fn exact_ccd_worlds_collides(
     detector: *const Detector,
     x0: *const f64,
     x1: *const f64,
     vertex_count: usize,
     world_count: usize,
-    is_free: *mut bool,
+    until: f64,
+    collides: *mut bool,
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, worlds, is_free) = unsafe {
+        let (detector, worlds, collides) = unsafe {
             let detector = reference("detector", detector)?;
             let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
-            (detector, worlds, places("is_free", is_free, world_count)?)
+            (detector, worlds, places("collides", collides, world_count)?)
         };
-        let options = detector.options();
-        let free = worlds.each(detector, |detector, x0, x1| {
-            Ok(!detector.collides(x0, x1, options.clone())?)
+        let options = detector.options().until(until);
+        let found = worlds.each(detector, |detector, x0, x1| {
+            Ok(detector.collides(x0, x1, options.clone())?)
         })?;
-        fill(is_free, free);
+        fill(collides, found);
         Ok(())
     })
 }
 
-/// `exact_ccd_detector_earliest_contact` for each world; `is_found` and `contacts` have room for
-/// `world_count` results, and a contact is written only where one is found. Other arguments as in
-/// `exact_ccd_worlds_is_free`.
+/// `exact_ccd_detector_collision` for each world; `collides` and `contacts` have room for `world_count`
+/// results, and a contact is written only where `collides` is true. Other arguments as in
+/// `exact_ccd_worlds_collides`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_worlds_earliest_contact(
+pub unsafe extern "C" fn exact_ccd_worlds_collision(
     detector: *const Detector,
     x0: *const f64,
     x1: *const f64,
     vertex_count: usize,
     world_count: usize,
-    is_found: *mut bool,
+    until: f64,
+    collides: *mut bool,
     contacts: *mut Contact,
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, worlds, is_found, contacts) = unsafe {
+        let (detector, worlds, collides, contacts) = unsafe {
             let detector = reference("detector", detector)?;
             let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
-            let is_found = places("is_found", is_found, world_count)?;
+            let collides = places("collides", collides, world_count)?;
             (
                 detector,
                 worlds,
-                is_found,
+                collides,
                 places("contacts", contacts, world_count)?,
             )
         };
-        let options = detector.options();
+        let options = detector.options().until(until);
         let found = worlds.each(detector, |detector, x0, x1| {
             let earliest = detector.collision(x0, x1, options.clone())?;
             Ok(earliest.map(|earliest| Contact::of(detector.mesh(), [x0, x1], &earliest)))
         })?;
-        fill(is_found, found.iter().map(Option::is_some));
+        fill(collides, found.iter().map(Option::is_some));
         for (place, contact) in contacts.iter_mut().zip(found) {
             if let Some(contact) = contact {
                 place.write(contact);
@@ -131,9 +133,44 @@ pub unsafe extern "C" fn exact_ccd_worlds_earliest_contact(
     })
 }
 
+/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then those
+/// of the next, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
+/// `exact_ccd_worlds_collides`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_worlds_collisions(
+    detector: *const Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    world_count: usize,
+    until: f64,
+    counts: *mut usize,
+    contacts: *mut *mut Contacts,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let (detector, worlds, counts, contacts) = unsafe {
+            let detector = reference("detector", detector)?;
+            let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
+            let counts = places("counts", counts, world_count)?;
+            (detector, worlds, counts, Out::new("contacts", contacts)?)
+        };
+        let options = detector.options().until(until);
+        let found = worlds.each(detector, |detector, x0, x1| {
+            let found = detector.collisions(x0, x1, options.clone())?;
+            let of = |contact| Contact::of(detector.mesh(), [x0, x1], contact);
+            Ok(found.iter().map(of).collect::<Vec<_>>())
+        })?;
+        fill(counts, found.iter().map(Vec::len));
+        let list = found.into_iter().flatten().collect();
+        contacts.write(Box::into_raw(Box::new(Contacts(list))));
+        Ok(())
+    })
+}
+
 /// `exact_ccd_detector_free_step` for each world: `sizes` has room for `world_count` numbers, and
 /// `positions` for the points of all worlds. `positions` may be `x0` or `x1`. Other arguments as in
-/// `exact_ccd_worlds_is_free`.
+/// `exact_ccd_worlds_collides`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_worlds_free_step(
     detector: *const Detector,
@@ -150,8 +187,7 @@ pub unsafe extern "C" fn exact_ccd_worlds_free_step(
         // the last use of the positions, which may be the same memory.
         unsafe {
             let detector = reference("detector", detector)?;
-            let options = FreeStepOptions::default().with_keep(keep);
-            let options = options.with_min_distance(detector.min_distance.clone());
+            let options = detector.free_step_options(keep);
             let steps = {
                 let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
                 worlds.each(detector, |detector, x0, x1| {

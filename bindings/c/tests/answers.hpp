@@ -51,7 +51,7 @@ inline Answers answers(const Scene& scene)
     const auto edges = exact_ccd::times_of_impact(Kind::edge_edge, x0, x1, queries, unit);
     answers.times.insert(answers.times.end(), edges.begin(), edges.end());
     const exact_ccd::Mesh mesh(x0.size(), faces);
-    answers.contacts = exact_ccd::Detector(mesh).contacts(x0, x1);
+    answers.contacts = exact_ccd::Detector(mesh).collisions(x0, x1);
     return answers;
 }
 

@@ -118,23 +118,30 @@ void meshes()
     CHECK(!detector.intersection(x0));
     const auto intersection = detector.intersection(x1);
     CHECK(intersection && intersection->face == 0 && intersection->edge < 6);
-    CHECK(detector.is_free(x1, x1));
+    CHECK(!detector.collides(x1, x1));
     detector.set_start_check(true);
     try {
-        detector.is_free(x1, x1);
+        detector.collides(x1, x1);
         CHECK(!"the mesh is pierced at the start");
     } catch (const exact_ccd::Error& error) {
         CHECK(error.status() == EXACT_CCD_STATUS_CROSSING && !error.query());
         CHECK(error.edge() == intersection->edge && error.face() == intersection->face);
     }
-    CHECK(!detector.is_free(x0, x1));
-    CHECK(detector.earliest_contact(x0, x1)->impact.time == 0.5);
-    CHECK(detector.contacts(x0, x1).size() == 1);
+    CHECK(detector.collides(x0, x1) && !detector.collides(x0, x1, 0.25));
+    CHECK(detector.collision(x0, x1)->impact.time == 0.5);
+    CHECK(detector.collisions(x0, x1).size() == 1 && detector.collisions(x0, x1, 0.25).empty());
     const auto step = detector.free_step(x0, x1);
-    CHECK(step.size == 0.45 && detector.is_free(x0, step.positions));
+    CHECK(step.size == 0.45 && !detector.collides(x0, step.positions));
+    const auto steps = detector.free_steps(x0, x1);
+    CHECK(steps.sizes[3] < 0.5 && steps.blocked.empty() && steps.rounds > 1);
+    CHECK(!detector.collides(x0, steps.positions));
+    const std::vector<std::uint32_t> falling{3, 4, 5};
+    const auto with_pinned = detector.free_steps(x0, x1, falling);
+    CHECK(with_pinned.sizes[3] == 1 && with_pinned.positions[3] == x1[3]);
+    CHECK(with_pinned.blocked.size() == 1 && with_pinned.blocked[0].first == 3);
     detector.set_min_distance(0.5);
-    CHECK(detector.earliest_contact(x0, x1)->impact.time == 0.25);
-    throws<std::invalid_argument>([&] { detector.is_free(x0, exact_ccd::Points(x1.data()->data(), 5)); });
+    CHECK(detector.collision(x0, x1)->impact.time == 0.25);
+    throws<std::invalid_argument>([&] { detector.collides(x0, exact_ccd::Points(x1.data()->data(), 5)); });
 
     exact_ccd::Audit audit(mesh);
     CHECK(!audit.examine(x0));
@@ -155,7 +162,7 @@ std::set<std::thread::id> threads_of(exact_ccd::Detector& detector)
     for (int i = 0; i < 6 * 40; ++i) {
         x.push_back({double(i % 2), double(i % 3), 0.25 * double(i % 5)});
     }
-    CHECK(detector.contacts(x, x).size() > 100);
+    CHECK(detector.collisions(x, x).size() > 100);
     detector.set_can_collide(nullptr, nullptr);
     return threads;
 }

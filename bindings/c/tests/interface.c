@@ -143,7 +143,7 @@ static void errors(void)
         exact_ccd_detector_t* detector = NULL;
         OK(exact_ccd_mesh_new((size_t)UINT32_MAX + 1, NULL, 0, NULL, 0, &mesh));
         OK(exact_ccd_detector_new(mesh, &detector));
-        fails(exact_ccd_detector_is_free(detector, FACE_START, FACE_END, 4, &collides),
+        fails(exact_ccd_detector_collides(detector, FACE_START, FACE_END, 4, 1, &collides),
               EXACT_CCD_STATUS_INVALID_MESH,
               "4294967296 vertices");
         exact_ccd_detector_free(detector);
@@ -189,7 +189,8 @@ static void wrong_batches(void)
     queries[4 * 9001 + 2] = 4;
     queries[4 * 15001 + 1] = 5;
     const double thickness[4] = {0, 0, 0, 0};
-    fails(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 0, times),
+    fails(exact_ccd_batch_time_of_impact(
+              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 0, times),
           EXACT_CCD_STATUS_INVALID_MESH,
           "query 9001");
     fails(exact_ccd_batch_time_of_impact_thick(
@@ -199,7 +200,8 @@ static void wrong_batches(void)
     const exact_ccd_error_t error = exact_ccd_last_error_fields();
     CHECK(error.status == EXACT_CCD_STATUS_INVALID_MESH && error.has_query && error.query == 9001);
     CHECK(strcmp(error.message, exact_ccd_last_error()) == 0);
-    fails(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 3, times),
+    fails(exact_ccd_batch_time_of_impact(
+              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 3, times),
           EXACT_CCD_STATUS_INVALID_MESH,
           "query 9001");
     for (int i = 0; i < COUNT; ++i) {
@@ -277,12 +279,12 @@ static void intersections(const exact_ccd_mesh_t* mesh, const double* apart, con
     first_corner = 0;
     OK(exact_ccd_detector_has_intersections(detector, crossing, 6, &intersects, NULL, NULL));
     CHECK(intersects);
-    bool is_free = false;
-    OK(exact_ccd_detector_is_free(detector, apart, crossing, 6, &is_free));
-    CHECK(is_free);
+    bool collides = true;
+    OK(exact_ccd_detector_collides(detector, apart, crossing, 6, 1, &collides));
+    CHECK(!collides);
     OK(exact_ccd_detector_set_pair_can_collide(detector, NULL, NULL));
-    OK(exact_ccd_detector_is_free(detector, apart, crossing, 6, &is_free));
-    CHECK(!is_free);
+    OK(exact_ccd_detector_collides(detector, apart, crossing, 6, 1, &collides));
+    CHECK(collides);
     exact_ccd_detector_free(detector);
 }
 
@@ -302,17 +304,86 @@ static void smallest_times(void)
     OK(exact_ccd_detector_new(mesh, &detector));
     OK(exact_ccd_detector_free_step(detector, x0, x1, 4, 0.9, &size, positions));
     CHECK(size == 0);
-    bool is_free = false;
-    OK(exact_ccd_detector_is_free(detector, x0, x0, 4, &is_free));
-    CHECK(is_free);
-    // Times until which contacts are listed.
+    bool collides = true;
+    OK(exact_ccd_detector_collides(detector, x0, x0, 4, 1, &collides));
+    CHECK(!collides);
+    // Times that are not in the step.
     const double wrong[] = {NAN, -1, -5e-324, 1.5, INFINITY};
     for (int i = 0; i < 5; ++i) {
-        fails(exact_ccd_detector_contacts(detector, x0, x1, 4, wrong[i], &contacts),
+        fails(exact_ccd_detector_collides(detector, x0, x1, 4, wrong[i], &collides),
+              EXACT_CCD_STATUS_INVALID_ARGUMENT,
+              "from 0 to 1");
+        fails(exact_ccd_detector_collisions(detector, x0, x1, 4, wrong[i], &contacts),
               EXACT_CCD_STATUS_INVALID_ARGUMENT,
               "from 0 to 1");
         CHECK(contacts == NULL);
     }
+    exact_ccd_detector_free(detector);
+    exact_ccd_mesh_free(mesh);
+}
+
+// Vertex 0 falls on the face, vertex 4 passes by, and vertex 5 rests.
+static void free_steps(void)
+{
+    const uint32_t face[3] = {1, 2, 3};
+    const double x0[18] = {0.25, 0.25, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 1, 0.25, 0.5, 1};
+    double x1[18], sizes[6], positions[18];
+    memcpy(x1, x0, sizeof x1);
+    x1[2] = x1[14] = -1;
+    exact_ccd_mesh_t* mesh = NULL;
+    exact_ccd_detector_t* detector = NULL;
+    exact_ccd_pairs_t* blocked = NULL;
+    const exact_ccd_pair_t* data = NULL;
+    size_t rounds = 0, count = 99;
+    bool collides = true;
+    OK(exact_ccd_mesh_new(6, face, 1, NULL, 0, &mesh));
+    OK(exact_ccd_detector_new(mesh, &detector));
+    OK(exact_ccd_detector_free_steps(detector, x0, x1, 6, NULL, 0, 0.5, sizes, positions, &rounds, &blocked));
+    CHECK(sizes[0] == 0.25 && sizes[1] == 1 && sizes[4] == 1 && sizes[5] == 1 && rounds == 2);
+    CHECK(positions[2] == 0.5 && positions[14] == -1);
+    OK(exact_ccd_pairs_data(blocked, &data, &count));
+    CHECK(count == 0);
+    exact_ccd_pairs_free(blocked);
+    OK(exact_ccd_detector_collides(detector, x0, positions, 6, 1, &collides));
+    CHECK(!collides);
+
+    // A pinned vertex runs into the face; the other pair begins in contact. The result is in the place of x1.
+    double y0[18];
+    memcpy(y0, x0, sizeof y0);
+    y0[17] = 0;
+    x1[17] = -1;
+    const uint32_t pinned[1] = {0};
+    OK(exact_ccd_detector_free_steps(detector, y0, x1, 6, pinned, 1, 0.5, sizes, x1, &rounds, &blocked));
+    OK(exact_ccd_pairs_data(blocked, &data, &count));
+    CHECK(count == 2 && sizes[0] == 1 && x1[2] == -1 && sizes[5] == 0);
+    for (uint32_t i = 0; i < 2; ++i) {
+        CHECK(data[i].kind == EXACT_CCD_KIND_VERTEX_FACE && data[i].first == 5 * i && data[i].second == 0);
+        CHECK(data[i].vertices[0] == 5 * i && data[i].vertices[1] == 1 && data[i].vertices[3] == 3);
+    }
+    exact_ccd_pairs_free(blocked);
+    blocked = NULL;
+
+    const exact_ccd_status_t argument = EXACT_CCD_STATUS_INVALID_ARGUMENT;
+    const uint32_t unknown[2] = {0, 6};
+    sizes[0] = -7;
+    rounds = 99;
+    fails(exact_ccd_detector_free_steps(detector, x0, x1, 6, unknown, 2, 0.5, sizes, positions, &rounds, &blocked),
+          argument,
+          "vertex 6 is pinned");
+    fails(exact_ccd_detector_free_steps(detector, x0, x1, 6, NULL, 1, 0.5, sizes, positions, &rounds, &blocked),
+          argument,
+          "pinned is null");
+    fails(exact_ccd_detector_free_steps(detector, x0, x1, 6, NULL, 0, 0, sizes, positions, &rounds, &blocked),
+          argument,
+          "to keep is 0");
+    fails(exact_ccd_detector_free_steps(detector, x0, x1, 6, NULL, 0, 1, sizes, NULL, &rounds, &blocked),
+          argument,
+          "positions");
+    fails(exact_ccd_detector_free_steps(detector, x0, x1, 5, NULL, 0, 1, sizes, positions, &rounds, &blocked),
+          EXACT_CCD_STATUS_INVALID_POSITIONS,
+          "5");
+    CHECK(sizes[0] == -7 && rounds == 99 && blocked == NULL);
+    exact_ccd_pairs_free(NULL);
     exact_ccd_detector_free(detector);
     exact_ccd_mesh_free(mesh);
 }
@@ -323,31 +394,31 @@ static void start_check(const exact_ccd_mesh_t* mesh, const double* apart, const
     exact_ccd_detector_t* detector = NULL;
     exact_ccd_contacts_t* contacts = NULL;
     exact_ccd_contact_t contact;
-    bool is_free = false, is_found = false;
+    bool collides = true;
     double size = -1, positions[18];
     const exact_ccd_status_t status = EXACT_CCD_STATUS_CROSSING;
     OK(exact_ccd_detector_new(mesh, &detector));
-    OK(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free));
-    CHECK(is_free);
+    OK(exact_ccd_detector_collides(detector, crossing, crossing, 6, 1, &collides));
+    CHECK(!collides);
     OK(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions));
     CHECK(size == 1);
 
     uint32_t edge = 99, face = 99;
-    OK(exact_ccd_detector_has_intersections(detector, crossing, 6, &is_found, &edge, &face));
+    OK(exact_ccd_detector_has_intersections(detector, crossing, 6, &collides, &edge, &face));
     OK(exact_ccd_detector_set_start_check(detector, true));
     size = -1;
-    fails(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free), status, "passes through face");
+    fails(exact_ccd_detector_collides(detector, crossing, crossing, 6, 1, &collides), status, "passes through face");
     fails(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions), status, "face");
-    fails(exact_ccd_detector_earliest_contact(detector, crossing, apart, 6, &is_found, &contact), status, "edge");
-    fails(exact_ccd_detector_contacts(detector, crossing, apart, 6, 1, &contacts), status, "edge");
+    fails(exact_ccd_detector_collision(detector, crossing, apart, 6, 1, &collides, &contact), status, "edge");
+    fails(exact_ccd_detector_collisions(detector, crossing, apart, 6, 1, &contacts), status, "edge");
     CHECK(size == -1 && contacts == NULL);
     const exact_ccd_error_t error = exact_ccd_last_error_fields();
     CHECK(error.status == status && error.edge == edge && error.face == face && !error.has_query);
-    OK(exact_ccd_detector_is_free(detector, apart, apart, 6, &is_free));
-    CHECK(is_free);
+    OK(exact_ccd_detector_collides(detector, apart, apart, 6, 1, &collides));
+    CHECK(!collides);
     OK(exact_ccd_detector_set_start_check(detector, false));
-    OK(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free));
-    CHECK(is_free);
+    OK(exact_ccd_detector_collides(detector, crossing, crossing, 6, 1, &collides));
+    CHECK(!collides);
     exact_ccd_detector_free(detector);
 }
 
@@ -381,12 +452,12 @@ static void meshes(void)
 
     exact_ccd_detector_t* detector = NULL;
     OK(exact_ccd_detector_new(mesh, &detector));
-    bool is_free = true, is_found = false;
-    OK(exact_ccd_detector_is_free(detector, x0, x1, 6, &is_free));
-    CHECK(!is_free);
+    bool collides = false;
+    OK(exact_ccd_detector_collides(detector, x0, x1, 6, 1, &collides));
+    CHECK(collides);
     exact_ccd_contact_t contact;
-    OK(exact_ccd_detector_earliest_contact(detector, x0, x1, 6, &is_found, &contact));
-    CHECK(is_found && contact.impact.time == 0.5 && contact.kind == EXACT_CCD_KIND_VERTEX_FACE);
+    OK(exact_ccd_detector_collision(detector, x0, x1, 6, 1, &collides, &contact));
+    CHECK(collides && contact.impact.time == 0.5 && contact.kind == EXACT_CCD_KIND_VERTEX_FACE);
     CHECK(contact.first == 3 && contact.second == 0 && contact.vertices[0] == 3 && contact.vertices[3] == 2);
     const double meeting[3] = {1, 1, 0};
     for (int axis = 0; axis < 3; ++axis) {
@@ -394,8 +465,17 @@ static void meshes(void)
         CHECK(fabs(contact.impact.points[1][axis] - meeting[axis]) < 1e-9);
     }
 
+    // The contact is at 0.5, which is the last time that counts, or after it.
+    const double until[2] = {0.5, 0.25};
+    for (int i = 0; i < 2; ++i) {
+        OK(exact_ccd_detector_collides(detector, x0, x1, 6, until[i], &collides));
+        CHECK(collides == (i == 0));
+        OK(exact_ccd_detector_collision(detector, x0, x1, 6, until[i], &collides, &contact));
+        CHECK(collides == (i == 0));
+    }
+
     exact_ccd_contacts_t* contacts = NULL;
-    OK(exact_ccd_detector_contacts(detector, x0, x1, 6, 1, &contacts));
+    OK(exact_ccd_detector_collisions(detector, x0, x1, 6, 1, &contacts));
     const exact_ccd_contact_t* data = NULL;
     size_t count = 0;
     OK(exact_ccd_contacts_data(contacts, &data, &count));
@@ -405,37 +485,37 @@ static void meshes(void)
     double size = -1, positions[18];
     OK(exact_ccd_detector_free_step(detector, x0, x1, 6, 0.5, &size, positions));
     CHECK(size == 0.25 && positions[3 * 3 + 2] == 0.5);
-    OK(exact_ccd_detector_is_free(detector, x0, positions, 6, &is_free));
-    CHECK(is_free);
+    OK(exact_ccd_detector_collides(detector, x0, positions, 6, 1, &collides));
+    CHECK(!collides);
     fails(exact_ccd_detector_free_step(detector, x0, x1, 6, 2, &size, positions),
           EXACT_CCD_STATUS_INVALID_ARGUMENT,
           "2");
-    fails(exact_ccd_detector_is_free(detector, x0, x1, 5, &is_free), EXACT_CCD_STATUS_INVALID_POSITIONS, "5");
+    fails(exact_ccd_detector_collides(detector, x0, x1, 5, 1, &collides), EXACT_CCD_STATUS_INVALID_POSITIONS, "5");
 
     OK(exact_ccd_detector_set_min_distance(detector, 0.5));
-    OK(exact_ccd_detector_earliest_contact(detector, x0, x1, 6, &is_found, &contact));
-    CHECK(is_found && contact.impact.time == 0.25);
+    OK(exact_ccd_detector_collision(detector, x0, x1, 6, 1, &collides, &contact));
+    CHECK(collides && contact.impact.time == 0.25);
     const double thickness[6] = {0.25, 0.25, 0.25, 0.5, 0.5, 0.5};
     OK(exact_ccd_detector_set_thickness(detector, thickness, 6));
-    OK(exact_ccd_detector_earliest_contact(detector, x0, x1, 6, &is_found, &contact));
-    CHECK(is_found && contact.impact.time == 0.125);
+    OK(exact_ccd_detector_collision(detector, x0, x1, 6, 1, &collides, &contact));
+    CHECK(collides && contact.impact.time == 0.125);
     OK(exact_ccd_detector_set_min_distance(detector, 0));
 
     const uint32_t one_group[6] = {7, 7, 7, 7, 7, 7};
     fails(exact_ccd_detector_set_groups(detector, one_group, 5), EXACT_CCD_STATUS_INVALID_ARGUMENT, "5 groups");
     fails(exact_ccd_detector_set_thickness(detector, thickness, 5), EXACT_CCD_STATUS_INVALID_ARGUMENT, "5");
-    OK(exact_ccd_detector_is_free(detector, x0, x1, 6, &is_free));
-    CHECK(!is_free);
+    OK(exact_ccd_detector_collides(detector, x0, x1, 6, 1, &collides));
+    CHECK(collides);
     OK(exact_ccd_detector_set_groups(detector, one_group, 6));
-    OK(exact_ccd_detector_is_free(detector, x0, x1, 6, &is_free));
-    CHECK(is_free);
+    OK(exact_ccd_detector_collides(detector, x0, x1, 6, 1, &collides));
+    CHECK(!collides);
     bool was_called = false;
     OK(exact_ccd_detector_set_can_collide(detector, never, &was_called));
-    OK(exact_ccd_detector_is_free(detector, x0, x1, 6, &is_free));
-    CHECK(is_free && was_called);
+    OK(exact_ccd_detector_collides(detector, x0, x1, 6, 1, &collides));
+    CHECK(!collides && was_called);
     OK(exact_ccd_detector_set_can_collide(detector, NULL, NULL));
-    OK(exact_ccd_detector_is_free(detector, x0, x1, 6, &is_free));
-    CHECK(!is_free);
+    OK(exact_ccd_detector_collides(detector, x0, x1, 6, 1, &collides));
+    CHECK(collides);
     exact_ccd_detector_free(detector);
 
     exact_ccd_audit_t* audit = NULL;
@@ -455,7 +535,6 @@ static void meshes(void)
     exact_ccd_mesh_free(mesh);
 }
 
-// The number of threads may change between any two calls, and belong to a call.
 // Three worlds with one triangle and a vertex that falls at different speeds.
 static void worlds(void)
 {
@@ -473,44 +552,65 @@ static void worlds(void)
     OK(exact_ccd_mesh_new(4, face, 1, NULL, 0, &mesh));
     OK(exact_ccd_detector_new(mesh, &detector));
 
-    bool is_free[COUNT], is_found[COUNT];
-    OK(exact_ccd_worlds_is_free(detector, x0, x1, 4, COUNT, is_free));
-    CHECK(is_free[0] && !is_free[1] && !is_free[2]);
+    bool collides[COUNT];
+    OK(exact_ccd_worlds_collides(detector, x0, x1, 4, COUNT, 1, collides));
+    CHECK(!collides[0] && collides[1] && collides[2]);
     exact_ccd_contact_t contacts[COUNT];
     contacts[0].impact.time = 7;
-    OK(exact_ccd_worlds_earliest_contact(detector, x0, x1, 4, COUNT, is_found, contacts));
-    CHECK(!is_found[0] && is_found[1] && is_found[2] && contacts[0].impact.time == 7);
+    OK(exact_ccd_worlds_collision(detector, x0, x1, 4, COUNT, 1, collides, contacts));
+    CHECK(!collides[0] && collides[1] && collides[2] && contacts[0].impact.time == 7);
     CHECK(contacts[1].impact.time == 0.5 && contacts[2].impact.time == 0.25);
     CHECK(contacts[2].kind == EXACT_CCD_KIND_VERTEX_FACE && contacts[2].first == 0);
+
+    // Until a time, which the contact of the second world is after.
+    OK(exact_ccd_worlds_collision(detector, x0, x1, 4, COUNT, 0.25, collides, contacts));
+    CHECK(!collides[0] && !collides[1] && collides[2]);
+    OK(exact_ccd_worlds_collides(detector, x0, x1, 4, COUNT, 0.25, collides));
+    CHECK(!collides[0] && !collides[1] && collides[2]);
+    size_t counts[COUNT], count = 0;
+    exact_ccd_contacts_t* list = NULL;
+    const exact_ccd_contact_t* data = NULL;
+    OK(exact_ccd_worlds_collisions(detector, x0, x1, 4, COUNT, 1, counts, &list));
+    CHECK(counts[0] == 0 && counts[1] == 1 && counts[2] == 1);
+    OK(exact_ccd_contacts_data(list, &data, &count));
+    CHECK(count == 2 && data[0].impact.time == 0.5 && data[1].impact.time == 0.25);
+    exact_ccd_contacts_free(list);
 
     double sizes[COUNT], ends[12 * COUNT];
     OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, ends));
     CHECK(sizes[0] == 1 && sizes[1] == 0.25 && sizes[2] == 0.125);
     CHECK(ends[2] == 0.5 && ends[14] == 0.5 && ends[26] == 0.5);
-    OK(exact_ccd_worlds_is_free(detector, x0, ends, 4, COUNT, is_free));
-    CHECK(is_free[0] && is_free[1] && is_free[2]);
+    OK(exact_ccd_worlds_collides(detector, x0, ends, 4, COUNT, 1, collides));
+    CHECK(!collides[0] && !collides[1] && !collides[2]);
     OK(exact_ccd_detector_set_min_distance(detector, 0.5));
-    OK(exact_ccd_worlds_is_free(detector, x0, ends, 4, COUNT, is_free));
-    CHECK(!is_free[0] && !is_free[1] && !is_free[2]);
+    OK(exact_ccd_worlds_collides(detector, x0, ends, 4, COUNT, 1, collides));
+    CHECK(collides[0] && collides[1] && collides[2]);
     OK(exact_ccd_detector_set_min_distance(detector, 0));
     // The results may be in the place of the arguments.
     OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, x1));
     CHECK(memcmp(x1, ends, sizeof ends) == 0);
 
-    OK(exact_ccd_worlds_is_free(detector, NULL, NULL, 4, 0, NULL));
+    OK(exact_ccd_worlds_collides(detector, NULL, NULL, 4, 0, 1, NULL));
     x1[12 + 2] = NAN;
-    fails(exact_ccd_worlds_is_free(detector, x0, x1, 4, COUNT, is_free),
+    fails(exact_ccd_worlds_collides(detector, x0, x1, 4, COUNT, 1, collides),
           EXACT_CCD_STATUS_INVALID_POSITIONS,
           "world 1: at the end, vertex 0");
-    fails(exact_ccd_worlds_is_free(detector, x0, x1, 3, COUNT, is_free), EXACT_CCD_STATUS_INVALID_POSITIONS, "world 0");
-    fails(exact_ccd_worlds_is_free(detector, x0, x1, 4, SIZE_MAX, is_free), EXACT_CCD_STATUS_INVALID_ARGUMENT, "memory");
-    fails(exact_ccd_worlds_earliest_contact(detector, x0, x1, 4, COUNT, NULL, contacts),
+    fails(exact_ccd_worlds_collides(
+              detector, x0, x1, 3, COUNT, 1, collides),
+          EXACT_CCD_STATUS_INVALID_POSITIONS,
+          "world 0");
+    fails(exact_ccd_worlds_collides(
+              detector, x0, x1, 4, SIZE_MAX, 1, collides),
           EXACT_CCD_STATUS_INVALID_ARGUMENT,
-          "is_found");
+          "memory");
+    fails(exact_ccd_worlds_collision(detector, x0, x1, 4, COUNT, 1, NULL, contacts),
+          EXACT_CCD_STATUS_INVALID_ARGUMENT,
+          "collides");
     exact_ccd_detector_free(detector);
     exact_ccd_mesh_free(mesh);
 }
 
+// The number of threads may change between any two calls, and belong to a call.
 static void numbers_of_threads(void)
 {
     const uint32_t counts[] = {3, 1, 0, 2};
@@ -519,7 +619,8 @@ static void numbers_of_threads(void)
         batches();
         const uint32_t query[4] = {0, 1, 2, 3};
         double time = -1;
-        OK(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, query, 1, 0, 1, counts[3 - i], &time));
+        OK(exact_ccd_batch_time_of_impact(
+            EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, query, 1, 0, 1, counts[3 - i], &time));
         CHECK(time == 0.5);
     }
     fails(exact_ccd_set_threads(1025), EXACT_CCD_STATUS_INVALID_ARGUMENT, "1025 threads");
@@ -538,6 +639,7 @@ int main(void)
     batches();
     wrong_batches();
     smallest_times();
+    free_steps();
     meshes();
     numbers_of_threads();
     return 0;

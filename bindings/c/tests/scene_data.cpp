@@ -154,7 +154,7 @@ void compare(const fs::path& scene)
                                   static_cast<std::uint32_t>(mesh.edges().size()));
 
     exact_ccd::Detector detector(mesh);
-    const auto contacts = detector.contacts(start.positions, end.positions);
+    const auto contacts = detector.collisions(start.positions, end.positions);
     std::size_t published = 0;
     for (const auto& contact : contacts) {
         const auto place = truth.find({static_cast<Kind>(contact.kind), contact.first, contact.second});
@@ -180,12 +180,12 @@ void compare(const fs::path& scene)
         std::exit(1);
     }
 
-    const auto earliest = detector.earliest_contact(start.positions, end.positions);
+    const auto earliest = detector.collision(start.positions, end.positions);
     CHECK(earliest && earliest->impact.time == contacts.front().impact.time);
     const auto step = detector.free_step(start.positions, end.positions);
     CHECK(step.size > 0 && step.size <= 0.9 * earliest->impact.time);
-    CHECK(detector.is_free(start.positions, step.positions));
-    CHECK(!detector.is_free(start.positions, end.positions));
+    CHECK(!detector.collides(start.positions, step.positions));
+    CHECK(detector.collides(start.positions, end.positions));
     std::printf("%s: %zu contacts, %zu of them among %zu published pairs, first at %.17g\n",
                 scene.filename().c_str(),
                 contacts.size(),

@@ -50,7 +50,7 @@ public:
                                 double min_distance = 0.0)
     {
         begin(vertices_t0, vertices_t1, min_distance);
-        return steps_.is_free(x0_, x1_);
+        return !steps_.collides(x0_, x1_);
     }
 
     /// As ipc::compute_collision_free_stepsize: 1 if the step is free, else a size of at most the exact time
@@ -73,7 +73,7 @@ public:
     {
         obey_mesh();
         copy(vertices, x0_);
-        return is_flat() ? !edges_->is_free(x0_, x0_) : steps_.has_intersections(x0_);
+        return is_flat() ? edges_->collides(x0_, x0_) : steps_.has_intersections(x0_);
     }
 
 private:

@@ -5,13 +5,13 @@ use core::ptr;
 
 use arbitrary::{Result, Unstructured};
 use exact_ccd_c::{
-    AuditResult, Contact, Contacts, Detector, Mesh, exact_ccd_audit_examine, exact_ccd_audit_free,
-    exact_ccd_audit_new, exact_ccd_contacts_data, exact_ccd_contacts_free, exact_ccd_detector_contacts,
-    exact_ccd_detector_earliest_contact, exact_ccd_detector_free, exact_ccd_detector_free_step,
-    exact_ccd_detector_has_intersections, exact_ccd_detector_is_free, exact_ccd_detector_new,
-    exact_ccd_detector_set_groups, exact_ccd_detector_set_inner_distance,
+    AuditResult, Contact, Contacts, Detector, Mesh, Pairs, exact_ccd_audit_examine, exact_ccd_audit_free,
+    exact_ccd_audit_new, exact_ccd_contacts_data, exact_ccd_contacts_free, exact_ccd_detector_collides,
+    exact_ccd_detector_collision, exact_ccd_detector_collisions, exact_ccd_detector_free,
+    exact_ccd_detector_free_step, exact_ccd_detector_free_steps, exact_ccd_detector_has_intersections,
+    exact_ccd_detector_new, exact_ccd_detector_set_groups, exact_ccd_detector_set_inner_distance,
     exact_ccd_detector_set_min_distance, exact_ccd_detector_set_thickness, exact_ccd_mesh_free,
-    exact_ccd_mesh_new,
+    exact_ccd_mesh_new, exact_ccd_pairs_data, exact_ccd_pairs_free,
 };
 
 use super::{input, succeeds};
@@ -103,29 +103,53 @@ unsafe fn set(
 unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64> {
     let vertices = x0.len() / 3;
     let (from, to) = (x0.as_ptr(), x1.as_ptr());
-    let (mut is_free, mut is_found, mut size) = (false, false, -1.0);
+    let (mut collides, mut is_found, mut size, mut rounds) = (false, false, -1.0, 99);
     let mut contact = Contact::default();
     let mut list: *mut Contacts = ptr::null_mut();
-    let mut positions = vec![0.0; x0.len()];
-    // SAFETY: the arrays have the lengths that are passed on, and the list is freed once.
+    let mut blocked: *mut Pairs = ptr::null_mut();
+    let (mut positions, mut sizes, mut ends) =
+        (vec![0.0; x0.len()], vec![-1.0; vertices], vec![0.0; x0.len()]);
+    // SAFETY: the arrays have the lengths that are passed on, and the lists are freed once.
     unsafe {
-        let end = positions.as_mut_ptr();
         let statuses = [
-            exact_ccd_detector_is_free(detector, from, to, vertices, &raw mut is_free),
-            exact_ccd_detector_earliest_contact(
+            exact_ccd_detector_collides(detector, from, to, vertices, 1.0, &raw mut collides),
+            exact_ccd_detector_collision(
                 detector,
                 from,
                 to,
                 vertices,
+                1.0,
                 &raw mut is_found,
                 &raw mut contact,
             ),
-            exact_ccd_detector_contacts(detector, from, to, vertices, 1.0, &raw mut list),
-            exact_ccd_detector_free_step(detector, from, to, vertices, 0.5, &raw mut size, end),
+            exact_ccd_detector_collisions(detector, from, to, vertices, 1.0, &raw mut list),
+            exact_ccd_detector_free_step(
+                detector,
+                from,
+                to,
+                vertices,
+                0.5,
+                &raw mut size,
+                positions.as_mut_ptr(),
+            ),
+            exact_ccd_detector_free_steps(
+                detector,
+                from,
+                to,
+                vertices,
+                ptr::null(),
+                0,
+                0.5,
+                sizes.as_mut_ptr(),
+                ends.as_mut_ptr(),
+                &raw mut rounds,
+                &raw mut blocked,
+            ),
         ];
-        assert_eq!(statuses, [statuses[0]; 4]);
+        assert_eq!(statuses, [statuses[0]; 5]);
         if !succeeds(statuses[0]) {
-            assert!(!is_free && !is_found && size == -1.0 && list.is_null());
+            assert!(!collides && !is_found && size == -1.0 && list.is_null());
+            assert!(sizes.iter().all(|&size| size == -1.0) && rounds == 99 && blocked.is_null());
             return None;
         }
         let (mut data, mut count) = (ptr::null(), 0);
@@ -134,24 +158,42 @@ unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64
             &raw mut data,
             &raw mut count
         )));
-        assert_eq!([is_found, count > 0], [!is_free; 2]);
+        assert_eq!([is_found, count > 0], [collides; 2]);
         if is_found {
             assert_eq!((*data).impact.time, contact.impact.time);
         }
         exact_ccd_contacts_free(list);
         if size > 0.0 {
-            let is_whole = size == 1.0;
-            assert!(if is_free {
-                is_whole
-            } else {
+            assert!(if collides {
                 size <= 0.5 * contact.impact.time
+            } else {
+                size == 1.0
             });
-            let status =
-                exact_ccd_detector_is_free(detector, from, positions.as_ptr(), vertices, &raw mut is_free);
-            assert!(succeeds(status) && is_free);
+            assert!(is_free(detector, x0, &positions));
         }
+        let (mut data, mut count) = (ptr::null(), 0);
+        assert!(succeeds(exact_ccd_pairs_data(
+            blocked,
+            &raw mut data,
+            &raw mut count
+        )));
+        exact_ccd_pairs_free(blocked);
+        assert!(sizes.iter().all(|&of_vertex| (size..=1.0).contains(&of_vertex)));
+        assert_eq!(is_free(detector, x0, &ends), count == 0);
         Some(if is_found { contact.impact.time } else { 2.0 })
     }
+}
+
+/// # Safety
+/// The handle is valid, and of a mesh with as many vertices.
+unsafe fn is_free(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> bool {
+    let mut collides = false;
+    let (from, to) = (x0.as_ptr(), x1.as_ptr());
+    // SAFETY: the arrays have the lengths that are passed on.
+    let status =
+        unsafe { exact_ccd_detector_collides(detector, from, to, x0.len() / 3, 1.0, &raw mut collides) };
+    assert!(succeeds(status));
+    !collides
 }
 
 /// # Safety
