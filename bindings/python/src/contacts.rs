@@ -10,11 +10,34 @@ use crate::kind::ArrayKind;
 use crate::mesh::rows;
 use crate::queries::offsets;
 
-/// A contact in numbers.
-pub(crate) struct Row {
+/// A pair of primitives in numbers.
+pub(crate) struct PairRow {
     kind: u8,
     ids: [u32; 2],
     vertices: [i64; 4],
+}
+
+impl PairRow {
+    /// A pair of a mesh.
+    pub(crate) fn new(mesh: &TriangleMesh, pair: Pair) -> Self {
+        let vertices = pair.vertices(mesh).unwrap_or_default();
+        let vertex = |index| vertices.get(index).copied().map_or(-1, i64::from);
+        Self {
+            kind: match pair {
+                Pair::VertexFace { .. } => VertexFace::NUMBER,
+                Pair::EdgeEdge { .. } => EdgeEdge::NUMBER,
+                Pair::VertexEdge { .. } => VertexEdge::NUMBER,
+                Pair::VertexVertex { .. } => VertexVertex::NUMBER,
+            },
+            ids: pair.ids(),
+            vertices: [0, 1, 2, 3].map(vertex),
+        }
+    }
+}
+
+/// A contact in numbers.
+pub(crate) struct Row {
+    pair: PairRow,
     impact: [f64; COLUMNS],
     distance: [f64; 2],
 }
@@ -26,30 +49,39 @@ impl Row {
         // A contact of the step is a pair of its mesh.
         let vertices = pair.vertices(mesh).unwrap_or_default();
         let (first, second) = vertices.split_at(pair.first_len().min(vertices.len()));
-        let vertex = |index| vertices.get(index).copied().map_or(-1, i64::from);
         Self {
-            kind: match pair {
-                Pair::VertexFace { .. } => VertexFace::NUMBER,
-                Pair::EdgeEdge { .. } => EdgeEdge::NUMBER,
-                Pair::VertexEdge { .. } => VertexEdge::NUMBER,
-                Pair::VertexVertex { .. } => VertexVertex::NUMBER,
-            },
-            ids: pair.ids(),
-            vertices: [0, 1, 2, 3].map(vertex),
+            pair: PairRow::new(mesh, pair),
             impact: columns(&contact.impact, [first, second], ends),
             distance: [contact.distance.lower, contact.distance.upper],
         }
     }
 }
 
-/// The index of the first contact of each world; the kind, the indices of both primitives and the
-/// vertices of each contact, its impact, and the bounds of its distance. A pair of fewer than four
+/// The kind of each pair, the indices of both primitives, and their vertices. A pair of fewer than four
 /// vertices has −1 for the others.
-pub(crate) type Columns<'py> = (
-    Bound<'py, PyArray1<i64>>,
+pub(crate) type PairColumns<'py> = (
     Bound<'py, PyArray1<u8>>,
     Bound<'py, PyArray2<u32>>,
     Bound<'py, PyArray2<i64>>,
+);
+
+/// Pairs as columns.
+pub(crate) fn pair_columns<'py, 'a>(
+    py: Python<'py>,
+    pairs: impl Iterator<Item = &'a PairRow> + Clone,
+) -> PyResult<PairColumns<'py>> {
+    Ok((
+        PyArray1::from_iter(py, pairs.clone().map(|pair| pair.kind)),
+        rows(py, pairs.clone().map(|pair| pair.ids))?,
+        rows(py, pairs.map(|pair| pair.vertices))?,
+    ))
+}
+
+/// The index of the first contact of each world; the pairs of the contacts, their impacts, and the bounds of
+/// their distances.
+pub(crate) type Columns<'py> = (
+    Bound<'py, PyArray1<i64>>,
+    PairColumns<'py>,
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<f64>>,
 );
@@ -63,9 +95,7 @@ where
     let each = every.iter();
     Ok((
         offsets(py, worlds.iter().map(|contacts| contacts.into_iter().count())),
-        PyArray1::from_iter(py, each.clone().map(|contact| contact.kind)),
-        rows(py, each.clone().map(|contact| contact.ids))?,
-        rows(py, each.clone().map(|contact| contact.vertices))?,
+        pair_columns(py, each.clone().map(|contact| &contact.pair))?,
         rows(py, each.clone().map(|contact| contact.impact))?,
         rows(py, each.map(|contact| contact.distance))?,
     ))

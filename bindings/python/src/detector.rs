@@ -2,15 +2,16 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
-use exact_ccd::{Point, Separation, Thickness};
-use exact_ccd_mesh::{MinDistance, PairCounts, TriangleMesh};
+use exact_ccd::Point;
+use exact_ccd_mesh::{PairCounts, TriangleMesh};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::compute::{Watch, compute};
-use crate::contacts::{Columns, Row, into_columns};
+use crate::contacts::{Columns, PairColumns, PairRow, Row, into_columns, pair_columns};
+use crate::distance::Distance;
 use crate::error::{Refusal, refused, room};
 use crate::mesh::{Mesh, rows};
 use crate::page::Page;
@@ -89,29 +90,6 @@ impl Detector {
                 None => Err(PyKeyboardInterrupt::new_err(())),
             })
             .collect()
-    }
-}
-
-/// A thickness for each vertex, or one distance for all pairs.
-#[derive(FromPyObject)]
-enum Distance<'py> {
-    Thickness(PyReadonlyArray1<'py, f64>),
-    Uniform(f64),
-}
-
-impl Distance<'_> {
-    fn with_inner(&self, inner: Option<f64>) -> PyResult<MinDistance> {
-        let outer = match self {
-            Self::Thickness(values) => {
-                MinDistance::thickness(Thickness::new(values.as_slice()?).map_err(refused)?)
-            }
-            Self::Uniform(d) => MinDistance::uniform(Separation::new(*d).map_err(refused)?),
-        };
-        let inner = inner.map(Separation::new).transpose().map_err(refused)?;
-        Ok(match inner {
-            Some(inner) => outer.with_inner(inner),
-            None => outer,
-        })
     }
 }
 
@@ -232,8 +210,41 @@ impl Detector {
         ))
     }
 
-    /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.
+    /// The sizes and the positions of the steps of all vertices of one world, the number of rounds, and the
+    /// blocked pairs.
     #[expect(clippy::type_complexity, reason = "a tuple for Python")]
+    fn free_steps<'py>(
+        &self,
+        py: Python<'py>,
+        x0: Positions<'py>,
+        x1: Positions<'py>,
+        keep: f64,
+        pinned: PyReadonlyArray1<'py, u32>,
+    ) -> PyResult<(
+        Bound<'py, PyArray1<f64>>,
+        Bound<'py, PyArray2<f64>>,
+        usize,
+        PairColumns<'py>,
+    )> {
+        let pinned = pinned.as_slice()?;
+        let steps = self.each(py, &x0, &x1, None, |search, x0, x1| {
+            search.free_steps(x0, x1, keep, pinned)
+        })?;
+        let steps = steps.iter();
+        let blocked = steps.clone().flat_map(|taken| &taken.blocked);
+        let blocked: Vec<_> = blocked.map(|&pair| PairRow::new(&self.mesh, pair)).collect();
+        Ok((
+            PyArray1::from_iter(py, steps.clone().flat_map(|taken| taken.sizes.iter().copied())),
+            rows(
+                py,
+                steps.clone().flat_map(|taken| taken.positions.iter().copied()),
+            )?,
+            steps.map(|taken| taken.rounds).sum(),
+            pair_columns(py, blocked.iter())?,
+        ))
+    }
+
+    /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.
     fn step<'py>(
         &self,
         py: Python<'py>,

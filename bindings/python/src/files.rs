@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Format, ParseError, Polygons, ReadError, parse_frame};
+use exact_ccd_files::{Format, FrameOrder, ParseError, Polygons, ReadError, parse_frame};
 use exact_ccd_mesh::Frame;
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyOSError;
@@ -58,10 +58,9 @@ pub(crate) fn mesh_format(path: PathBuf) -> Option<String> {
 }
 
 /// Paths in the order of the numbers in them.
-#[cfg(feature = "program")]
 #[pyfunction]
 pub(crate) fn in_order(paths: Vec<PathBuf>) -> Vec<PathBuf> {
-    exact_ccd_cli::FrameOrder::of(paths).files
+    FrameOrder::of(paths).files
 }
 
 /// The frames in one file.

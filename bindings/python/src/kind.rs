@@ -12,9 +12,6 @@ pub(crate) trait ArrayKind: Kind + Send + Sync {
     /// The place in [`KINDS`].
     const NUMBER: u8;
 
-    /// True if the second primitive is a face.
-    const IS_FACE: bool;
-
     /// The points of a query.
     fn points(rows: &Rows<'_>, row: usize) -> Self::Points;
 
@@ -24,10 +21,9 @@ pub(crate) trait ArrayKind: Kind + Send + Sync {
 
 /// A kind of queries by its number.
 macro_rules! array_kind {
-    ($kind:ident, $number:literal, $is_face:literal) => {
+    ($kind:ident, $number:literal) => {
         impl ArrayKind for $kind {
             const NUMBER: u8 = $number;
-            const IS_FACE: bool = $is_face;
 
             fn points(rows: &Rows<'_>, row: usize) -> [Point; KINDS[$number].1] {
                 rows.query(row)
@@ -40,10 +36,10 @@ macro_rules! array_kind {
     };
 }
 
-array_kind!(VertexFace, 0, true);
-array_kind!(EdgeEdge, 1, false);
-array_kind!(VertexEdge, 2, false);
-array_kind!(VertexVertex, 3, false);
+array_kind!(VertexFace, 0);
+array_kind!(EdgeEdge, 1);
+array_kind!(VertexEdge, 2);
+array_kind!(VertexVertex, 3);
 
 /// Evaluates an expression for the kind of a number.
 macro_rules! for_kind {

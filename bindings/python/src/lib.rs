@@ -8,6 +8,7 @@ mod broad_phase;
 mod compute;
 mod contacts;
 mod detector;
+mod distance;
 mod error;
 mod files;
 mod half_spaces;
@@ -37,11 +38,8 @@ mod _native {
     use crate::detector::Detector;
     #[pymodule_export]
     use crate::error::CrossingError;
-    #[cfg(feature = "program")]
     #[pymodule_export]
-    use crate::files::in_order;
-    #[pymodule_export]
-    use crate::files::{FrameSequence, Welding, mesh_format, parse_mesh, read_mesh};
+    use crate::files::{FrameSequence, Welding, in_order, mesh_format, parse_mesh, read_mesh};
     #[pymodule_export]
     use crate::half_spaces::HalfSpaces;
     #[pymodule_export]

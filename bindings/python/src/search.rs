@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use exact_ccd::{Options, Point};
 use exact_ccd_mesh::{
-    CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, Intersection,
+    CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, FreeSteps, Intersection,
     IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
     TriangleMesh, intersections,
 };
@@ -174,16 +174,38 @@ impl Search {
         Ok(contacts)
     }
 
+    fn free_step_options(&self, keep: f64) -> FreeStepOptions<'static> {
+        let options = FreeStepOptions::default().with_keep(keep);
+        options.with_min_distance(self.min_distance.clone())
+    }
+
     /// A certified step.
     pub(crate) fn free_step(&mut self, x0: &[Point], x1: &[Point], keep: f64) -> Result<FreeStep, Refusal> {
-        let options = FreeStepOptions::default().with_keep(keep);
-        let options = options.with_min_distance(self.min_distance.clone());
+        let options = self.free_step_options(keep);
         let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(Refusal::from);
         let free = self.search(x0, run, |free| free.contact)?;
         match &mut self.ruled {
             // The pairs that touch at the start have been counted without the rule.
             Some(ruled) if free.touching.total() > 0 => run(ruled),
             _ => Ok(free),
+        }
+    }
+
+    /// A certified step for each vertex.
+    pub(crate) fn free_steps(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        keep: f64,
+        pinned: &[u32],
+    ) -> Result<FreeSteps, Refusal> {
+        let options = self.free_step_options(keep);
+        let run = |inner: &mut Inner| inner.free_steps(x0, x1, pinned, &options).map_err(Refusal::from);
+        let taken = self.search(x0, run, |_| None)?;
+        match &mut self.ruled {
+            // A contact of the first round may be one that the rule forbids.
+            Some(ruled) if taken.rounds > 1 => run(ruled),
+            _ => Ok(taken),
         }
     }
 

@@ -34,7 +34,7 @@ def test_queries(name: str, kind: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["collides", "collision", "collisions", "free_step", "step", "intersections", "audit"]
+    "name", ["collides", "collision", "collisions", "free_step", "free_steps", "step", "intersections", "audit"]
 )
 def test_meshes(name: str) -> None:
     random = np.random.default_rng(len(name))
@@ -50,7 +50,8 @@ def test_meshes(name: str) -> None:
                 exact_ccd.audit([x0, x1], faces, edges=edges)
                 return
             detector = exact_ccd.Detector(exact_ccd.Mesh(6, faces, edges, groups))
-            getattr(detector, name)(*([x0] if name == "intersections" else [x0, x1]))
+            pinned = {"pinned": integers(random, 6, 2)} if name == "free_steps" else {}
+            getattr(detector, name)(*([x0] if name == "intersections" else [x0, x1]), **pinned)
 
         answers += survive(call)
     assert 0 < answers < CASES

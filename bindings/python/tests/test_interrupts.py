@@ -54,6 +54,7 @@ SLOW = {
     "a mesh collides": (STACK, "detector.collides(x, x)"),
     "collision": (STACK, "detector.collision(x, x)"),
     "free_step": (STACK, "detector.free_step(x, x)"),
+    "free_steps": (CROWD, "detector.free_steps(x, x[::-1])"),
     "collisions": (CROWD, "detector.collisions(x, x[::-1])"),
     "step": (CROWD, "detector.step(x, x[::-1])"),
     "step with a rule": (STACK + RULE, "detector.step(x, x)"),

@@ -14,7 +14,7 @@ PIERCED = two_triangles(-1.0)
 """Two sides of the second face pass through the first face."""
 
 FREE = two_triangles(1.0)
-CALLS = ["collides", "collision", "collisions", "free_step", "step"]
+CALLS = ["collides", "collision", "collisions", "free_step", "free_steps", "step"]
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -45,7 +45,6 @@ use std::process::ExitCode;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, value_parser};
 
 use failure::Failure;
-pub use scene::{FrameOrder, Missing};
 
 /// Detect the collisions of moving triangle meshes, exactly: if they touch, and when first.
 #[derive(Parser)]

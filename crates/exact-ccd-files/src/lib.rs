@@ -25,6 +25,8 @@
 //! | a sequence of frames, [`FrameSequence`] | [`FrameSequence::open`] | | |
 //! | a sequence of files, one for each time | [`read_pvd`], [`read_series`] | | [`write_pvd`] |
 //!
+//! [`FrameOrder`] has the files of a folder in the order of the numbers in their names.
+//!
 //! [`Frame`]: exact_ccd_mesh::Frame
 //! [`Motion`]: exact_ccd_mesh::Motion
 //! [`TetMesh`]: exact_ccd_mesh::TetMesh
@@ -49,6 +51,7 @@ mod contents;
 mod error;
 mod file_ids;
 mod format;
+mod frame_order;
 mod named_part;
 mod read;
 mod unsupported;
@@ -58,6 +61,7 @@ pub use contents::Contents;
 pub use error::{Fault, ParseError, Place, ReadError, excerpt};
 pub use file_ids::FileIds;
 pub use format::Format;
+pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;
 pub use read::{
     Budget, FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame,

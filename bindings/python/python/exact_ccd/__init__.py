@@ -11,16 +11,18 @@
 
 from ._native import CrossingError, __version__
 from .audits import AuditReport, Violation, audit
-from .contacts import CONTACT, Contact
-from .detectors import Detector, FreeStep, PairCounts, Progress, StepReport
+from .contacts import CONTACT, PAIR, Contact
+from .detectors import Detector, Progress
 from .meshes import Mesh, MeshFile, read_mesh
 from .queries import IMPACT, Intervals, Kind, Queries
+from .steps import FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
-from .worlds import Contacts, FreeSteps, StepReports, Worlds
+from .worlds import Contacts, StepReports, WorldFreeSteps, Worlds
 
 __all__ = [
     "CONTACT",
     "IMPACT",
+    "PAIR",
     "Answer",
     "AuditReport",
     "Contact",
@@ -39,6 +41,7 @@ __all__ = [
     "StepReport",
     "StepReports",
     "Violation",
+    "WorldFreeSteps",
     "Worlds",
     "__version__",
     "answer_table",

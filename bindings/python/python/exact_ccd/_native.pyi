@@ -12,7 +12,8 @@ _Path = Union[str, PathLike[str]]
 _Positions = NDArray[Union[np.float32, np.float64]]
 _Queries = tuple[int, _Positions, _Positions, Optional[_Integers]]
 _Settings = tuple[float, float, Optional[int]]
-_Columns = tuple[NDArray[np.int64], NDArray[np.uint8], _Integers, NDArray[np.int64], _Floats, _Floats]
+_PairColumns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64]]
+_Columns = tuple[NDArray[np.int64], _PairColumns, _Floats, _Floats]
 
 __all__ = [
     "KINDS",
@@ -122,6 +123,9 @@ class Detector:
     def free_step(
         self, x0: _Positions, x1: _Positions, keep: float
     ) -> tuple[_Floats, _Floats, _Columns, NDArray[np.int64]]: ...
+    def free_steps(
+        self, x0: _Positions, x1: _Positions, keep: float, pinned: _Integers
+    ) -> tuple[_Floats, _Floats, int, _PairColumns]: ...
     def step(
         self, x0: _Positions, x1: _Positions, progress: Optional[Callable[[int], object]]
     ) -> tuple[list[NDArray[np.int64]], _Columns]: ...

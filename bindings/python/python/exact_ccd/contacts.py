@@ -10,20 +10,17 @@ from numpy.typing import NDArray
 from ._records import by_value
 from .queries import IMPACT, POINTS, Kind
 
-_PAIR = [("kind", "U2"), ("first", np.uint32), ("second", np.uint32), ("vertices", np.int64, (4,))]
+PAIR = np.dtype([("kind", "U2"), ("first", np.uint32), ("second", np.uint32), ("vertices", np.int64, (4,))])
+"""The fields of a pair of primitives of a mesh, the first ones of :class:`Contact`."""
 
-CONTACT = np.dtype([*_PAIR, *IMPACT.descr, ("distance", np.float64, (2,))])
+CONTACT = np.dtype([*PAIR.descr, *IMPACT.descr, ("distance", np.float64, (2,))])
 """The fields of a contact of a mesh, those of :class:`Contact`."""
 
-Columns = tuple[
-    NDArray[np.int64],
-    NDArray[np.uint8],
-    NDArray[np.uint32],
-    NDArray[np.int64],
-    NDArray[np.float64],
-    NDArray[np.float64],
-]
-"""The index of the first contact of each world, and the columns of the contacts."""
+PairColumns = tuple[NDArray[np.uint8], NDArray[np.uint32], NDArray[np.int64]]
+"""The columns of pairs: kinds, indices of both primitives, vertices."""
+
+Columns = tuple[NDArray[np.int64], PairColumns, NDArray[np.float64], NDArray[np.float64]]
+"""The index of the first contact of each world, and the columns of the contacts: pairs, impacts, distances."""
 
 
 @by_value
@@ -65,13 +62,20 @@ class Contact(NamedTuple):
     distance: NDArray[np.float64]
 
 
+def pairs(columns: PairColumns, dtype: np.dtype[np.void] = PAIR) -> NDArray[np.void]:
+    """The pairs in columns of the compiled part as one structured array; other fields of it are not set."""
+    kinds, ids, vertices = columns
+    rows = np.empty(len(kinds), dtype)
+    rows["kind"] = np.array(list(POINTS))[kinds]
+    rows["first"], rows["second"] = ids.T
+    rows["vertices"] = vertices
+    return rows
+
+
 def table(columns: Columns) -> NDArray[np.void]:
     """The contacts in columns of the compiled part as one structured array."""
-    _, kinds, ids, vertices, impacts, distances = columns
-    contacts = np.empty(len(kinds), CONTACT)
-    contacts["kind"] = np.array(list(POINTS))[kinds]
-    contacts["first"], contacts["second"] = ids.T
-    contacts["vertices"] = vertices
+    _, pair_columns, impacts, distances = columns
+    contacts = pairs(pair_columns, CONTACT)
     contacts["distance"] = distances
     rows = impacts.view(IMPACT).reshape(-1)
     for name in IMPACT.names or ():

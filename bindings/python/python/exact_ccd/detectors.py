@@ -10,77 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._arrays import Floats, Positions, floats, frozen, number, positions, thread_count
+from ._arrays import Floats, Positions, floats, frozen, indices, number, positions, thread_count
 from ._records import by_value, same
-from .contacts import Contact, first, table
+from .contacts import Contact, first, pairs, table
 from .meshes import Mesh
 from .pages import Page, line
+from .steps import FreeStep, FreeSteps, PairCounts, StepReport
 
 Progress = Callable[[int], object]
 """A function that is called with the number of steps done since its last call, as ``tqdm.update``."""
-
-
-class PairCounts(NamedTuple):
-    """Numbers of pairs, by their kind.
-
-    Attributes
-    ----------
-    vertex_face, edge_edge : int
-        The pairs of a vertex and a face, and of two edges.
-    vertex_edge, vertex_vertex : int
-        The pairs of a loose vertex and a loose edge, and of two loose vertices.
-    """
-
-    vertex_face: int
-    edge_edge: int
-    vertex_edge: int
-    vertex_vertex: int
-
-
-class StepReport(NamedTuple):
-    """The contacts of a step, counted.
-
-    Attributes
-    ----------
-    candidates : PairCounts
-        The pairs of primitives that come near each other.
-    colliding : PairCounts
-        Those that are in contact at some time of the step.
-    touching : PairCounts
-        Those that are in contact at t = 0.
-    earliest : Contact or None
-        The earliest contact; None if the step is free of contact.
-    """
-
-    candidates: PairCounts
-    colliding: PairCounts
-    touching: PairCounts
-    earliest: Optional[Contact]
-
-
-@by_value
-class FreeStep(NamedTuple):
-    """A step that is certified to be free of contact.
-
-    Attributes
-    ----------
-    size : float
-        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if no positive
-        size is certified, because the mesh touches itself at the start, or within the smallest float64 of it.
-    positions : float64 array of shape (V, 3)
-        The positions at its end. Unless `size` is 0, the straight motion to these very positions has
-        been decided to be free of contact, exactly.
-    contact : Contact or None
-        The earliest contact of the full step; None if it is free.
-    touching : PairCounts
-        The pairs that touch at the start: those within their minimum distance, even if an
-        `inner_distance` holds for them.
-    """
-
-    size: float
-    positions: NDArray[np.float64]
-    contact: Optional[Contact]
-    touching: PairCounts
 
 
 @by_value
@@ -296,6 +234,62 @@ class Detector(Searcher):
         """
         size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep))
         return FreeStep(size.item(), end[0], first(contact), PairCounts(*touching[0].tolist()))
+
+    def free_steps(
+        self,
+        x0: ArrayLike,
+        x1: ArrayLike,
+        *,
+        keep: float = 0.9,
+        pinned: Optional[ArrayLike] = None,
+    ) -> FreeSteps:
+        """Compute a step for each vertex, such that the motion of all vertices is certified to be free of contact.
+
+        Only vertices near a contact are held back, in place of the whole mesh (docs/steps.md).
+
+        Parameters
+        ----------
+        x0, x1 : array of shape (V, 3)
+            As for :meth:`collides`.
+        keep : float
+            The part of the time of a contact that its vertices take, above 0 and at most 1; its power k in round k.
+        pinned : array of shape (N,), optional
+            The indices of vertices that go all the way, such as those of obstacles and scripts.
+
+        Returns
+        -------
+        FreeSteps
+            No size is below that of :meth:`free_step`, if no vertex is pinned.
+
+        Raises
+        ------
+        TypeError
+            If `pinned` has no integers.
+        ValueError
+            If a pinned vertex is not one of the mesh.
+
+        See Also
+        --------
+        free_step : One size for all vertices.
+
+        Examples
+        --------
+        A vertex stops above a triangle, and another one passes by.
+
+        >>> import numpy as np
+        >>> from exact_ccd import Detector, Mesh
+        >>> x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1], [5, 0, 1]])
+        >>> x1 = x0.copy()
+        >>> x1[3:, 2] = -1.0
+        >>> steps = Detector(Mesh(5, [[0, 1, 2]])).free_steps(x0, x1, keep=0.5)
+        >>> steps.sizes.tolist()
+        [1.0, 1.0, 1.0, 0.25, 1.0]
+        >>> steps.positions[3].tolist()
+        [0.25, 0.25, 0.5]
+        """
+        held = np.empty(0, np.uint32) if pinned is None else indices("pinned", pinned, (None,))
+        sizes, end, rounds, blocked = self._native.free_steps(*self._ends(x0, x1), number("keep", keep), held)
+        return FreeSteps(sizes, end, rounds, pairs(blocked))
 
     def step(
         self,

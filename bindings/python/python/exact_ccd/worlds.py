@@ -30,7 +30,7 @@ class Contacts(NamedTuple):
 
 
 @by_value
-class FreeSteps(NamedTuple):
+class WorldFreeSteps(NamedTuple):
     """Steps of many worlds that are certified to be free of contact; see :class:`FreeStep`.
 
     Attributes
@@ -176,7 +176,7 @@ class Worlds(Searcher):
         columns = self._native.collisions(*self._ends(x0, x1), number("until", until))
         return Contacts(columns[0], table(columns))
 
-    def free_step(self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9) -> FreeSteps:
+    def free_step(self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9) -> WorldFreeSteps:
         """Compute a step of each world that is certified to be free of contact.
 
         Parameters
@@ -189,11 +189,11 @@ class Worlds(Searcher):
 
         Returns
         -------
-        FreeSteps
+        WorldFreeSteps
             Each world has a size of its own; see :meth:`Detector.free_step`.
         """
         size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep))
-        return FreeSteps(size, end, earliest(contact), touching)
+        return WorldFreeSteps(size, end, earliest(contact), touching)
 
     def step(self, x0: ArrayLike, x1: ArrayLike) -> StepReports:
         """Examine all candidates of each world, and count the contacts.

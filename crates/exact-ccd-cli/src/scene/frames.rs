@@ -4,9 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use exact_ccd_files::{Format, FrameSequence, MeshFile, ReadError, ReadOptions};
+use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, ReadError, ReadOptions};
 
-use super::frame_order::FrameOrder;
 use crate::failure::Failure;
 use crate::inputs::{check_file, check_path};
 use crate::notes::Notes;

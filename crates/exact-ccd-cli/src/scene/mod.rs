@@ -1,6 +1,5 @@
 //! The meshes of a command, as one scene: parts that move or rest, read and joined frame by frame.
 
-mod frame_order;
 mod frames;
 mod options;
 mod part;
@@ -18,7 +17,6 @@ use exact_ccd_view::Body;
 
 use crate::failure::Failure;
 use crate::notes::Notes;
-pub use frame_order::{FrameOrder, Missing};
 pub(crate) use frames::Frames;
 pub(crate) use options::SceneOptions;
 use part::{Part, named};

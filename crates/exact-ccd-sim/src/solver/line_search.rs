@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use exact_ccd_mesh::{Candidates, Point, MinDistance, Step};
+use exact_ccd_mesh::{Candidates, MinDistance, Point, Step};
 use nalgebra::Vector3;
 
 use super::newton::{Iterate, Newton};
@@ -97,7 +97,9 @@ impl Newton<'_> {
                 }
             }
             let free = if attempt == 0 {
-                let free = self.filter.free_part(&candidates, step, self.system.min_distance());
+                let free = self
+                    .filter
+                    .free_part(&candidates, step, self.system.min_distance());
                 free.min(self.filter.free_part(&obstacles, step, &contact))
                     .min(self.system.free_of_half_spaces(step))
             } else {

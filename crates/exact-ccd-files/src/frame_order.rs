@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Files in the order of the numbers in their names, as a shell does not give them.
 ///
 /// ```
-/// use exact_ccd_cli::FrameOrder;
+/// use exact_ccd_files::FrameOrder;
 ///
 /// let order = FrameOrder::of(["f1.ply", "f10.ply", "f2.ply"].map(Into::into).to_vec());
 /// assert_eq!(order.files, ["f1.ply", "f2.ply", "f10.ply"].map(std::path::PathBuf::from));
@@ -56,7 +56,7 @@ impl FrameOrder {
     /// kept if the names differ in anything else.
     ///
     /// ```
-    /// use exact_ccd_cli::FrameOrder;
+    /// use exact_ccd_files::FrameOrder;
     ///
     /// let order = |names: [&str; 3]| FrameOrder::of_row(names.map(Into::into).to_vec());
     /// assert!(order(["f1.ply", "f10.ply", "f2.ply"]).is_changed);
