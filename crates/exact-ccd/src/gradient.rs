@@ -163,7 +163,7 @@ impl<K: Kind> Query<K> {
                 at(i) - at(j)
             })
         });
-        let [length1, length2] = [e1, e2].map(|e| squared(e));
+        let [length1, length2] = [e1, e2].map(squared);
         let is_unique = match K::FEATURES.inner {
             Some(_) => squared(cross(e1, e2)) > NEAR_PARALLEL * length1 * length2,
             // An edge, or two vertices.

@@ -77,7 +77,7 @@ fn vertices_around_solids_have_the_ids_of_the_file() {
     );
     let list = folder.read("all.csv");
     let first = list.lines().nth(1).unwrap();
-    assert!(first.starts_with(",vf,9,,9,5,6,7,,0.5,0.5,"), "{first}");
+    assert!(first.starts_with("0,vf,9,,9,5,6,7,,0.5,0.5,"), "{first}");
     // In the page, the primitives have their vertices in the mesh, without vertex 0, and their ids.
     let page = folder.read("page.html");
     let shown = "{\"kind\":\"face\",\"id\":null,\"vertices\":[4,5,6],\"labels\":[5,6,7]}";

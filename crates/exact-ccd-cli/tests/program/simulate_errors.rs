@@ -80,7 +80,7 @@ fn a_checkpoint_of_another_scene_is_an_error() {
     let run = simulate("scene.toml", &["--resume", "--ccd", "bisection"]);
     assert_error(
         &run,
-        "out/checkpoint.json: the checkpoint has `ccd` = \"exact\", expected \"bisection\"",
+        "out/checkpoint.json: the checkpoint has `ccd` = exact, expected bisection",
     );
 }
 

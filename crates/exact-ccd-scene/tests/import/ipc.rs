@@ -22,7 +22,7 @@ integrator = "implicit-euler"
 damping = 0.0
 formulation = "sum"
 max-iterations = 10000
-max-substeps = 1
+max-substeps = 8
 ccd = "exact"
 
 [settings.contact-distance]

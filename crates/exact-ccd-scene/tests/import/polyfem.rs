@@ -44,7 +44,7 @@ integrator = "implicit-euler"
 damping = 0.0
 formulation = "sum"
 max-iterations = 500
-max-substeps = 1
+max-substeps = 8
 ccd = "exact"
 
 [settings.contact-distance]

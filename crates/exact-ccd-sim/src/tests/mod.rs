@@ -1,7 +1,5 @@
 //! Gradients and Hessians of all energies against finite differences, and properties of single terms.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 mod collisions;
 mod contact;
 mod differences;

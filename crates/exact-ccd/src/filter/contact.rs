@@ -44,7 +44,7 @@ pub(crate) struct AtRoot {
 
 impl AtRoot {
     /// The root of the earliest contact and those after it, if it is certain.
-    fn from_first(&self) -> Option<(&Root, &[Root])> {
+    fn since_first(&self) -> Option<(&Root, &[Root])> {
         self.roots
             .get(self.touching..)
             .filter(|_| self.is_first)?
@@ -91,7 +91,7 @@ impl Contact {
     /// The earliest contact time, if the filters determine it.
     pub(crate) fn first<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
         let by_roundoff = match self {
-            Self::AtRoot(at_root) => match at_root.from_first() {
+            Self::AtRoot(at_root) => match at_root.since_first() {
                 Some((root, _)) => {
                     let rounded =
                         fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root));
@@ -109,7 +109,7 @@ impl Contact {
     /// All intervals of contact, if the filters determine them.
     pub(crate) fn intervals<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
         let by_roundoff = match self {
-            Self::AtRoot(at_root) => at_root.from_first().and_then(|roots| moments(query, roots)),
+            Self::AtRoot(at_root) => at_root.since_first().and_then(|roots| moments(query, roots)),
             Self::Sliding(_) => Planar::new(query).and_then(|planar| planar.intervals()),
             Self::Coincident(coincidence) => coincidence.intervals(),
             Self::AtMoment(_) => None,
@@ -121,7 +121,7 @@ impl Contact {
     pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
         match self {
             Self::AtRoot(at_root) => {
-                let (root, _) = at_root.from_first()?;
+                let (root, _) = at_root.since_first()?;
                 let time = self.first(query)?;
                 let (parameters, normal) = parameters_and_normal(query, &root.at(time))?;
                 let normal = Some(normal);
