@@ -130,7 +130,7 @@ fn the_remedy_for_lzma_is_named() {
 #[test]
 fn larger_files_than_allowed_are_refused() {
     let path = temporary("size/triangle.obj", OBJ);
-    let compressed = temporary("size/triangle.obj.gz", &gzip(&[OBJ, &[b'\n'; 1000]].concat()));
+    let compressed = temporary("size/triangle.obj.gz", gzip(&[OBJ, &[b'\n'; 1000]].concat()));
     let options = |size: usize| ReadOptions::default().with_max_size(size as u64);
     let limit = |fault: &Fault| match fault {
         Fault::Size { limit } => Some(*limit),

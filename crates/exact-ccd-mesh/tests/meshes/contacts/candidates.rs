@@ -136,7 +136,7 @@ fn a_common_motion_does_not_matter() {
         let rounded = |x: &mut Vec<Point>| {
             x.as_flattened_mut()
                 .iter_mut()
-                .for_each(|x| *x = (*x * 1024.0).round() / 1024.0)
+                .for_each(|x| *x = (*x * 1024.0).round() / 1024.0);
         };
         rounded(&mut scene.x0);
         rounded(&mut scene.x1);
