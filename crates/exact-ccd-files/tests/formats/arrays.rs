@@ -154,7 +154,7 @@ fn triangles_without_all_their_corners_are_errors() {
 /// A file that many buffers name counts once, and so does its size.
 #[test]
 fn a_file_of_several_buffers_is_read_once() {
-    temporary("arrays/positions.bin", [0; 1 << 20]);
+    temporary("arrays/positions.bin", vec![0; 1 << 20]);
     let buffers =
         "{\"byteLength\":36,\"uri\":\"positions.bin\"},{\"byteLength\":36,\"uri\":\"./positions.bin\"},";
     let file = gltf(r#"{"mesh":0}"#, "").replacen("\"buffers\":[", &format!("\"buffers\":[{buffers}"), 1);
