@@ -1,4 +1,4 @@
-"""The documentation site: the Markdown files of the repository as they are, by `scripts/site`.
+"""The documentation site: the Markdown files of the repository as they are, by `scripts/check site`.
 
 The source folder is the repository, so that every link between files is the one that a reader of the repository follows.
 """
@@ -58,4 +58,15 @@ html_theme_options = {
     "dark_css_variables": {"color-brand-primary": "#56b4e9", "color-brand-content": "#56b4e9"},
 }
 html_static_path = ["static"]
+html_extra_path = ["root"]
 html_css_files = ["site.css"]
+
+
+def is_alias(app, what, name, item, skip, options):
+    """True for the fields of records, which the text of their class describes."""
+    return skip or (getattr(item, "__doc__", None) or "").startswith("Alias for field number")
+
+
+def setup(app):
+    """Leaves these fields out."""
+    app.connect("autodoc-skip-member", is_alias)
