@@ -1,4 +1,4 @@
-//! Draws the figures of docs/parity.md and docs/separation.md. The contacts, signs and closest features in
+//! Draws the figures of docs/parity.md and docs/separation.md, and the logo. The contacts, signs and closest features in
 //! them are computed, not prescribed.
 //!
 //! ```sh
@@ -10,6 +10,7 @@ mod drawing;
 mod features;
 mod flat;
 mod fold;
+mod logo;
 mod patch;
 mod prism;
 mod rays;
@@ -34,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The names and contents of the files.
 ///
 /// The contents are the same on every machine: coordinates are computed by +, −, ×, ÷ and √ only.
-fn figures() -> Result<[(&'static str, String); 7], Box<dyn Error>> {
+fn figures() -> Result<[(&'static str, String); 8], Box<dyn Error>> {
     Ok([
         ("prism.svg", prism::figure()?),
         ("tetrahedron.svg", tetrahedron::figure()),
@@ -43,6 +44,7 @@ fn figures() -> Result<[(&'static str, String); 7], Box<dyn Error>> {
         ("rays.svg", rays::figure()),
         ("contacts.svg", contacts::figure()?),
         ("features.svg", features::figure()?),
+        ("logo.svg", logo::figure()?),
     ])
 }
 

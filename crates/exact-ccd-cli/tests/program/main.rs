@@ -17,7 +17,6 @@ mod inputs;
 mod meshes;
 mod methods;
 mod octocats;
-mod publication;
 mod queries;
 mod queries_errors;
 mod queries_separation;

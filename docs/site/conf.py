@@ -1,0 +1,72 @@
+"""The documentation site: the Markdown files of the repository as they are, by `scripts/check site`.
+
+The source folder is the repository, so that every link between files is the one that a reader of the repository follows.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+MANIFEST = (ROOT / "Cargo.toml").read_text()
+
+project = "exact-ccd"
+author = re.search(r'^authors = \["(.*)"\]', MANIFEST, re.M)[1]
+copyright = author
+release = re.search(r'^version = "(.*)"', MANIFEST, re.M)[1]
+address = re.search(r'^repository = "(.*)"', MANIFEST, re.M)[1]
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.mermaid"]
+root_doc = "docs/site/index"
+include_patterns = [
+    "*.md",
+    "docs/*.md",
+    "docs/benchmark/*.md",
+    "docs/site/*.md",
+    "bindings/python/README.md",
+    "fuzz/README.md",
+    "packaging/README.md",
+]
+exclude_patterns = ["target", "**/target", "**/node_modules", "build", "result"]
+
+# Markdown as GitHub reads it.
+myst_heading_anchors = 4
+myst_fence_as_directive = ["mermaid"]
+myst_enable_extensions = ["strikethrough"]
+suppress_warnings = ["myst.header", "myst.strikethrough"]
+
+# The Python package, without its extension module: nothing has to be compiled.
+sys.path.insert(0, str(ROOT / "bindings/python/python"))
+autodoc_mock_imports = ["exact_ccd._native", "pyarrow", "ray"]
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+napoleon_use_ivar = True
+
+html_theme = "furo"
+html_title = f"exact-ccd {release}"
+html_logo = "../figures/logo.svg"
+html_favicon = "../figures/logo.svg"
+html_copy_source = False
+html_show_sourcelink = False
+html_theme_options = {
+    "source_view_link": address + "/blob/main/{filename}",
+    "source_edit_link": address + "/edit/main/{filename}",
+    "sidebar_hide_name": False,
+    "light_css_variables": {"color-brand-primary": "#0072b2", "color-brand-content": "#0072b2"},
+    "dark_css_variables": {"color-brand-primary": "#56b4e9", "color-brand-content": "#56b4e9"},
+}
+html_static_path = ["static"]
+html_extra_path = ["root"]
+html_css_files = ["site.css"]
+
+
+def is_alias(app, what, name, item, skip, options):
+    """True for the fields of records, which the text of their class describes."""
+    return skip or (getattr(item, "__doc__", None) or "").startswith("Alias for field number")
+
+
+def setup(app):
+    """Leaves these fields out."""
+    app.connect("autodoc-skip-member", is_alias)
