@@ -67,6 +67,8 @@
 compile_error!("the error bounds of the filters need f64 arithmetic without excess precision: enable SSE2");
 
 extern crate alloc;
+#[cfg(test)]
+extern crate std;
 
 mod answers;
 mod axis;

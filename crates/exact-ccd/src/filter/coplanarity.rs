@@ -5,8 +5,8 @@ use super::double_double::DoubleDouble;
 use super::gap::Gap;
 use super::number::{Lanes, Number, Points, reach, subtract};
 use super::precise_cubic::PreciseCubic;
-use super::roundoff::UNIT;
-use super::vector::{add, cross, dot};
+use super::roundoff::{UNIT, margin};
+use super::vector::{add, cross, cross_magnitude, dot};
 use crate::kind::Kind;
 use crate::query::Query;
 
@@ -16,18 +16,18 @@ pub(crate) struct Coplanarity<T> {
     /// e₁ × e₂ at t = 0 and at t = 1.
     pub(crate) normals: [[T; 3]; 2],
     /// Twice the blossom of e₁ × e₂ at (0, 1).
-    mixed: [T; 3],
+    pub(super) mixed: [T; 3],
     /// The sum over the axes of a bound for the magnitudes that are added up to e₁ × e₂.
     extent: T,
 }
 
 /// c = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³.
-struct Expansion<T: Number> {
+pub(super) struct Expansion<T: Number> {
     /// b₀, 3 b₁, 3 b₂, b₃. The longest chain of roundings leads to 3 b₁ and 3 b₂: a difference, a
     /// product, the difference in `cross`, the sum in `mixed`, a product, two sums in `dot` and one
     /// more; and the two other differences in each term.
-    coefficients: [T; 4],
-    magnitude: T::Real,
+    pub(super) coefficients: [T; 4],
+    pub(super) magnitude: T::Real,
     normals: [[T; 3]; 2],
     mixed: [T; 3],
     extent: T::Real,
@@ -59,21 +59,27 @@ impl<T: Lanes> Coplanarity<T> {
     /// that of |n|. Where n vanishes, so does c, which excludes it.
     ///
     /// A component of n₀ and n₁ results from four roundings, one of 2 m from five, of terms of at most
-    /// the extent: each coefficient of |n| is off by less than 8 u times the extent. The lengths and
-    /// their means add at most ten roundings, and [`TINY`] in case the squares underflow.
+    /// the extent: each coefficient of |n| is off by at most the error of n = 5 times the extent. The lengths,
+    /// their means and the bound add eleven roundings, and [`TINY`] in case the squares underflow.
     #[inline(always)]
     pub(crate) fn are_planes_beyond<G: Gap<T>>(&self, gap: G) -> T::Mask {
         if !G::IS_POSITIVE {
             return self.cubic.has_constant_sign();
         }
+        self.cubic.is_beyond(self.least_distances(gap))
+    }
+
+    /// The bounds of the coefficients of d |n|.
+    #[inline(always)]
+    pub(super) fn least_distances(&self, gap: impl Gap<T>) -> [T; 4] {
         let [start, end] = self.normals;
         let (start, mixed, end) = (length_bound(start), length_bound(self.mixed), length_bound(end));
         let mut bounds = [start, (start + mixed) / 3.0, (mixed + end) / 3.0, end];
-        let slack = self.extent * (16.0 * UNIT);
+        let slack = self.extent * (margin(5) * UNIT);
         for bound in &mut bounds {
-            *bound = gap.value(slack) * (*bound * (1.0 + 16.0 * UNIT) + slack);
+            *bound = gap.value(slack) * (*bound * (1.0 + margin(11) * UNIT) + slack);
         }
-        self.cubic.is_beyond(bounds)
+        bounds
     }
 }
 
@@ -94,7 +100,7 @@ pub(super) fn precise<K: Kind>(query: &Query<K>) -> PreciseCubic {
 
 impl<T: Number> Expansion<T> {
     #[inline(always)]
-    fn new<K: Kind>(points: &Points<T::Real>) -> Self {
+    pub(super) fn new<K: Kind>(points: &Points<T::Real>) -> Self {
         let w = subtract::<T>(points, K::SPAN[0]);
         let e1 = subtract::<T>(points, K::SPAN[1]);
         let e2 = subtract::<T>(points, K::SPAN[2]);
@@ -108,11 +114,7 @@ impl<T: Number> Expansion<T> {
             dot(w[1], normals[1]),
         ];
         let (w, e1, e2) = (reach(&w), reach(&e1), reach(&e2));
-        let across = [
-            e1[1] * e2[2] + e1[2] * e2[1],
-            e1[2] * e2[0] + e1[0] * e2[2],
-            e1[0] * e2[1] + e1[1] * e2[0],
-        ];
+        let across = cross_magnitude(e1, e2);
         Self {
             coefficients,
             magnitude: dot(w, across),

@@ -5,7 +5,8 @@ use core::cmp::Ordering;
 use arrayvec::ArrayVec;
 
 use super::number::Lanes;
-use super::roundoff::{UNDERFLOW, UNIT, certain_sign};
+use super::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
+use super::vector::interpolate;
 use crate::time::ContactTime;
 
 /// c(t) = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³, each coefficient known to within an
@@ -56,8 +57,8 @@ impl<T: Lanes> Cubic<T> {
 
     /// The error of a Bernstein coefficient, n = 10 + 1.
     #[inline(always)]
-    fn coefficient_error(&self) -> T {
-        self.magnitude * (16.0 * UNIT) + UNDERFLOW
+    pub(super) fn coefficient_error(&self) -> T {
+        self.magnitude * (margin(11) * UNIT) + UNDERFLOW
     }
 
     /// True where c certainly has one strict sign in all of [0, 1], because all coefficients have it.
@@ -80,6 +81,42 @@ impl<T: Lanes> Cubic<T> {
         (b0.gt(c0) & b1.gt(c1) & b2.gt(c2) & b3.gt(c3))
             | ((-b0).gt(c0) & (-b1).gt(c1) & (-b2).gt(c2) & (-b3).gt(c3))
     }
+
+    /// The error of a blossom value: three interpolations of coefficients, n = 11 + 9.
+    #[inline(always)]
+    pub(super) fn blossom_error(&self) -> T {
+        self.magnitude * (margin(20) * UNIT) + UNDERFLOW
+    }
+
+    /// The blossom of c: symmetric, affine in each argument, and c(t) at (t, t, t). (Ramshaw,
+    /// Blossoms are polar forms, 1989.)
+    #[inline(always)]
+    pub(super) fn blossom(&self, r: T, s: T, t: T) -> T {
+        let [b0, b1, b2, b3] = self.bernstein;
+        let [b0, b1, b2] = [
+            interpolate(b0, b1, r),
+            interpolate(b1, b2, r),
+            interpolate(b2, b3, r),
+        ];
+        let [b0, b1] = [interpolate(b0, b1, s), interpolate(b1, b2, s)];
+        interpolate(b0, b1, t)
+    }
+
+    /// The Bernstein coefficients of c′ / 3 in [low, high].
+    #[inline(always)]
+    pub(super) fn slopes(&self, low: T, high: T) -> [T; 3] {
+        let [b0, b1, b2, b3] = self.bernstein;
+        let [d0, d1, d2] = [b1 - b0, b2 - b1, b3 - b2];
+        let blossom = |s: T, t: T| interpolate(interpolate(d0, d1, s), interpolate(d1, d2, s), t);
+        [blossom(low, low), blossom(low, high), blossom(high, high)]
+    }
+
+    /// The error of a coefficient of [`slopes`](Self::slopes): a difference and two interpolations of
+    /// coefficients, n = 11 + 7, on terms of at most twice the magnitude.
+    #[inline(always)]
+    pub(super) fn slope_error(&self) -> T {
+        self.magnitude * (2.0 * margin(18) * UNIT) + 4.0 * UNDERFLOW
+    }
 }
 
 impl Cubic<f64> {
@@ -94,23 +131,9 @@ impl Cubic<f64> {
     }
 
     /// Returns true if c certainly is strictly monotone in [low, high].
-    ///
-    /// The Bernstein coefficients of c′ / 3 there are blossom values of its own, differences of those of c.
-    /// Each is off by twice their error, 32 u m, one rounding and two interpolations, on terms of at
-    /// most 2 m: n = 7.
     pub(super) fn is_monotone(&self, low: f64, high: f64) -> bool {
-        let [b0, b1, b2, b3] = self.bernstein;
-        let [d0, d1, d2] = [b1 - b0, b2 - b1, b3 - b2];
-        let blossom = |s: f64, t: f64| interpolate(interpolate(d0, d1, s), interpolate(d1, d2, s), t);
-        let slopes = [blossom(low, low), blossom(low, high), blossom(high, high)];
-        let error = 64.0 * UNIT * self.magnitude + 4.0 * UNDERFLOW;
+        let (slopes, error) = (self.slopes(low, high), self.slope_error());
         slopes.iter().all(|&slope| slope > error) || slopes.iter().all(|&slope| slope < -error)
-    }
-
-    /// The error of a blossom value: three interpolations of coefficients, each (1 − t) x + t y
-    /// with three roundings one after another, n = 11 + 9.
-    fn blossom_error(&self) -> f64 {
-        32.0 * UNIT * self.magnitude + UNDERFLOW
     }
 
     /// The sign of c in all of [0, 1], if it is certainly the same.
@@ -267,19 +290,6 @@ impl Cubic<f64> {
         (t, slope)
     }
 
-    /// The blossom of c: symmetric, affine in each argument, and c(t) at (t, t, t). (Ramshaw,
-    /// Blossoms are polar forms, 1989.)
-    fn blossom(&self, r: f64, s: f64, t: f64) -> f64 {
-        let [b0, b1, b2, b3] = self.bernstein;
-        let [b0, b1, b2] = [
-            interpolate(b0, b1, r),
-            interpolate(b1, b2, r),
-            interpolate(b2, b3, r),
-        ];
-        let [b0, b1] = [interpolate(b0, b1, s), interpolate(b1, b2, s)];
-        interpolate(b0, b1, t)
-    }
-
     /// The sign of a blossom value, if it is certain.
     fn sign(&self, value: f64) -> Option<Ordering> {
         certain_sign(value, self.blossom_error())
@@ -288,8 +298,4 @@ impl Cubic<f64> {
     fn sign_at(&self, t: f64) -> Option<Ordering> {
         self.sign(self.blossom(t, t, t))
     }
-}
-
-fn interpolate(start: f64, end: f64, t: f64) -> f64 {
-    (1.0 - t) * start + t * end
 }

@@ -210,7 +210,7 @@ fn at_fraction<K: Kind>(integers: &Integers<K>, elapsed: i128) -> Option<Contact
 /// The root in a bracket between two adjacent f64, if the signs of the cubic at both are certain.
 ///
 /// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
-/// off by 2⁻¹⁰⁴ of itself, less than one operation of the twenty there.
+/// off by 2⁻¹⁰⁴ of itself, less than one operation, of which seven lead to a coefficient there.
 fn between_adjacent(cubic: &[Integer; 4], root: &Root) -> Option<ContactTime> {
     let values = cubic.map(Wide::approximate);
     let [c0, c1, c2, c3] = values.map(|value| value.high);

@@ -7,7 +7,7 @@ use core::f64::consts::SQRT_2;
 use super::coplanarity::length_bound;
 use super::gap::{Gap, Touching};
 use super::number::{Lanes, Points, subtract};
-use super::roundoff::{LARGEST, UNDERFLOW, UNIT};
+use super::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
 use super::vector::dot;
 use crate::kind::Kind;
 use crate::point::Point;
@@ -82,7 +82,7 @@ impl<T: Lanes> Hull<T> {
     }
 
     #[inline(always)]
-    fn along(&self, direction: [T; 3]) -> [T; 8] {
+    pub(super) fn along(&self, direction: [T; 3]) -> [T; 8] {
         let [x, y, z] = &self.corners;
         let mut along = *x;
         for i in 0..8 {
@@ -94,19 +94,16 @@ impl<T: Lanes> Hull<T> {
     /// The error bound of a scalar product. Its roundings are that of the corner, one product and two
     /// sums: n = 4.
     #[inline(always)]
-    fn error_along(&self, direction: [T; 3]) -> T {
+    pub(super) fn error_along(&self, direction: [T; 3]) -> T {
         let [x, y, z] = direction.map(Lanes::abs);
-        (x * self.reach(0) + y * self.reach(1) + z * self.reach(2)) * (8.0 * UNIT) + UNDERFLOW
+        (x * self.reach(0) + y * self.reach(1) + z * self.reach(2)) * (margin(4) * UNIT) + UNDERFLOW
     }
 
     /// True where all corners are certainly farther than the gap from the plane through the origin with
-    /// this normal, on the same side. The product of the gap and the length has six roundings.
+    /// this normal, on the same side.
     #[inline(always)]
     pub(crate) fn is_beyond<G: Gap<T>>(&self, direction: [T; 3], gap: G) -> T::Mask {
-        let mut limit = self.error_along(direction);
-        if G::IS_POSITIVE {
-            limit = limit + gap.value(limit) * (length_bound(direction) * (1.0 + 16.0 * UNIT));
-        }
+        let limit = self.limit_along(direction, gap);
         let [first, rest @ ..] = self.along(direction);
         let (mut above, mut below) = (first.gt(limit), (-first).gt(limit));
         for value in rest {
@@ -115,6 +112,27 @@ impl<T: Lanes> Hull<T> {
         }
         above | below
     }
+
+    /// The bound of scalar products, all errors included, that proves a distance above the gap. The product
+    /// of the gap and the length has eight roundings, that of the sum included.
+    #[inline(always)]
+    pub(super) fn limit_along<G: Gap<T>>(&self, direction: [T; 3], gap: G) -> T {
+        let error = self.error_along(direction);
+        if !G::IS_POSITIVE {
+            return error;
+        }
+        error + gap.value(error) * (length_bound(direction) * (1.0 + margin(8) * UNIT))
+    }
+}
+
+/// The least |x ± y| that proves a distance above d from a plane x = ±y, given the reaches of both axes.
+///
+/// The distance is |x ± y| / √2. With x and y rounded once, the sum once more, the sum is off by n = 2
+/// roundings of |x| + |y|. `SQRT_2` is above √2. The other part has four roundings, and the product may be
+/// subnormal. The limit is infinite if a component is, so that a sum that is not a number proves nothing.
+#[inline(always)]
+pub(crate) fn diagonal_limit<T: Lanes>(d: T, reaches: T) -> T {
+    reaches * (margin(2) * UNIT) + (d * (SQRT_2 * (1.0 + margin(4) * UNIT)) + f64::MIN_POSITIVE)
 }
 
 impl Hull<f64> {
@@ -131,8 +149,7 @@ impl Hull<f64> {
     /// one side.
     ///
     /// Without a gap, the exact differences are in strict order if the rounded ones are: rounding is
-    /// monotone. With one, the distance from the plane is |x ± y| / √2. With x and y rounded once, the sum
-    /// once more, it is off by at most 2 u (|x| + |y|) (1 + u); `SQRT_2` is above √2.
+    /// monotone. With one, [`diagonal_limit`] has the bound.
     #[inline]
     pub(super) fn is_beyond_diagonal<G: Gap<f64>>(&self, gap: G) -> bool {
         [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
@@ -140,9 +157,7 @@ impl Hull<f64> {
             if !G::IS_POSITIVE {
                 return on_one_side(points, |x, y| [x > y, x < y, x > -y, x < -y]);
             }
-            let slack = 8.0 * UNIT * (self.reach(i) + self.reach(j));
-            // Infinite if a component is, so that a sum that is not a number proves nothing.
-            let least = (gap.value(0.0) * SQRT_2 + slack).next_up().next_up();
+            let least = diagonal_limit(gap.value(0.0), self.reach(i) + self.reach(j));
             on_one_side(points, |x, y| {
                 let (difference, sum) = (x - y, x + y);
                 [difference > least, difference < -least, sum > least, sum < -least]

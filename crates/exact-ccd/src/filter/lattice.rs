@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 
 use super::moment::Moment;
 use super::number::{Points, subtract};
-use super::vector::{add, cross, dot};
+use super::vector::{add, cross, cross_along, dot};
 use super::wide::Wide;
 use crate::exact::decompose;
 use crate::kind::{Difference, Kind, Side};
@@ -177,8 +177,7 @@ fn sign<const N: usize>(
 
 /// One component of a × b.
 fn component<const N: usize>(axis: usize) -> impl Fn([Wide<N>; 3], [Wide<N>; 3]) -> Wide<N> {
-    let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
-    move |a, b| a[next] * b[last] - a[last] * b[next]
+    move |a, b| cross_along(axis, a, b)
 }
 
 /// The cubic without its roots at t = 0 and t = 1, and true for each of these that it has.

@@ -21,6 +21,8 @@ mod number;
 mod planar;
 mod position;
 mod precise_cubic;
+#[cfg(test)]
+mod proof;
 mod roundoff;
 mod screening;
 mod vector;
@@ -31,10 +33,11 @@ pub(crate) use contact::Contact;
 pub(crate) use cubic::Cubic;
 
 pub(crate) use gap::{Gap, Touching, Within};
-pub(crate) use hull::Hull;
+pub(crate) use hull::{Hull, diagonal_limit};
 pub(crate) use nearness::{
     LEAST_UNTIL, decide_between, free_until, impact as impact_within, intervals as intervals_within,
 };
 pub(crate) use number::{Lanes, Points};
-pub(crate) use roundoff::{UNIT, certain_sign};
+pub(crate) use roundoff::{UNIT, certain_sign, margin};
 pub(crate) use screening::{Decision, Proved, Screened, decide, decide_near_plane, screen_planes};
+pub(crate) use vector::{cross, cross_magnitude, dot};

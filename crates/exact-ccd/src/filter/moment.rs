@@ -4,7 +4,8 @@
 use core::cmp::Ordering;
 
 use super::cubic::Root;
-use super::roundoff::{UNIT, certain_sign};
+use super::number::Lanes;
+use super::roundoff::{UNIT, certain_sign, margin};
 use super::wide::Wide;
 use super::window::Window;
 
@@ -47,19 +48,26 @@ impl Moment {
 /// The sign of a quadratic in a bracket, if it is certain.
 ///
 /// With its coefficients in the window, M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 4 M its
-/// slope. The value at `near` results from at most 10 roundings: that of the coefficient, 1 − t twice, two
-/// products twice, two sums; n = 10. The integers are at least 1, so that what underflows is far below the
+/// slope. The value at `near` results from n = 7 roundings: that of the coefficient, 1 − t twice, two products
+/// and two sums. The integers are at least 1, so that what underflows is far below the
 /// bound.
 fn near<const N: usize>(quadratic: [Wide<N>; 3], window: &Window, root: &Root) -> Option<Ordering> {
     if quadratic.iter().all(Wide::is_zero) {
         return Some(Ordering::Equal);
     }
-    let [q0, q1, q2] = window.quadratic(quadratic)?;
-    let (t, s) = (root.near, 1.0 - root.near);
-    let value = (q0 * s + q1 * t) * s + q2 * t * t;
+    let quadratic = window.quadratic(quadratic)?;
     let radius = (root.high - root.near).max(root.near - root.low);
-    certain_sign(
-        value,
-        (q0.abs() + q1.abs() + q2.abs()) * (5.0 * radius + 16.0 * UNIT),
-    )
+    certain_sign(value_at(quadratic, root.near), error_near(quadratic, radius))
+}
+
+/// q₀ (1−t)² + q₁ (1−t) t + q₂ t².
+#[inline(always)]
+pub(super) fn value_at<T: Lanes>([q0, q1, q2]: [T; 3], t: T) -> T {
+    let s = -t + 1.0;
+    (q0 * s + q1 * t) * s + q2 * t * t
+}
+
+#[inline(always)]
+pub(super) fn error_near<T: Lanes>([q0, q1, q2]: [T; 3], radius: T) -> T {
+    (q0.abs() + q1.abs() + q2.abs()) * (radius * 5.0 + margin(7) * UNIT)
 }

@@ -138,7 +138,7 @@ impl<'a, K: Kind> Planar<'a, K> {
     /// The quadratic q₀ (1−t)² + m (1−t) t + q₁ t², raised to a cubic. The longest chain of
     /// roundings to a coefficient is a difference, a product, the difference in `cross`, the sum in
     /// `mixed` and one more; and the other difference in each term.
-    fn expand<T: Number<Real = f64>>(&self, x: Difference, y: Difference) -> ([T; 4], f64) {
+    pub(super) fn expand<T: Number<Real = f64>>(&self, x: Difference, y: Difference) -> ([T; 4], f64) {
         let along = |difference| {
             subtract(&self.query.four(), difference).map(|d: [T; 3]| self.axes.map(|axis| d[axis]))
         };

@@ -3,7 +3,8 @@
 use core::cmp::Ordering;
 
 use super::cubic::Root;
-use super::roundoff::{UNDERFLOW, UNIT, certain_sign};
+use super::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
+use super::vector::{cross_along, cross_magnitude_along, interpolate};
 use crate::kind::{Difference, Kind};
 use crate::point::Point;
 use crate::query::Query;
@@ -94,7 +95,7 @@ impl<'a, K: Kind> NearRoot<'a, K> {
         Self {
             query,
             near: root.near,
-            slack: 8.0 * UNIT + 4.0 * radius,
+            slack: margin(4) * UNIT + 4.0 * radius,
         }
     }
 
@@ -107,7 +108,7 @@ impl<'a, K: Kind> NearRoot<'a, K> {
         };
         for axis in 0..3 {
             let (start, end) = (start[i][axis] - start[j][axis], end[i][axis] - end[j][axis]);
-            vector.value[axis] = (1.0 - self.near) * start + self.near * end;
+            vector.value[axis] = interpolate(start, end, self.near);
             let (start, end) = (start.abs(), end.abs());
             vector.magnitude[axis] = if start > end { start } else { end };
         }
@@ -120,15 +121,15 @@ impl<'a, K: Kind> NearRoot<'a, K> {
     }
 
     /// A component of a × b. Each factor is off by `slack` of its magnitude, each product by 2
-    /// slack + slack² and two more roundings. Zero is certain where each product has a factor that
+    /// slack + slack² and n = 2 more roundings. Zero is certain where each product has a factor that
     /// is zero at both ends of the step, as happens when a vertex and an edge share a coordinate.
     pub(super) fn cross_along(&self, axis: usize, a: &VectorEstimate, b: &VectorEstimate) -> Estimate {
         let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
-        let relative = 2.0 * self.slack + self.slack * self.slack + 8.0 * UNIT;
+        let relative = 2.0 * self.slack + self.slack * self.slack + margin(2) * UNIT;
         let vanishes = |i: usize, j: usize| a.magnitude[i] == 0.0 || b.magnitude[j] == 0.0;
-        let magnitude = a.magnitude[next] * b.magnitude[last] + a.magnitude[last] * b.magnitude[next];
+        let magnitude = cross_magnitude_along(axis, a.magnitude, b.magnitude);
         Estimate {
-            value: a.value[next] * b.value[last] - a.value[last] * b.value[next],
+            value: cross_along(axis, a.value, b.value),
             error: if vanishes(next, last) && vanishes(last, next) {
                 0.0
             } else {

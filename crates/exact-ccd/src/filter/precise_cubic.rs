@@ -1,42 +1,45 @@
 //! Cubics in twice the precision: a root is rounded to two adjacent f64 by signs on both sides of it.
 
 use core::cmp::Ordering;
+use core::ops::Mul;
 
 use super::cubic::Root;
 use super::double_double::{DoubleDouble, ROUNDOFF};
-use super::roundoff::{UNDERFLOW, UNIT, certain_sign};
+use super::number::Number;
+use super::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
 use crate::time::ContactTime;
 
 /// c(t) = a₀ + a₁ t + a₂ t² + a₃ t³.
-pub(super) struct PreciseCubic {
-    powers: [DoubleDouble; 4],
+pub(super) struct PreciseCubic<T = DoubleDouble> {
+    powers: [T; 4],
     /// A bound of the error of c(t) for all t in [0, 1].
-    error: f64,
+    pub(super) error: f64,
 }
 
-impl PreciseCubic {
+impl<T: Number<Real = f64> + Mul<f64, Output = T>> PreciseCubic<T> {
     /// The cubic of [`Cubic::new`](super::cubic::Cubic::new).
     ///
-    /// Let m be `magnitude`. Differences are exact. At most eight operations lead to the
-    /// coefficients, six more to the powers, which are bounded by m, 6 m, 12 m and 8 m, and six in
-    /// Horner's scheme to a value: at most 20 operations, on terms whose magnitudes add up to at
-    /// most 27 m (1 + 2 + 3).
-    pub(super) fn new([b0, three_b1, three_b2, b3]: [DoubleDouble; 4], magnitude: f64) -> Self {
+    /// Let m be `magnitude`. Differences are exact. Seven operations lead to the coefficients, at most three
+    /// more to the powers, whose terms add up to m, 6 m, 12 m and 8 m, and six in Horner's scheme to a value:
+    /// n = 16, on terms whose magnitudes add up to at most 27 m.
+    pub(super) fn new([b0, three_b1, three_b2, b3]: [T; 4], magnitude: f64) -> Self {
         let powers = [
             b0,
             three_b1 - b0 * 3.0,
             three_b2 - three_b1 * 2.0 + b0 * 3.0,
             b3 - three_b2 + three_b1 - b0,
         ];
-        let error = 4096.0 * ROUNDOFF * magnitude + UNDERFLOW;
+        let error = margin(16) * ROUNDOFF * 27.0 * magnitude + UNDERFLOW;
         Self { powers, error }
     }
 
-    fn value(&self, t: f64) -> DoubleDouble {
+    pub(super) fn value(&self, t: f64) -> T {
         let [a0, a1, a2, a3] = self.powers;
         ((a3 * t + a2) * t + a1) * t + a0
     }
+}
 
+impl PreciseCubic {
     /// Returns true if |c(t)| certainly is above a bound.
     pub(super) fn exceeds(&self, t: f64, bound: f64) -> bool {
         self.value(t).high.abs() * (1.0 - UNIT) > self.error + bound * (1.0 + 4.0 * UNIT)

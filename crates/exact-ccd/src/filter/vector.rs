@@ -2,6 +2,8 @@
 
 // Without closures: those of arrays are not inlined into code for vector instructions.
 
+use core::ops::Mul;
+
 use super::number::{Lanes, Number};
 
 #[inline(always)]
@@ -16,7 +18,7 @@ pub(crate) fn minus<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
 
 /// a + b s.
 #[inline(always)]
-pub(crate) fn towards<T: Lanes>(a: [T; 3], b: [T; 3], s: T) -> [T; 3] {
+pub(crate) fn towards<T: Number + Mul<S, Output = T>, S: Copy>(a: [T; 3], b: [T; 3], s: S) -> [T; 3] {
     [a[0] + b[0] * s, a[1] + b[1] * s, a[2] + b[2] * s]
 }
 
@@ -42,9 +44,35 @@ pub(crate) fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
 
 #[inline(always)]
 pub(crate) fn cross<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [cross_along(0, a, b), cross_along(1, a, b), cross_along(2, a, b)]
+}
+
+/// A component of a × b.
+#[inline(always)]
+pub(crate) fn cross_along<T: Number>(axis: usize, a: [T; 3], b: [T; 3]) -> T {
+    let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
+    a[next] * b[last] - a[last] * b[next]
+}
+
+/// The sums of the magnitudes of the terms of a × b, given those of a and b.
+#[inline(always)]
+pub(crate) fn cross_magnitude<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
+        cross_magnitude_along(0, a, b),
+        cross_magnitude_along(1, a, b),
+        cross_magnitude_along(2, a, b),
     ]
+}
+
+/// A component of [`cross_magnitude`].
+#[inline(always)]
+pub(crate) fn cross_magnitude_along<T: Number>(axis: usize, a: [T; 3], b: [T; 3]) -> T {
+    let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
+    a[next] * b[last] + a[last] * b[next]
+}
+
+/// The point between two that divides the step at t: (1 − t) a + t b, three roundings one after another.
+#[inline(always)]
+pub(crate) fn interpolate<T: Lanes>(start: T, end: T, t: T) -> T {
+    (-t + 1.0) * start + t * end
 }

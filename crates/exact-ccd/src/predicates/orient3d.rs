@@ -6,7 +6,7 @@ use dashu_int::IBig;
 
 use crate::environment;
 use crate::exact::to_integers;
-use crate::filter::{UNIT, certain_sign};
+use crate::filter::{Lanes, UNIT, certain_sign, cross, cross_magnitude, dot, margin};
 use crate::point::Point;
 use crate::query::NonFinite;
 
@@ -38,21 +38,16 @@ pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
 
 /// The sign of (b − a) · ((c − a) × (d − a)), of points that are finite.
 ///
-/// The filter: the differences are rounded once, and the operations on them make it n = 8
-/// roundings. The underflow in a product is at most 2⁻¹⁰⁷⁵, which only a coordinate of b − a can
-/// enlarge; differences do not underflow. An overflow makes the bound infinite, and no sign
-/// certain.
+/// An overflow makes the bound of the filter infinite, and no sign certain.
 pub(crate) fn sign_of_volume(points: &[Point; 4]) -> Ordering {
-    const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
     if !environment::is_default() {
         return sign_in_integers(points);
     }
     let [a, b, c, d] = points;
     let from_a = |p: &Point| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
     let (u, v, w) = (from_a(b), from_a(c), from_a(d));
-    let enlarged = 1.0 + u[0].abs() + u[1].abs() + u[2].abs();
-    let error = 16.0 * UNIT * permanent(&u, &v, &w) + TINY * enlarged;
-    certain_sign(determinant(&u, &v, &w), error).unwrap_or_else(|| sign_near_zero(points))
+    certain_sign(determinant(u, v, w), error_of_determinant(u, v, w))
+        .unwrap_or_else(|| sign_near_zero(points))
 }
 
 /// Comparisons, then Shewchuk's adaptive predicate (Adaptive precision floating-point arithmetic and fast
@@ -84,21 +79,28 @@ fn sign_in_integers(points: &[Point; 4]) -> Ordering {
     determinant.cmp(&IBig::ZERO)
 }
 
-/// a · (b × c), in five operations.
+/// a · (b × c).
 #[inline(always)]
-fn determinant(a: &Point, b: &Point, c: &Point) -> f64 {
-    a[0] * (b[1] * c[2] - b[2] * c[1])
-        + a[1] * (b[2] * c[0] - b[0] * c[2])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
+pub(crate) fn determinant<T: Lanes>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
+    dot(a, cross(b, c))
+}
+
+/// The error of the determinant of differences.
+///
+/// The differences are rounded once, and the operations on them make it n = 8 roundings. The underflow in a
+/// product is at most 2⁻¹⁰⁷⁵, which only a component of a can enlarge; differences do not underflow.
+#[inline(always)]
+pub(crate) fn error_of_determinant<T: Lanes>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
+    const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
+    let enlarged = a[0].abs() + a[1].abs() + a[2].abs() + 1.0;
+    permanent(a, b, c) * (margin(8) * UNIT) + enlarged * TINY
 }
 
 /// The determinant of magnitudes, with sums in place of differences.
 #[inline(always)]
-fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
-    let [a, b, c] = [a, b, c].map(|v| v.map(f64::abs));
-    a[0] * (b[1] * c[2] + b[2] * c[1])
-        + a[1] * (b[2] * c[0] + b[0] * c[2])
-        + a[2] * (b[0] * c[1] + b[1] * c[0])
+pub(crate) fn permanent<T: Lanes>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
+    let magnitudes = |[x, y, z]: [T; 3]| [x.abs(), y.abs(), z.abs()];
+    dot(magnitudes(a), cross_magnitude(magnitudes(b), magnitudes(c)))
 }
 
 /// Returns true if Shewchuk's predicate neither underflows nor overflows on four points of such

@@ -4,21 +4,17 @@
 //!
 //! Both only compare differences of coordinates, place by place, so that no transposition is needed.
 
-use core::f64::consts::SQRT_2;
-
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x8, mask64x8};
 
 use crate::batch::row::{PLACES, Row};
-use crate::filter::{Gap, UNIT};
+use crate::filter::{Gap, diagonal_limit};
 use crate::kind::Kind;
 
 /// Returns true if all corners are farther than the gap from a plane x = 0, y = 0 or z = 0, or from one at
 /// 45° between two of them, on one side.
 ///
-/// The distance from a plane x = ±y is |x ± y| / √2. With x and y rounded once, the sum once more, it
-/// is off by at most 2 u (|x| + |y|) (1 + u). `SQRT_2` is above √2; the product may be subnormal. Without a
-/// gap, x and ±y are only compared.
+/// [`diagonal_limit`] has the bound. Without a gap, x and ±y are only compared.
 #[inline(always)]
 pub(super) fn are_beyond<S: Simd, K: Kind, G: Gap<f64>>(simd: S, rows: [&Row; 4], gap: G) -> bool {
     let corners = corners::<S, K>(simd, rows);
@@ -42,8 +38,7 @@ pub(super) fn are_beyond<S: Simd, K: Kind, G: Gap<f64>>(simd: S, rows: [&Row; 4]
     }
     let [a, b, c, e] = corners;
     let reach = a.abs().max(b.abs()).max(c.abs().max(e.abs()));
-    let slack = (reach + reach.slide::<1>(reach)) * (16.0 * UNIT);
-    let least = slack + (d * SQRT_2 * (1.0 + 8.0 * UNIT) + f64::MIN_POSITIVE);
+    let least = diagonal_limit(f64x8::splat(simd, d), reach + reach.slide::<1>(reach));
     on_one_side(
         corners,
         #[inline(always)]

@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 use super::closest::Closest;
 use super::snapshot::{Moving, Snapshot};
 use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
-use crate::filter::roundoff::{UNDERFLOW, UNIT, certain_sign};
+use crate::filter::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
 use crate::filter::vector::{cross, dot, minus, towards};
 use crate::impact::{Impact, unit};
 use crate::kind::Kind;
@@ -164,7 +164,7 @@ impl Near {
             error: self.error
                 + error * side.extent()
                 + value.abs() * side.error
-                + 4.0 * UNIT * (extent(self.value) + length),
+                + margin(3) * UNIT * (extent(self.value) + length),
         }
     }
 
@@ -194,11 +194,11 @@ fn extent(vector: Point) -> f64 {
     vector.into_iter().fold(0.0, |sum, x| sum + x.abs())
 }
 
-/// A scalar product and its error: that of each factor times the magnitude of the other, and four roundings.
+/// A scalar product and its error: that of each factor times the magnitude of the other, and n = 3 roundings.
 /// The bound takes the errors into the magnitudes, and is doubled for its own roundings.
 fn product(a: &Near, b: &Near) -> [f64; 2] {
     let (of_a, of_b) = (a.extent(), b.extent());
-    let error = a.error * of_b + b.error * of_a + 4.0 * UNIT * of_a * of_b;
+    let error = a.error * of_b + b.error * of_a + margin(3) * UNIT * of_a * of_b;
     [dot(a.value, b.value), 2.0 * error + UNDERFLOW]
 }
 
@@ -241,7 +241,7 @@ fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
     let [bx, of_bx] = product(b, x);
     let [most_aa, most_bb, most_ab] = [aa + of_aa, bb + of_bb, ab.abs() + of_ab];
     let of_determinant =
-        of_aa * most_bb + of_bb * most_aa + 2.0 * of_ab * most_ab + 4.0 * UNIT * most_aa * most_bb;
+        of_aa * most_bb + of_bb * most_aa + 2.0 * of_ab * most_ab + margin(3) * UNIT * most_aa * most_bb;
     let determinant = aa * bb - ab * ab;
     let least = determinant - 2.0 * of_determinant;
     let step = |numerator: f64, error: f64| {
@@ -254,12 +254,12 @@ fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
         + of_ab * size_of_bx
         + most_bb * of_ax
         + of_bb * size_of_ax
-        + 4.0 * UNIT * (most_ab * size_of_bx + most_bb * size_of_ax);
+        + margin(3) * UNIT * (most_ab * size_of_bx + most_bb * size_of_ax);
     let of_v = most_ab * of_ax
         + of_ab * size_of_ax
         + most_aa * of_bx
         + of_aa * size_of_bx
-        + 4.0 * UNIT * (most_ab * size_of_ax + most_aa * size_of_bx);
+        + margin(3) * UNIT * (most_ab * size_of_ax + most_aa * size_of_bx);
     (least > 0.0).then(|| [step(ab * bx - bb * ax, of_u), step(ab * ax - aa * bx, of_v)])
 }
 

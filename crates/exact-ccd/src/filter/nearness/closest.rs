@@ -1,5 +1,8 @@
 //! A guess of the closest points at one time, without bound.
 
+use core::ops::Mul;
+
+use crate::filter::number::Number;
 use crate::filter::vector::{dot, minus, towards};
 use crate::kind::Kind;
 use crate::point::Point;
@@ -62,7 +65,7 @@ impl Closest {
     }
 
     /// F there.
-    pub(super) fn point(self, corners: &[Point; 4]) -> Point {
+    pub(super) fn point<T: Number + Mul<f64, Output = T>>(self, corners: &[[T; 3]; 4]) -> [T; 3] {
         match self {
             Self::Corner(i) => corners[i],
             Self::Between([i, j], s) => {

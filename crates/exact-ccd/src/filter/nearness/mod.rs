@@ -23,7 +23,8 @@ mod turning;
 pub(crate) use advance::free_until;
 
 use super::hull::Hull;
-use super::roundoff::UNIT;
+use super::number::Lanes;
+use super::roundoff::{UNIT, margin};
 use super::screening::{self, Decision, Proved};
 use super::vector::dot;
 use crate::distance::Separation;
@@ -134,7 +135,16 @@ fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
 /// roundings: it is off by 9 u, a combination of them with factors that add up to at most 3 by 27 u, and its
 /// own operations add 16 u.
 fn is_certainly_within(x: Point, d: f64) -> bool {
-    const ERROR: f64 = 64.0 * UNIT;
-    let reach = x.map(|component| component.abs() + ERROR);
-    dot(reach, reach) * (1.0 + 8.0 * UNIT) < d * d
+    largest_square(x) < d * d
+}
+
+/// A bound of |x|² for [`is_certainly_within`], less one rounding.
+///
+/// A component and its error have one rounding, the square of the sum three, the two sums and the product
+/// with the bound one each: six, and a seventh is that of d². The errors are relative to positive terms.
+#[inline(always)]
+fn largest_square<T: Lanes>([x, y, z]: [T; 3]) -> T {
+    const ERROR: f64 = margin(43) * UNIT;
+    let reach = [x.abs() + ERROR, y.abs() + ERROR, z.abs() + ERROR];
+    dot(reach, reach) * (1.0 + margin(7) * UNIT)
 }

@@ -55,7 +55,7 @@ impl<T: Precision> Moving<T> {
         let corners = self.corners(t);
         let rounded = corners.map(|corner| corner.map(Number::value));
         let closest = Closest::guess::<K>(&rounded);
-        let closest = closest.refined::<K>(&rounded, point(&corners, closest).map(Number::value));
+        let closest = closest.refined::<K>(&rounded, closest.point(&corners).map(Number::value));
         Snapshot {
             corners,
             closest,
@@ -64,14 +64,14 @@ impl<T: Precision> Moving<T> {
         }
     }
 
-    fn corners(&self, t: f64) -> [Vector<T>; 4] {
+    pub(in crate::filter) fn corners(&self, t: f64) -> [Vector<T>; 4] {
         [0, 1, 2, 3]
             .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t))
     }
 
     /// F at one time, at the closest points of another one.
     pub(super) fn place(&self, t: f64, closest: Closest) -> Vector<T> {
-        point(&self.corners(t), closest)
+        closest.point(&self.corners(t))
     }
 
     pub(super) fn separation(&self) -> f64 {
@@ -105,7 +105,7 @@ impl<T: Precision> Snapshot<T> {
 
     /// |F|² − d² at the guess.
     pub(super) fn excess(&self) -> T {
-        excess(point(&self.corners, self.closest), self.d)
+        excess(self.closest.point(&self.corners), self.d)
     }
 }
 
@@ -125,7 +125,7 @@ impl Moving<DoubleDouble> {
 /// True if |x| is certainly less than d, for x = F at some parameters.
 ///
 /// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners with factors of
-/// at most 1, and by 17 ε for the operations on them: 57 ε. With the sum m of the magnitudes of its
+/// at most 1, and by 16 ε for the operations on them: 56 ε, for which 57 ε stands. With the sum m of the magnitudes of its
 /// components,
 /// |F|² is off by 114 ε m + 3 (57 ε)² and by 12 ε m² more; d² by ε d², the difference by ε (m² + d²).
 fn is_below(x: Vector<DoubleDouble>, d: f64) -> bool {
@@ -137,7 +137,7 @@ fn is_below(x: Vector<DoubleDouble>, d: f64) -> bool {
 impl Snapshot<DoubleDouble> {
     /// True if the distance is certainly less than d, as |F| is at the guess.
     pub(super) fn is_within(&self) -> bool {
-        is_below(point(&self.corners, self.closest), self.d)
+        is_below(self.closest.point(&self.corners), self.d)
     }
 
     /// The number of different corners.
@@ -152,7 +152,7 @@ impl Snapshot<DoubleDouble> {
 
     /// F at the guess, each component off by 57 ε, as in [`Moving::is_within`], and one rounding.
     pub(super) fn precise_point(&self) -> [f64; 3] {
-        point(&self.corners, self.closest).map(Number::value)
+        self.closest.point(&self.corners).map(Number::value)
     }
 
     /// True if the distance is certainly above d at this time, at another one, and at all times
@@ -196,21 +196,6 @@ fn are_beyond((a, of_a): Headed<'_>, (b, of_b): Headed<'_>) -> bool {
             let square = least * least;
             least.value() > 0.0 && (square - threshold).value() > limit + 16.0 * ROUNDOFF * square.value()
         })
-}
-
-/// F at some parameters.
-fn point<T: Precision>(corners: &[Vector<T>; 4], closest: Closest) -> Vector<T> {
-    match closest {
-        Closest::Corner(i) => corners[i],
-        Closest::Between([i, j], s) => {
-            let e = minus(corners[j], corners[i]);
-            [0, 1, 2].map(|axis: usize| corners[i][axis] + e[axis] * s)
-        }
-        Closest::Inner([i, j], [u, v]) => {
-            let (a, b) = (minus(corners[i], corners[0]), minus(corners[j], corners[0]));
-            [0, 1, 2].map(|axis: usize| corners[0][axis] + (a[axis] * u + b[axis] * v))
-        }
-    }
 }
 
 /// A vector of a length of about 1 across the features, on the side of F.

@@ -1,0 +1,10 @@
+//! The bounds of the filters, checked by a machine: the very code of the filters runs on [`Symbol`]s, which
+//! count roundings, degrees and magnitudes.
+//!
+//! `docs/proof.md` lists all bounds, and the check of each.
+
+mod gappa;
+mod roundings;
+mod symbol;
+
+use symbol::{Precise, Symbol};

@@ -1,0 +1,320 @@
+//! The number of roundings of each value with a bound, and that the bound derives from it.
+//!
+//! The inputs of a test make the magnitude of the bound equal to the permanent, so that the quotient of both is
+//! the constant of the bound.
+
+use core::ops::RangeInclusive;
+
+use super::{Precise, Symbol};
+use crate::filter::coplanarity::{Coplanarity, Expansion};
+use crate::filter::cubic::{Cubic, Root};
+use crate::filter::double_double::ROUNDOFF;
+use crate::filter::gap::{Touching, Within};
+use crate::filter::hull::{Hull, diagonal_limit};
+use crate::filter::moment;
+use crate::filter::number::{Lanes, Points};
+use crate::filter::planar::Planar;
+use crate::filter::position::NearRoot;
+use crate::filter::precise_cubic::PreciseCubic;
+use crate::filter::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
+use crate::filter::vector::{cross, cross_along, interpolate};
+use crate::kind::{EdgeEdge, Kind, VertexFace};
+use crate::predicates::{determinant, error_of_determinant};
+use crate::query::Query;
+
+/// Points that are the opposite of themselves at the other time: magnitudes are equal at both.
+fn opposite_points(seed: u64) -> Points<f64> {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let start = [(); 4].map(|()| [(); 3].map(|()| random.f64() - 0.5));
+    [start, start.map(|point| point.map(|x| -x))]
+}
+
+fn symbols(points: Points<f64>) -> Points<Symbol> {
+    points.map(|now| now.map(|point| point.map(Symbol::input)))
+}
+
+/// The least power of two that is at least a quarter above n.
+fn power(n: u32) -> f64 {
+    (0..64)
+        .map(|k| f64::from(k).exp2())
+        .find(|&power| 4.0 * power >= f64::from(5 * n))
+        .unwrap()
+}
+
+/// Asserts that a bound has the constant that n roundings require, for terms of this magnitude.
+#[track_caller]
+fn assert_bound(bound: f64, magnitude: f64, n: u32) {
+    let units = bound / (UNIT * magnitude);
+    assert!(
+        (units - power(n)).abs() < 1e-9 * units,
+        "{units} u of the magnitude for n = {n}"
+    );
+}
+
+/// Asserts the largest number of roundings and the degree of values whose magnitudes are at most some sum.
+#[track_caller]
+fn assert_counts(values: &[Symbol], n: u32, degree: i32, magnitude: f64) {
+    assert_eq!(values.iter().map(|value| value.roundings).max(), Some(n));
+    for value in values {
+        assert_eq!(value.degree, degree);
+        assert!(
+            value.permanent <= magnitude * (1.0 + 1e-9),
+            "{} > {magnitude}",
+            value.permanent
+        );
+        assert_in_range(value);
+    }
+}
+
+/// Asserts that nothing overflows, and the bound of underflow.
+#[track_caller]
+fn assert_in_range(value: &Symbol) {
+    assert!(value.largest < f64::MAX, "{}", value.largest);
+    let far = 2.0 * LARGEST;
+    assert!(value.underflow <= 1000.0 * far * far, "{}", value.underflow);
+}
+
+/// One of the parameters in [0, 1] at which an interpolation has two equal weights, or one of them.
+const PARAMETERS: [f64; 3] = [0.0, 0.5, 1.0];
+
+const SEEDS: RangeInclusive<u64> = 1..=20;
+
+#[test]
+fn the_margin_covers_roundings_and_those_of_the_bound() {
+    for n in 1..=1000 {
+        assert_eq!(margin(n), power(n));
+        // In units of u² / 2: (margin (1 − k u) − n) (1 − n u) > n² u for k = 64 roundings of the bound.
+        let (n, k) = (f64::from(n), 64.0);
+        let rest = power(n as u32) * (1.0 - k * UNIT) - n;
+        assert!(rest >= 0.5 && rest > 2.0 * n * n * UNIT);
+    }
+    // 1000 errors of 2⁻¹⁰⁷⁵, each enlarged by two factors.
+    assert!(UNDERFLOW > 1000.0 * 2.0_f64.powi(402 - 1000) * 2.0_f64.powi(-75));
+}
+
+#[test]
+fn coplanarity_cubics() {
+    fn check<K: Kind>() {
+        for seed in SEEDS {
+            let planes = Coplanarity::<Symbol>::new::<K>(&symbols(opposite_points(seed)));
+            let Cubic { bernstein, magnitude } = planes.cubic;
+            assert_counts(&bernstein, 11, 3, magnitude.value);
+            assert_bound(planes.cubic.coefficient_error().value, bernstein[1].permanent, 11);
+            assert_in_range(&planes.cubic.coefficient_error());
+            for t in PARAMETERS.map(Symbol::exactly) {
+                for s in PARAMETERS.map(Symbol::exactly) {
+                    assert_counts(&[planes.cubic.blossom(s, s, t)], 20, 3, magnitude.value);
+                    assert_counts(&planes.cubic.slopes(s, t), 18, 3, 2.0 * magnitude.value);
+                }
+            }
+            let half = Symbol::exactly(0.5);
+            let value = planes.cubic.blossom(half, half, half);
+            assert_bound(planes.cubic.blossom_error().value, value.permanent, 20);
+            let [_, slope, _] = planes.cubic.slopes(half, half);
+            assert_bound(planes.cubic.slope_error().value, slope.permanent, 18);
+        }
+    }
+    check::<VertexFace>();
+    check::<EdgeEdge>();
+}
+
+#[test]
+fn normals() {
+    fn check<K: Kind>() {
+        for seed in SEEDS {
+            let planes = Coplanarity::<Symbol>::new::<K>(&symbols(opposite_points(seed)));
+            let total = |vector: [Symbol; 3]| vector.iter().map(|x| x.permanent).sum::<f64>();
+            let extent = planes.extent().value;
+            for normal in planes.normals {
+                assert_counts(&normal, 4, 2, total(normal));
+                assert!((total(normal) - extent).abs() < 1e-9 * extent);
+            }
+            assert_counts(&planes.mixed, 5, 2, 2.0 * extent);
+            assert!((total(planes.mixed) - 2.0 * extent).abs() < 1e-9 * extent);
+        }
+        // Sides of length 1 along two axes: all lengths and the extent are 1.
+        let mut start = [[0.0; 3]; 4];
+        for (axis, &(i, _)) in K::SPAN[1..].iter().enumerate() {
+            start[i][axis] = 1.0;
+        }
+        let mut planes = Coplanarity::<Symbol>::new::<K>(&symbols([start, start]));
+        for normal in planes.normals.iter_mut().chain([&mut planes.mixed]) {
+            *normal = normal.map(|x| x.rounded(0));
+        }
+        let bounds = planes.least_distances(Within(Symbol::input(1.0)));
+        for bound in bounds {
+            assert_eq!((bound.value - 1.0) / UNIT, power(11) + power(5));
+            // And the sum with the error of the coefficient.
+            assert!(bound.roundings < 11);
+            assert_eq!(bound.degree, 3);
+            assert_in_range(&bound);
+        }
+    }
+    check::<VertexFace>();
+    check::<EdgeEdge>();
+}
+
+#[test]
+fn separating_directions() {
+    fn check<K: Kind>() {
+        for seed in SEEDS {
+            // The first primitive is a point, the second one the origin: all corners are the same.
+            let [start, _] = opposite_points(seed);
+            let mut points = [[[0.0; 3]; 4]; 2];
+            for now in &mut points {
+                now[..K::FIRST].fill(start[0]);
+            }
+            let hull = Hull::new::<K>(&symbols(points));
+            let direction = start[1].map(|x| Symbol {
+                degree: 2,
+                largest: 8.0 * LARGEST * LARGEST,
+                ..Symbol::exactly(x)
+            });
+            let along = hull.along(direction);
+            let error = hull.error_along(direction);
+            assert_counts(&along, 4, 3, along[0].permanent);
+            assert_bound(error.value, along[0].permanent, 4);
+            assert_in_range(&error);
+        }
+        let points = symbols([[[LARGEST.recip(); 3], [0.0; 3], [0.0; 3], [0.0; 3]]; 2]);
+        let direction = [1.0, 0.0, 0.0].map(|x| Symbol {
+            degree: 2,
+            largest: 8.0 * LARGEST * LARGEST,
+            ..Symbol::exactly(x)
+        });
+        let hull = Hull::new::<K>(&points);
+        let limit = hull.limit_along(direction, Within(Symbol::input(1.0)));
+        assert_eq!(limit.roundings, 8);
+        assert_eq!((limit.value - 1.0) / UNIT, power(8));
+        assert_in_range(&limit);
+        let error = hull.error_along(direction).value;
+        assert_eq!(hull.limit_along(direction, Touching).value, error);
+    }
+    check::<VertexFace>();
+    check::<EdgeEdge>();
+}
+
+#[test]
+fn diagonals() {
+    let [[[a, b, ..], [c, d, ..], ..], _] = symbols(opposite_points(1));
+    let (x, y) = (a - c, b - d);
+    let reaches = x.abs() + y.abs();
+    for value in [x + y, x - y] {
+        assert_counts(&[value], 2, 1, reaches.value);
+    }
+    let nothing = Symbol::input(0.0);
+    assert_bound(
+        diagonal_limit(nothing, reaches).value,
+        x.permanent + y.permanent,
+        2,
+    );
+    // The part of the distance: the constant is above √2 by what its roundings require.
+    let limit = diagonal_limit(Symbol::input(1.0), nothing);
+    let excess = (limit.value - core::f64::consts::SQRT_2) / (core::f64::consts::SQRT_2 * UNIT);
+    assert!((excess - power(4)).abs() <= 2.0, "{excess}");
+    assert!(limit.roundings < 4, "with that of the constant");
+}
+
+#[test]
+fn quadratics_of_planar_motion() {
+    for seed in SEEDS {
+        let points = opposite_points(seed).map(|now| now.map(|[x, y, _]| [x, y, 1.0]));
+        let query = Query::<EdgeEdge>::from_finite(points);
+        let [x, y] = [(0, 2), (1, 0)];
+        let planar = Planar::new(&query).unwrap();
+        let (coefficients, magnitude) = planar.expand::<Precise<false>>(x, y);
+        assert_counts(&coefficients.map(|Precise(symbol)| symbol), 6, 2, 3.0 * magnitude);
+        let ([q0, .., q1], magnitude) = planar.expand::<Precise<true>>(x, y);
+        assert!(q0.0.permanent.max(q1.0.permanent) <= magnitude * (1.0 + 1e-9));
+    }
+}
+
+#[test]
+fn quadratics_at_a_moment() {
+    let mut random = fastrand::Rng::with_seed(1);
+    for _ in SEEDS {
+        let quadratic = [(); 3].map(|()| Symbol {
+            degree: 2,
+            ..Symbol::exactly(random.f64() - 0.5).rounded(1)
+        });
+        let magnitude = quadratic.iter().map(|q| q.value.abs()).sum();
+        let near = Symbol::exactly(random.f64());
+        assert_counts(&[moment::value_at(quadratic, near)], 7, 2, magnitude);
+        let error = |radius: f64| moment::error_near(quadratic, Symbol::exactly(radius)).value;
+        assert_bound(error(0.0), magnitude, 7);
+        // The slope is at most 4 times the magnitude.
+        assert!(error(0.25) >= magnitude);
+    }
+}
+
+#[test]
+fn positions_near_a_root() {
+    for seed in SEEDS {
+        let points = opposite_points(seed);
+        let [start, end] = symbols(points);
+        let (d0, d1) = (start[1][0] - start[0][0], end[1][0] - end[0][0]);
+        let place = interpolate(d0, d1, Symbol::exactly(0.5));
+        assert_counts(&[place], 4, 1, d0.value.abs());
+        let [a, b] = [start[0], start[1]].map(|point| point.map(|x| x.rounded(0)));
+        let product = cross_along(0, a, b);
+        assert_counts(&[product], 2, 2, product.permanent);
+
+        let root = Root {
+            low: 0.5,
+            high: 0.5,
+            near: 0.5,
+            slope: 1.0,
+            rising: true,
+        };
+        let query = Query::<EdgeEdge>::from_finite(points);
+        let bracket = NearRoot::new(&query, &root);
+        let [x, y] = [(1, 0), (3, 2)].map(|difference| bracket.vector(difference));
+        let [value, error] = {
+            let estimate = bracket.cross_along(0, &x, &y);
+            [estimate.value, estimate.error]
+        };
+        assert!(value.is_finite());
+        let exact = [(1, 0), (3, 2)].map(|(i, j): (usize, usize)| {
+            [0, 1, 2].map(|axis: usize| Symbol::input(points[0][i][axis] - points[0][j][axis]))
+        });
+        let units = error / (UNIT * cross(exact[0], exact[1])[0].permanent);
+        assert!(
+            (units - 2.0 * power(4) - power(2)).abs() < 1e-9 * units,
+            "{units}"
+        );
+    }
+}
+
+#[test]
+fn volumes() {
+    for seed in SEEDS {
+        let [[a, b, c, d], _] = symbols(opposite_points(seed));
+        let from_a = |p: [Symbol; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        let (u, v, w) = (from_a(b), from_a(c), from_a(d));
+        let volume = determinant(u, v, w);
+        assert_counts(&[volume], 8, 3, volume.permanent);
+        assert_bound(error_of_determinant(u, v, w).value, volume.permanent, 8);
+    }
+}
+
+#[test]
+fn cubics_in_twice_the_precision() {
+    fn check<K: Kind>() {
+        for seed in SEEDS {
+            let Expansion {
+                coefficients,
+                magnitude,
+                ..
+            } = Expansion::<Precise<true>>::new::<K>(&opposite_points(seed));
+            let counts = coefficients.map(|Precise(symbol)| symbol);
+            assert_counts(&counts, 7, 3, 3.0 * magnitude);
+            let cubic = PreciseCubic::new(coefficients, magnitude);
+            let Precise(end) = cubic.value(1.0);
+            assert_counts(&[end], 16, 3, 27.0 * magnitude);
+            let operations = cubic.error / (ROUNDOFF * end.permanent);
+            assert!((operations - power(16)).abs() < 1e-9 * operations, "{operations}");
+        }
+    }
+    check::<VertexFace>();
+    check::<EdgeEdge>();
+}
