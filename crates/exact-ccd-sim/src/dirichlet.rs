@@ -128,6 +128,12 @@ impl<'a> Dirichlet<'a> {
         &self.motions
     }
 
+    /// The vertices that the motions move, increasing.
+    pub(crate) fn vertices(&self) -> Vec<u32> {
+        let targets = self.motions.iter().flat_map(|motion| &motion.targets);
+        targets.map(|target| target.vertex as u32).collect()
+    }
+
     /// Sets the held coordinates to those after a part of the rest of some motions, by their places.
     pub(crate) fn set(&self, points: &mut [Point], places: &[usize], part: f64) {
         for motion in places.iter().map(|&place| &self.motions[place]) {

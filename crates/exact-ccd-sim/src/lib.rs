@@ -74,7 +74,7 @@ pub use load::{Force, Load};
 pub use range::OutOfRange;
 pub use script::{KeyFrame, Script};
 pub use scripted::Scripted;
-pub use settings::{Formulation, Friction, FrictionPair, Length, Settings};
+pub use settings::{Formulation, Friction, FrictionPair, Length, LineSearch, Settings};
 pub use simulation::{Contact, Primitive, Simulation, SimulationError, Warning};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};

@@ -22,6 +22,8 @@ pub struct Settings {
     pub contact_distance: Length,
     /// The sum of barriers that repels surfaces.
     pub formulation: Formulation,
+    /// The line search of Newton's method.
+    pub line_search: LineSearch,
     /// Friction.
     pub friction: Friction,
     /// The tolerance of Newton's method, as a length per second.
@@ -98,7 +100,7 @@ impl Settings {
 impl Settings {
     /// The names and the values of all settings, for their comparison. The case of a method's name does not
     /// matter.
-    pub(crate) fn values(&self) -> [(&'static str, String); 14] {
+    pub(crate) fn values(&self) -> [(&'static str, String); 15] {
         let Self {
             time_step,
             gravity,
@@ -106,6 +108,7 @@ impl Settings {
             damping,
             contact_distance,
             formulation,
+            line_search,
             friction,
             tolerance,
             max_iterations,
@@ -125,6 +128,7 @@ impl Settings {
             ("damping", format!("{damping:?}")),
             ("contact-distance", format!("{contact_distance:?}")),
             ("formulation", format!("{formulation:?}")),
+            ("line-search", format!("{line_search:?}")),
             ("friction.coefficient", format!("{coefficient:?}")),
             ("friction.pair", format!("{pairs:?}")),
             ("friction.static-velocity", format!("{static_velocity:?}")),
@@ -148,6 +152,18 @@ pub enum Formulation {
     /// The sum over all pairs of primitives, as in *Incremental Potential Contact*. Near edges of a plane of
     /// triangles, it has forces along the plane.
     Sum,
+}
+
+/// The line search of Newton's method where contact limits a Newton direction.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LineSearch {
+    /// All vertices take the same part of the direction.
+    #[default]
+    Common,
+    /// Each vertex takes a part of its own, so that only vertices near a contact are held back; or all the same
+    /// part, where this does not decrease the potential enough. The CCD method must be exact.
+    Vertex,
 }
 
 /// A length, absolute or relative to the scene.
@@ -217,6 +233,7 @@ impl Default for Settings {
             damping: 0.0,
             contact_distance: Length::Relative(1e-3),
             formulation: Formulation::default(),
+            line_search: LineSearch::default(),
             friction: Friction::default(),
             tolerance: Length::Relative(1e-2),
             max_iterations: 100,

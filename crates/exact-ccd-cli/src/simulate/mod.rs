@@ -28,7 +28,7 @@ use std::process::ExitCode;
 
 use clap::value_parser;
 use exact_ccd_scene::Scene;
-use exact_ccd_sim::{Simulation, SimulationError, System};
+use exact_ccd_sim::{LineSearch, Simulation, SimulationError, System};
 
 use crate::failure::Failure;
 use crate::inputs::check_file;
@@ -81,6 +81,9 @@ pub(crate) struct Arguments {
     meshes: Option<PathBuf>,
     #[arg(long, value_name = "NAME", alias = "ccd", help = method_help())]
     method: Option<String>,
+    /// The line search, in place of that of the scene: one step size for all vertices, or one for each vertex.
+    #[arg(long, value_name = "NAME", value_parser = ["common", "vertex"])]
+    line_search: Option<String>,
     /// The number of the last time step, in place of the scene's duration. It counts from the start, also
     /// with --resume.
     #[arg(long, value_name = "N")]
@@ -156,7 +159,12 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         let name = arguments.method.as_deref().unwrap_or(name);
         filters::by_name(name, system).map_err(|error| error.to_string())
     };
-    let scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
+    let mut scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
+    match arguments.line_search.as_deref() {
+        Some("common") => scene.settings.line_search = LineSearch::Common,
+        Some("vertex") => scene.settings.line_search = LineSearch::Vertex,
+        _ => {}
+    }
     let mut notes = Notes::default();
     scene.notes.iter().for_each(|text| notes.note(text.to_string()));
     let (simulation, mut folder) = match &arguments.output {

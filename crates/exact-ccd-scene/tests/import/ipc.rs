@@ -21,6 +21,7 @@ gravity = [0.0, -9.80665, 0.0]
 integrator = "implicit-euler"
 damping = 0.0
 formulation = "sum"
+line-search = "common"
 max-iterations = 10000
 max-substeps = 8
 ccd = "exact"

@@ -43,6 +43,7 @@ gravity = [0.0, -9.81, 0.0]
 integrator = "implicit-euler"
 damping = 0.0
 formulation = "sum"
+line-search = "common"
 max-iterations = 500
 max-substeps = 8
 ccd = "exact"

@@ -120,6 +120,15 @@ pub enum SimulationError {
         /// The name of the CCD method.
         name: String,
     },
+    /// The line search by vertex needs exact times of contact.
+    #[error(
+        "`line-search` is `vertex`, but the CCD method `{name}` has no exact times of contact, \
+         expected `exact` or another exact method, or the line search `common`"
+    )]
+    ByVertex {
+        /// The name of the CCD method.
+        name: String,
+    },
     /// The linear system of a Newton iteration has no finite solution: forces are not finite, or their
     /// magnitudes differ too much.
     #[error("step {step}: the linear system of Newton's method has no solution; try a smaller time step")]

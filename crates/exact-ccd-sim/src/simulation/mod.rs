@@ -19,8 +19,8 @@ use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::StepFilter;
 use crate::friction::Coefficients;
 use crate::range::{OutOfRange, check, check_finite, check_not_negative};
-use crate::settings::Settings;
-use crate::solver::LinearSolver;
+use crate::settings::{LineSearch, Settings};
+use crate::solver::Memory;
 use crate::state::State;
 use crate::system::{Fingerprint, System};
 
@@ -47,7 +47,7 @@ pub struct Simulation {
     filter: StepFilter,
     barrier: Barrier,
     coefficients: Coefficients,
-    solver: LinearSolver,
+    memory: Memory,
     state: State,
     fingerprint: Fingerprint,
     interrupt: Arc<AtomicBool>,
@@ -92,7 +92,7 @@ impl Simulation {
         state: State,
         filter: StepFilter,
     ) -> Result<Self, SimulationError> {
-        check_filter(&system, &filter)?;
+        check_filter(&system, &settings, &filter)?;
         filter.name().clone_into(&mut settings.ccd);
         settings.check(system.size())?;
         let expected = system.start.len();
@@ -130,7 +130,7 @@ impl Simulation {
             settings,
             filter,
             barrier,
-            solver: LinearSolver::default(),
+            memory: Memory::default(),
             state,
             interrupt: Arc::default(),
         })
@@ -139,9 +139,10 @@ impl Simulation {
     /// The same simulation with another filter. Settings and checkpoints then have the name of this filter.
     ///
     /// # Errors
-    /// [`SimulationError::Separation`], if a body has an offset and the method of the filter is not exact.
+    /// [`SimulationError::Separation`] and [`SimulationError::ByVertex`], if the method of the filter is not
+    /// exact, and a body has an offset or the line search is by vertex.
     pub fn with_filter(mut self, filter: StepFilter) -> Result<Self, SimulationError> {
-        check_filter(&self.system, &filter)?;
+        check_filter(&self.system, &self.settings, &filter)?;
         filter.name().clone_into(&mut self.settings.ccd);
         self.filter = filter;
         Ok(self)
@@ -224,13 +225,20 @@ fn check_numbers(state: &State) -> Result<(), OutOfRange> {
     check_not_negative("stiffness", state.stiffness.unwrap_or(0.0))
 }
 
-/// Checks that the method of a filter takes the offsets of the bodies into account.
-fn check_filter(system: &System, filter: &StepFilter) -> Result<(), SimulationError> {
-    if system.is_thick() && !filter.is_exact() {
-        let name = filter.name().to_owned();
+/// Checks that the method of a filter takes the offsets of the bodies into account, and that it can decide the
+/// steps of vertices.
+fn check_filter(system: &System, settings: &Settings, filter: &StepFilter) -> Result<(), SimulationError> {
+    if filter.is_exact() {
+        return Ok(());
+    }
+    let name = filter.name().to_owned();
+    if system.is_thick() {
         return Err(SimulationError::Separation { name });
     }
-    Ok(())
+    match settings.line_search {
+        LineSearch::Common => Ok(()),
+        LineSearch::Vertex => Err(SimulationError::ByVertex { name }),
+    }
 }
 
 impl fmt::Debug for Simulation {

@@ -145,7 +145,7 @@ impl Simulation {
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<Statistics, SimulationError> {
         let clock = Instant::now();
-        let mut solver = std::mem::take(&mut self.solver);
+        let mut memory = std::mem::take(&mut self.memory);
         let Self { system, settings, .. } = &*self;
         let step = self.state.step + 1;
         let time_step = settings.time_step / parts as f64;
@@ -220,10 +220,11 @@ impl Simulation {
                 range,
                 filter: &self.filter,
                 formulation: settings.formulation,
+                line_search: settings.line_search,
                 tolerance: settings.newton_tolerance(system.size()),
                 max_iterations: settings.max_iterations,
             };
-            statistics.converged &= newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
+            statistics.converged &= newton.minimise(&mut memory, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);
             if !settings.friction.acts() {
                 break;
@@ -251,7 +252,7 @@ impl Simulation {
         statistics.stiffness = touched.then_some(now.stiffness);
 
         let positions = now.positions;
-        self.solver = solver;
+        self.memory = memory;
         // Parts of a time step do not count.
         let step = self.state.step;
         let before = std::mem::replace(

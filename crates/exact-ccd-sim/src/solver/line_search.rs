@@ -2,127 +2,79 @@
 
 use std::time::Instant;
 
-use exact_ccd_mesh::{Candidates, MinDistance, Point, Step};
+use exact_ccd_mesh::{Candidates, Point, Step};
 use nalgebra::Vector3;
 
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
+use super::vertex_steps::VertexSteps;
 use crate::contact::Collisions;
+use crate::settings::LineSearch;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 
 /// The largest step size relative to the free part of a step. The barrier is infinite at contact.
-const SLACK: f64 = 0.9;
+pub(super) const SLACK: f64 = 0.9;
 
 /// The number of halvings after which the line search fails.
 const HALVINGS: usize = 60;
 
 /// The largest displacement of a vertex in one iteration, relative to the extent of the scene. A larger one
 /// would sweep over too many pairs, and is far from the minimum.
-const FARTHEST: f64 = 0.25;
+pub(super) const FARTHEST: f64 = 0.25;
 
-/// The number of parts of a motion that are tried.
-const SHORTER: usize = 8;
+/// The Newton direction at an iterate.
+pub(super) struct Direction<'a> {
+    /// The displacement of each vertex.
+    pub(super) displacements: &'a [Vector3<f64>],
+    /// The largest component of a displacement.
+    pub(super) size: f64,
+    /// The gradient of the potential.
+    pub(super) gradient: &'a [Vector3<f64>],
+    /// Twice the decrease of the potential that the quadratic model predicts for the whole direction.
+    pub(super) decrease: f64,
+}
 
-/// The part of all motions together below which each body is moved alone.
-const TOGETHER: f64 = 0.1;
+impl Direction<'_> {
+    /// The slope of the potential along displacements.
+    pub(super) fn slope(&self, displacements: &[Vector3<f64>]) -> f64 {
+        dot(self.gradient, displacements)
+    }
+
+    /// The length of displacements, relative to that of the direction.
+    pub(super) fn share(&self, displacements: &[Vector3<f64>]) -> f64 {
+        let square = |vectors| dot(vectors, vectors);
+        (square(displacements) / square(self.displacements)).sqrt()
+    }
+}
+
+/// A step that is free of contact and decreases the potential.
+pub(super) struct Taken {
+    pub(super) positions: Vec<Point>,
+    pub(super) collisions: Collisions,
+    /// The length of the step, relative to that of the Newton direction.
+    pub(super) size: f64,
+}
+
+fn dot(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.dot(b)).sum()
+}
 
 impl Newton<'_> {
-    /// Moves the bodies with scripts: all of them together with the Newton direction of all other vertices,
-    /// or else alone, or else each body alone, by the parts of their motions that are free. Returns true if
-    /// a body moves.
-    pub(super) fn prescribe(
-        &self,
-        now: &mut Iterate<'_>,
-        direction: &[Vector3<f64>],
-        potential: &Potential<'_>,
-        statistics: &mut Statistics,
-    ) -> bool {
-        let clock = Instant::now();
-        let all: Vec<usize> = (0..now.dirichlet.motions().len()).collect();
-        let mut progress = self.move_bodies(now, &all, Some(direction), potential);
-        if progress < TOGETHER {
-            progress += self.move_bodies(now, &all, None, potential);
-        }
-        if progress < TOGETHER && all.len() > 1 {
-            for &place in &all {
-                progress += self.move_bodies(now, &[place], None, potential);
-            }
-        }
-        now.dirichlet.moved(progress);
-        statistics.seconds.ccd += clock.elapsed().as_secs_f64();
-        statistics.step_sizes.push(progress.min(1.0));
-        progress > 0.0
-    }
-
-    /// Moves some bodies by the largest part of the rest of their motions that is free, up to halving, and
-    /// for which the potential is finite. Returns the part, 0 if there is none.
-    fn move_bodies(
-        &self,
-        now: &mut Iterate<'_>,
-        places: &[usize],
-        direction: Option<&[Vector3<f64>]>,
-        potential: &Potential<'_>,
-    ) -> f64 {
-        let end = |now: &Iterate<'_>, part: f64| {
-            let mut end = match direction {
-                None => now.positions.clone(),
-                Some(direction) => displaced(&now.positions, direction, part),
-            };
-            now.dirichlet.set(&mut end, places, part);
-            end
-        };
-        let whole = end(now, 1.0);
-        let moves = now.positions.iter().zip(&whole);
-        let size = moves.fold(0.0_f64, |size, (a, b)| {
-            size.max((Vector3::from(*b) - Vector3::from(*a)).amax())
-        });
-        let mut part = (FARTHEST * self.system.extent() / size).min(1.0);
-        for attempt in 0..SHORTER {
-            let end = end(now, part);
-            let Ok(step) = Step::new(&self.system.surface, &now.positions, &end) else {
-                return 0.0;
-            };
-            let candidates = self.system.near(step, &self.barrier);
-            let obstacles = self.system.obstacle_pairs(step);
-            // Offsets do not act between obstacles.
-            let contact = MinDistance::default();
-            if self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step, &contact) {
-                let collisions = self.collisions(&candidates, &end);
-                if potential.value(&end, collisions.as_slice()).is_finite() {
-                    now.positions = end;
-                    now.collisions = collisions;
-                    now.dirichlet.advance(places, part);
-                    return part;
-                }
-            }
-            let free = if attempt == 0 {
-                let free = self
-                    .filter
-                    .free_part(&candidates, step, self.system.min_distance());
-                free.min(self.filter.free_part(&obstacles, step, &contact))
-                    .min(self.system.free_of_half_spaces(step))
-            } else {
-                1.0
-            };
-            part *= if free < 1.0 { SLACK * free } else { 0.5 };
-        }
-        0.0
-    }
-
     /// Takes a step along a direction that is free of contact and decreases the potential. Returns false if
     /// there is none.
     pub(super) fn search(
         &self,
+        steps: &mut VertexSteps,
         now: &mut Iterate<'_>,
-        direction: &[Vector3<f64>],
-        size: f64,
+        direction: &Direction<'_>,
         potential: &Potential<'_>,
         statistics: &mut Statistics,
     ) -> Result<bool, SimulationError> {
         let clock = Instant::now();
+        let size = direction.size;
         let longest = (FARTHEST * self.system.extent() / size).min(1.0);
-        let end = displaced(&now.positions, direction, longest);
+        let end = displaced(&now.positions, direction.displacements, longest);
         let blocked = || SimulationError::Blocked {
             step: statistics.step,
             filter: self.filter.name().to_owned(),
@@ -138,10 +90,20 @@ impl Newton<'_> {
         if free <= 0.0 {
             return Err(blocked());
         }
+        let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
+        // Held coordinates rest, so that no vertex has to be pinned.
+        let is_by_vertex = free < 1.0 && self.line_search == LineSearch::Vertex;
+        let end = is_by_vertex.then(|| steps.truncated(self.system, step, &[]));
         statistics.seconds.ccd += clock.elapsed().as_secs_f64();
+        if let Some(end) = end.flatten()
+            && let Some(taken) =
+                self.search_to(now, &end, direction, part * longest, potential, statistics)
+        {
+            self.take(now, taken, statistics);
+            return Ok(true);
+        }
 
         let before = potential.value(&now.positions, now.collisions.as_slice());
-        let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         for _ in 0..HALVINGS {
             let clock = Instant::now();
             let positions = step.at(part);
@@ -154,7 +116,7 @@ impl Newton<'_> {
             statistics.seconds.line_search += clock.elapsed().as_secs_f64();
             let falls = after <= before
                 || after <= before + potential.noise(before)
-                    && self.flattens(now, direction, potential, &positions, &collisions);
+                    && self.flattens(direction, potential, &positions, &collisions);
             if falls {
                 let clock = Instant::now();
                 // A full step is taken only if all of it is free.
@@ -163,11 +125,12 @@ impl Newton<'_> {
                         .is_ok_and(|step| self.is_free(&candidates, step));
                 statistics.seconds.ccd += clock.elapsed().as_secs_f64();
                 if free {
-                    let least = [now.collisions.minimal_distance(), collisions.minimal_distance()];
-                    now.stiffness = self.range.adapt(now.stiffness, least[0], least[1]);
-                    now.positions = positions;
-                    now.collisions = collisions;
-                    statistics.step_sizes.push(part * longest);
+                    let taken = Taken {
+                        positions,
+                        collisions,
+                        size: part * longest,
+                    };
+                    self.take(now, taken, statistics);
                     return Ok(true);
                 }
             }
@@ -177,36 +140,38 @@ impl Newton<'_> {
         Ok(false)
     }
 
+    /// Takes a step, and adapts the stiffness of the barrier.
+    fn take(&self, now: &mut Iterate<'_>, taken: Taken, statistics: &mut Statistics) {
+        let [before, after] = [&now.collisions, &taken.collisions].map(Collisions::minimal_distance);
+        now.stiffness = self.range.adapt(now.stiffness, before, after);
+        now.positions = taken.positions;
+        now.collisions = taken.collisions;
+        statistics.step_sizes.push(taken.size);
+    }
+
     /// Returns true if the slope of the potential along a direction is small enough at the new positions:
     /// the test of descent where rounding hides the difference of two values. This is the approximate Wolfe
     /// condition of W. Hager and H. Zhang, *A new conjugate gradient method with guaranteed descent and an
     /// efficient line search*, 2005.
     fn flattens(
         &self,
-        now: &Iterate<'_>,
-        direction: &[Vector3<f64>],
+        direction: &Direction<'_>,
         potential: &Potential<'_>,
         positions: &[Point],
         collisions: &Collisions,
     ) -> bool {
-        let slope = |gradient: Vec<Vector3<f64>>| -> f64 {
-            gradient
-                .iter()
-                .zip(direction)
-                .map(|(gradient, direction)| gradient.dot(direction))
-                .sum()
-        };
-        let before = slope(potential.gradient(&now.positions, now.collisions.as_slice()));
-        slope(potential.gradient(positions, collisions.as_slice())) <= -0.8 * before
+        let before = direction.slope(direction.displacements);
+        let gradient = potential.gradient(positions, collisions.as_slice());
+        dot(&gradient, direction.displacements) <= -0.8 * before
     }
 
     /// True if a step is free of contact: between surfaces by the filter, with half spaces exactly.
-    fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
+    pub(super) fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
         let free = self.filter.is_free(candidates, step, self.system.min_distance());
         free && self.system.first_grounded(step.positions()[1]).is_none()
     }
 
-    fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
+    pub(super) fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
         Collisions::new(
             self.system.contact_surface(self.formulation),
             candidates,
@@ -216,7 +181,7 @@ impl Newton<'_> {
     }
 }
 
-fn displaced(points: &[Point], direction: &[Vector3<f64>], size: f64) -> Vec<Point> {
+pub(super) fn displaced(points: &[Point], direction: &[Vector3<f64>], size: f64) -> Vec<Point> {
     let along = |(x, d): (&Point, &Vector3<f64>)| (Vector3::from(*x) + d * size).into();
     points.iter().zip(direction).map(along).collect()
 }

@@ -6,12 +6,14 @@ mod linear;
 mod newton;
 mod pattern;
 mod potential;
+mod prescribe;
 mod quadratic;
 #[cfg(test)]
 mod tests;
 mod unknowns;
+mod vertex_search;
+mod vertex_steps;
 
 pub(crate) use form::Form;
-pub(crate) use linear::LinearSolver;
-pub(crate) use newton::{Iterate, Newton};
+pub(crate) use newton::{Iterate, Memory, Newton};
 pub(crate) use potential::Potential;

@@ -6,16 +6,18 @@ use std::time::Instant;
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
+use super::line_search::Direction;
 use super::linear::LinearSolver;
 use super::potential::Potential;
 use super::unknowns::Unknowns;
+use super::vertex_steps::VertexSteps;
 use crate::anchor::Anchor;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
 use crate::dirichlet::Dirichlet;
 use crate::filter::StepFilter;
 use crate::friction::FrictionContact;
 use crate::scripted::Axes;
-use crate::settings::Formulation;
+use crate::settings::{Formulation, LineSearch};
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 use crate::system::System;
@@ -34,9 +36,17 @@ pub(crate) struct Newton<'a> {
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a StepFilter,
     pub(crate) formulation: Formulation,
+    pub(crate) line_search: LineSearch,
     /// The tolerance, in m/s.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,
+}
+
+/// The memory of a minimisation, for the next one of the same system. No result depends on it.
+#[derive(Default)]
+pub(crate) struct Memory {
+    linear: LinearSolver,
+    steps: VertexSteps,
 }
 
 /// An iterate of Newton's method.
@@ -55,7 +65,7 @@ impl Newton<'_> {
     /// below the tolerance.
     pub(crate) fn minimise(
         &self,
-        solver: &mut LinearSolver,
+        memory: &mut Memory,
         now: &mut Iterate<'_>,
         statistics: &mut Statistics,
         visit: &mut dyn FnMut(&[Point]),
@@ -89,7 +99,7 @@ impl Newton<'_> {
             statistics.seconds.assembly += clock.elapsed().as_secs_f64();
 
             let clock = Instant::now();
-            let solution = solver.solve(quadratic.pattern, quadratic.values, &right);
+            let solution = memory.linear.solve(quadratic.pattern, quadratic.values, &right);
             let solution = solution.ok_or(SimulationError::Singular {
                 step: statistics.step,
             })?;
@@ -101,7 +111,7 @@ impl Newton<'_> {
             }
             statistics.iterations += 1;
             if now.dirichlet.is_prescribed() {
-                if self.prescribe(now, &direction, &potential, statistics) {
+                if self.prescribe(&mut memory.steps, now, &direction, &potential, statistics) {
                     visit(&now.positions);
                 }
                 continue;
@@ -114,7 +124,13 @@ impl Newton<'_> {
             let length = self.tolerance * self.duration;
             let is_small = size <= length && decrease <= mass * length * length;
             let stiffness = now.stiffness;
-            let moved = self.search(now, &direction, size, &potential, statistics)?;
+            let step = Direction {
+                displacements: &direction,
+                size,
+                gradient: &quadratic.gradient,
+                decrease,
+            };
+            let moved = self.search(&mut memory.steps, now, &step, &potential, statistics)?;
             if moved {
                 visit(&now.positions);
             }

@@ -45,19 +45,27 @@ impl System {
         })
     }
 
+    /// The vertices that enter a half space in a step, with the parts of the step in which they stay apart.
+    pub(crate) fn held_back_by_half_spaces(&self, step: Step<'_>) -> impl Iterator<Item = (u32, f64)> {
+        let [before, after] = step.positions();
+        let part = move |&vertex: &u32| {
+            let at = vertex as usize;
+            let parts = self.planes.iter();
+            let parts = parts.map(|plane| plane.free_part([before[at], after[at]], self.offsets[at]));
+            (vertex, parts.fold(1.0, f64::min))
+        };
+        let parts = self.grounded.iter().map(part);
+        parts.filter(|(_, part)| *part < 1.0)
+    }
+
     /// The part of a step that is free of contact with half spaces. It is 1 only if all of the step is free;
     /// a smaller part is not certified.
     pub(crate) fn free_of_half_spaces(&self, step: Step<'_>) -> f64 {
-        let [before, after] = step.positions();
+        let [_, after] = step.positions();
         if self.first_grounded(after).is_none() {
             return 1.0;
         }
-        let part = |plane: &Plane, vertex: usize| {
-            plane.free_part([before[vertex], after[vertex]], self.offsets[vertex])
-        };
-        let vertices = || self.grounded.iter().map(|&vertex| vertex as usize);
-        let parts = self.planes.iter();
-        let parts = parts.flat_map(|plane| vertices().map(move |vertex| part(plane, vertex)));
+        let parts = self.held_back_by_half_spaces(step).map(|(_, part)| part);
         parts.fold(1.0_f64.next_down(), f64::min).max(f64::EPSILON)
     }
 }
