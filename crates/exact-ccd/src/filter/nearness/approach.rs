@@ -139,9 +139,9 @@ fn is_behind(corner: &Near, closest: &Near) -> bool {
 
 /// A vector, each component of which is within an error.
 #[derive(Clone, Copy)]
-struct Near {
-    value: Point,
-    error: f64,
+pub(super) struct Near {
+    pub(super) value: Point,
+    pub(super) error: f64,
 }
 
 impl Near {
@@ -184,7 +184,7 @@ impl Near {
     }
 
     /// A bound of the length.
-    fn extent(&self) -> f64 {
+    pub(super) fn extent(&self) -> f64 {
         extent(self.value) + 3.0 * self.error
     }
 }
@@ -196,7 +196,7 @@ fn extent(vector: Point) -> f64 {
 
 /// A scalar product and its error: that of each factor times the magnitude of the other, and n = 3 roundings.
 /// The bound takes the errors into the magnitudes, and is doubled for its own roundings.
-fn product(a: &Near, b: &Near) -> [f64; 2] {
+pub(super) fn product(a: &Near, b: &Near) -> [f64; 2] {
     let (of_a, of_b) = (a.extent(), b.extent());
     let error = a.error * of_b + b.error * of_a + margin(3) * UNIT * of_a * of_b;
     [dot(a.value, b.value), 2.0 * error + UNDERFLOW]
