@@ -155,7 +155,7 @@ impl Near {
     }
 
     /// The sum of this one and of a side times a step; three roundings of terms of at most the sum.
-    fn plus(&self, side: &Self, step: Step) -> Self {
+    pub(super) fn plus(&self, side: &Self, step: Step) -> Self {
         let [value, error] = [step.value, step.error];
         let moved = towards(self.value, side.value, value);
         let length = value.abs() * side.extent();
@@ -204,9 +204,9 @@ pub(super) fn product(a: &Near, b: &Near) -> [f64; 2] {
 
 /// The change of a parameter from x to the foot of the perpendicular, and its error.
 #[derive(Clone, Copy)]
-struct Step {
-    value: f64,
-    error: f64,
+pub(super) struct Step {
+    pub(super) value: f64,
+    pub(super) error: f64,
 }
 
 impl Step {

@@ -131,8 +131,8 @@ fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
 
 /// True if |x| < d for x = F(t, u, v).
 ///
-/// A component of x is off by at most 37 u (`proof/point.g`): corners result from their start, rounded once, and
-/// from a velocity, or are at t = 0.
+/// A component of x is off by at most 37 u (`proof/point.g`): corners result from their start, rounded once,
+/// and from a velocity, or are at t = 0.
 fn is_certainly_within(x: Point, d: f64) -> bool {
     largest_square(x) < d * d
 }

@@ -1,11 +1,13 @@
 //! The bounds of a distance above 0, by the numbers of [`proof`](crate::filter::proof).
 
 use super::advance::Advancement;
-use super::approach::{Near, product};
+use super::approach::{Near, Step, product};
 use super::closest::Closest;
 use super::largest_square;
 use super::scaled::Scaled;
-use super::snapshot::{Moving, Precision, error_of_excess, excess, least_along, threshold};
+use super::snapshot::{
+    Moving, OF_SQUARE, OF_SUM, OF_THRESHOLD, Precision, error_of_excess, excess, least_along, threshold,
+};
 use super::turning::{Heading, limit};
 use crate::filter::double_double::ROUNDOFF;
 use crate::filter::hull::Hull;
@@ -72,6 +74,14 @@ fn scalar_products_of_vectors_with_errors() {
         dot(a, b)
     };
     assert_eq!(symbol.roundings, 3);
+    let moved = a.plus(
+        &b,
+        Step {
+            value: 0.5,
+            error: 0.0,
+        },
+    );
+    assert_bound(moved.error, a.extent() + 0.5 * b.extent(), 3);
     let [value, error] = product(&a, &b);
     assert_eq!(value, symbol.value);
     assert_bound(error, 2.0 * a.extent() * b.extent(), 3);
@@ -156,6 +166,11 @@ fn distances_in_twice_the_precision() {
     assert!(least.permanent <= extent);
     let Precise(limit) = threshold(0.5, g, h);
     assert_eq!((limit.roundings, limit.permanent), (7, limit.value));
+    let constants = [OF_SUM, OF_THRESHOLD, OF_SQUARE].map(|constant| constant / ROUNDOFF);
+    assert_eq!(
+        constants,
+        [8 + least.roundings, limit.roundings + 1, 2].map(power)
+    );
 
     let Precise(square) = excess(x, 0.5);
     assert_eq!(square.roundings, 4);

@@ -87,7 +87,8 @@ impl<T: Precision> Moving<T> {
 /// The corners of F at one time, with a guess of the closest points.
 ///
 /// Let ε be [`ROUNDOFF`], the largest error of one operation in twice the precision, relative to its
-/// operands. A component of a corner, of magnitude at most 1, is off by at most 8 ε (`proof/precise_corner.g`).
+/// operands. A component of a corner, of magnitude at most 1, is off by at most 8 ε
+/// (`proof/precise_corner.g`).
 pub(super) struct Snapshot<T> {
     corners: [Vector<T>; 4],
     pub(super) closest: Closest,
@@ -176,6 +177,12 @@ impl Snapshot<DoubleDouble> {
 /// The corners at one time, and a direction: any vector of a length of about 1.
 type Headed<'a> = (&'a Snapshot<DoubleDouble>, Vector<DoubleDouble>);
 
+/// The errors of [`are_beyond`]: of [`least_along`], for corners that are off by 8 ε; of [`threshold`], and
+/// of the square of the first, with the difference of the two.
+pub(super) const OF_SUM: f64 = margin(8 + 5) * ROUNDOFF;
+pub(super) const OF_THRESHOLD: f64 = margin(7 + 1) * ROUNDOFF;
+pub(super) const OF_SQUARE: f64 = margin(1 + 1) * ROUNDOFF;
+
 /// True if gₐ · x_b + g_b · xₐ is certainly above d (|gₐ| + |g_b|) for all corners.
 ///
 /// It is if the sum s on the left is positive and s² > 2 d² (gₐ · gₐ + g_b · g_b), as (p + q)² ≤ 2
@@ -184,9 +191,9 @@ type Headed<'a> = (&'a Snapshot<DoubleDouble>, Vector<DoubleDouble>);
 /// right side seven, and both that of their difference.
 fn are_beyond((a, of_a): Headed<'_>, (b, of_b): Headed<'_>) -> bool {
     let extent = of_a.iter().chain(&of_b).fold(0.0, |sum, x| sum + x.value().abs());
-    let slack = DoubleDouble::difference(margin(8 + 5) * ROUNDOFF * extent + UNDERFLOW, 0.0);
+    let slack = DoubleDouble::difference(OF_SUM * extent + UNDERFLOW, 0.0);
     let threshold = threshold(a.d, of_a, of_b);
-    let limit = margin(8) * ROUNDOFF * threshold.value() + UNDERFLOW;
+    let limit = OF_THRESHOLD * threshold.value() + UNDERFLOW;
     a.corners
         .iter()
         .zip(&b.corners)
@@ -194,7 +201,7 @@ fn are_beyond((a, of_a): Headed<'_>, (b, of_b): Headed<'_>) -> bool {
         .all(|(&at_a, &at_b)| {
             let least = least_along([of_a, at_b], [of_b, at_a], slack);
             let square = least * least;
-            let above = limit + margin(2) * ROUNDOFF * square.value();
+            let above = limit + OF_SQUARE * square.value();
             least.value() > 0.0 && (square - threshold).value() > above
         })
 }

@@ -5,8 +5,8 @@ use crate::filter::roundoff::{UNDERFLOW, UNIT, margin};
 use crate::filter::vector::{dot, scaled, select};
 use crate::kind::Kind;
 
-/// The corners of F at one time, each component the result of four roundings of terms of at most the reach, and a
-/// direction: a vector of length at most 1 + 8 u.
+/// The corners of F at one time, each component the result of four roundings of terms of at most the reach,
+/// and a direction: a vector of length at most 1 + 8 u.
 #[derive(Clone, Copy)]
 pub(super) struct Heading<T> {
     corners: [[T; 3]; 4],

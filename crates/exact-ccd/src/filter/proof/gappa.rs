@@ -1,8 +1,9 @@
 //! Scripts for Gappa, which proves bounds of absolute errors by interval arithmetic.
 //!
 //! A script has the operations of a value twice, with and without rounding. It is made from the record of the
-//! code of the filters, and is a file of the folder `proof` of this crate. `scripts/check bounds` runs Gappa on
-//! them. After a change of that code, `UPDATE_EXPECT=1 cargo test -p exact-ccd --lib proof` writes them anew.
+//! code of the filters, and is a file of the folder `proof` of this crate. `scripts/check bounds` runs Gappa
+//! on them. After a change of that code, `UPDATE_EXPECT=1 cargo test -p exact-ccd --lib proof` writes them
+//! anew.
 
 use alloc::collections::BTreeSet;
 use alloc::format;
@@ -18,8 +19,8 @@ pub(in crate::filter) struct Script<'a> {
     pub(in crate::filter) name: &'a str,
     /// The statement in words.
     pub(in crate::filter) about: &'a str,
-    /// True for [`Precise<true>`](super::Precise): each operation has an error of at most 2⁻¹⁰⁰ relative to its
-    /// operands. Otherwise, it is that of f64.
+    /// True for [`Precise<true>`](super::Precise): each operation has an error of at most 2⁻¹⁰⁰ relative to
+    /// its operands. Otherwise, it is that of f64.
     pub(in crate::filter) is_twice: bool,
     /// Numbers that stand for all in [0, 1].
     pub(in crate::filter) parameters: &'a [f64],
@@ -129,8 +130,8 @@ impl Script<'_> {
     }
 }
 
-/// The error of one operation in twice the precision, and the error of its operands, in terms of the operands'
-/// names and of factors of at most 2⁻¹⁰⁰.
+/// The error of one operation in twice the precision, and the error of its operands, in terms of the
+/// operands' names and of factors of at most 2⁻¹⁰⁰.
 fn error_of_one(operation: Operation, place: usize, name: impl Fn(&str, usize) -> String) -> [String; 2] {
     let of = |x: usize| [name("n", x), name("e", x)];
     match operation {

@@ -1,7 +1,7 @@
 //! The number of roundings of each value with a bound, and that the bound derives from it.
 //!
-//! The inputs of a test make the magnitude of the bound equal to the permanent, so that the quotient of both is
-//! the constant of the bound.
+//! The inputs of a test make the magnitude of the bound equal to the permanent, so that the quotient of both
+//! is the constant of the bound.
 
 use core::ops::RangeInclusive;
 
@@ -271,6 +271,15 @@ fn positions_near_a_root() {
             (units - 2.0 * power(4) - power(2)).abs() < 1e-9 * units,
             "{units}"
         );
+        // A quarter of the step on either side: the slack is 4 / 4, and the relative error 2 + 1.
+        let wide = Root {
+            low: 0.25,
+            high: 0.75,
+            ..root
+        };
+        let error = NearRoot::new(&query, &wide).cross_along(0, &x, &y).error;
+        let relative = error / cross(exact[0], exact[1])[0].permanent;
+        assert!((relative - 3.0).abs() < 1e-9, "{relative}");
     }
 }
 
