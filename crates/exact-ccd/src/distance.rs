@@ -132,27 +132,25 @@ mod tests {
 
     use super::sum_rounded_up;
 
-    /// All sums of two numbers of half precision, in units of the least of these, 2⁻²⁴.
+    /// All sums of two numbers of half precision below 1/2, in units of the least of these, 2⁻²⁴. Larger ones
+    /// have no other distances of their exponents that matter.
     #[test]
-    fn sums_are_rounded_up_for_all_numbers_of_half_precision() {
+    fn sums_are_rounded_up_for_all_numbers_of_half_precision_below_one_half() {
         const INFINITY: usize = 0x7c00;
+        const HALF: usize = 14 << 10;
         let values: Vec<u64> = (0..INFINITY as u64)
             .map(|bits| match bits >> 10 {
                 0 => bits,
                 exponent => ((bits & 0x3ff) + 0x400) << (exponent - 1),
             })
             .collect();
-        for (a, &x) in values.iter().enumerate() {
+        for (a, &x) in values.iter().enumerate().take(HALF) {
             let mut least = a;
             for (b, &y) in values.iter().enumerate().take(a + 1) {
-                while least < INFINITY && values[least] < x + y {
+                while values[least] < x + y {
                     least += 1;
                 }
-                if least == INFINITY {
-                    break;
-                }
                 assert_eq!(sum_rounded_up::<10>(a as u64, b as u64), least as u64, "{a} {b}");
-                assert_eq!(sum_rounded_up::<10>(b as u64, a as u64), least as u64, "{b} {a}");
             }
         }
     }

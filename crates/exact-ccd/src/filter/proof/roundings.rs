@@ -258,11 +258,7 @@ fn positions_near_a_root() {
         let query = Query::<EdgeEdge>::from_finite(points);
         let bracket = NearRoot::new(&query, &root);
         let [x, y] = [(1, 0), (3, 2)].map(|difference| bracket.vector(difference));
-        let [value, error] = {
-            let estimate = bracket.cross_along(0, &x, &y);
-            [estimate.value, estimate.error]
-        };
-        assert!(value.is_finite());
+        let error = bracket.cross_along(0, &x, &y).error;
         let exact = [(1, 0), (3, 2)].map(|(i, j): (usize, usize)| {
             [0, 1, 2].map(|axis: usize| Symbol::input(points[0][i][axis] - points[0][j][axis]))
         });
