@@ -48,24 +48,30 @@ impl Separation {
     }
 
     /// The least f64 that is not below the sum of two separations, which is at most the largest f64.
-    ///
-    /// In integers, which no floating-point environment changes. In units in the last place of the
-    /// larger summand, the smaller one is rounded up, and the sum then has at most 54 bits; if it has
-    /// more than 53, half of it is rounded up. Both roundings together are one: ⌈⌈x⌉ / 2⌉ = ⌈x / 2⌉.
     #[inline]
     pub(crate) fn plus(self, other: Self) -> Self {
         const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
-        let (a, b) = (self.get().to_bits(), other.get().to_bits());
-        // A subnormal number has the unit of the smallest normal one.
-        let exponent = |bits: u64| (bits >> DIGITS).max(1);
-        let significand = |bits: u64| bits - ((exponent(bits) - 1) << DIGITS);
-        let (small, large) = (a.min(b), a.max(b));
-        let shift = (exponent(large) - exponent(small)).min(63);
-        let sum = significand(large) + significand(small).div_ceil(1 << shift);
-        let carry = u64::from(sum > 2 << DIGITS);
-        let bits = ((exponent(large) - 1 + carry) << DIGITS) + sum.div_ceil(1 + carry);
+        let bits = sum_rounded_up::<DIGITS>(self.get().to_bits(), other.get().to_bits());
         Self(NonNegative::new(f64::from_bits(bits)).expect("the sum is at most the largest f64"))
     }
+}
+
+/// The least number that is not below the sum of two numbers of at least 0, all by their bits, in a format
+/// with this number of binary digits after the first one of a significand.
+///
+/// In integers, which no floating-point environment changes. In units in the last place of the larger
+/// summand, the smaller one is rounded up, and the sum then has at most 54 bits of f64; if it has more than
+/// 53, half of it is rounded up. Both roundings together are one: ⌈⌈x⌉ / 2⌉ = ⌈x / 2⌉.
+#[inline]
+fn sum_rounded_up<const DIGITS: u32>(a: u64, b: u64) -> u64 {
+    // A subnormal number has the unit of the smallest normal one.
+    let exponent = |bits: u64| (bits >> DIGITS).max(1);
+    let significand = |bits: u64| bits - ((exponent(bits) - 1) << DIGITS);
+    let (small, large) = (a.min(b), a.max(b));
+    let shift = (exponent(large) - exponent(small)).min(63);
+    let sum = significand(large) + significand(small).div_ceil(1 << shift);
+    let carry = u64::from(sum > 2 << DIGITS);
+    ((exponent(large) - 1 + carry) << DIGITS) + sum.div_ceil(1 + carry)
 }
 
 impl fmt::Display for Separation {
@@ -116,6 +122,36 @@ impl TimeOutOfStep {
         match NonNegative::new(time) {
             Some(checked) if checked.get() <= 1.0 => Ok(()),
             _ => Err(Self { time }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec::Vec;
+
+    use super::sum_rounded_up;
+
+    /// All sums of two numbers of half precision below 1/2, in units of the least of these, 2⁻²⁴. Larger ones
+    /// have no other distances of their exponents that matter.
+    #[test]
+    fn sums_are_rounded_up_for_all_numbers_of_half_precision_below_one_half() {
+        const INFINITY: usize = 0x7c00;
+        const HALF: usize = 14 << 10;
+        let values: Vec<u64> = (0..INFINITY as u64)
+            .map(|bits| match bits >> 10 {
+                0 => bits,
+                exponent => ((bits & 0x3ff) + 0x400) << (exponent - 1),
+            })
+            .collect();
+        for (a, &x) in values.iter().enumerate().take(HALF) {
+            let mut least = a;
+            for (b, &y) in values.iter().enumerate().take(a + 1) {
+                while values[least] < x + y {
+                    least += 1;
+                }
+                assert_eq!(sum_rounded_up::<10>(a as u64, b as u64), least as u64, "{a} {b}");
+            }
         }
     }
 }

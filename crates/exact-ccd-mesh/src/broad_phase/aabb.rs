@@ -2,6 +2,8 @@
 
 use exact_ccd::Point;
 
+use super::outward::{Format, difference_below, sum_above};
+
 /// A closed axis-aligned box.
 ///
 /// Boxes of points and their unions are made by comparisons alone: no coordinate is rounded. A
@@ -71,21 +73,17 @@ impl Aabb {
     /// The box with each side moved outwards by at least `margin`, which is not negative; the same
     /// box for 0.
     ///
-    /// fl(x − m) may lie above x − m, by less than one unit in the last place in any direction of
-    /// rounding; the next f64 below it does not. Where subnormal numbers are flushed to zero, x, m and the
-    /// result are each off by less than 2⁻¹⁰²²; 2⁻¹⁰²⁰ covers that. So the result contains every point within
-    /// `margin`, along each axis, of a point of the box, in any floating-point environment.
+    /// The result contains every point within `margin`, along each axis, of a point of the box, in any
+    /// floating-point environment.
     #[must_use]
     #[inline]
     pub fn inflated(&self, margin: f64) -> Self {
-        const FLUSHED: f64 = 4.0 * f64::MIN_POSITIVE;
-        // By its bits: a comparison may read a subnormal number as zero.
-        if margin.to_bits() == 0 {
+        if margin.is_zero() {
             return *self;
         }
         Self {
-            lower: self.lower.map(|x| (x - margin).next_down() - FLUSHED),
-            upper: self.upper.map(|x| (x + margin).next_up() + FLUSHED),
+            lower: self.lower.map(|x| difference_below(x, margin)),
+            upper: self.upper.map(|x| sum_above(x, margin)),
         }
     }
 }

@@ -8,6 +8,7 @@ mod bvh;
 mod collector;
 mod moving_box;
 mod order;
+mod outward;
 mod pairs;
 mod primitive_count;
 mod sweep;
@@ -26,6 +27,9 @@ pub use sweep::Sweep;
 pub(crate) use aabb::meet;
 pub(crate) use moving_box::MovingBox;
 pub(crate) use order::{extent, order};
+#[cfg(test)]
+pub(crate) use outward::small;
+pub(crate) use outward::{Format, sum_above};
 pub(crate) use primitive_count::check_primitive_count;
 
 /// A callback for batches of pairs from a broad phase; `Break` ends the search.

@@ -2,6 +2,7 @@
 
 use exact_ccd::Separations;
 
+use crate::broad_phase::{Format, sum_above};
 use crate::mesh::TriangleMesh;
 use crate::pairs::MinDistance;
 
@@ -58,9 +59,9 @@ impl Margin {
 }
 
 /// At least half of a distance, which is not negative; 0 for 0.
-pub(crate) fn half(distance: f64) -> f64 {
+pub(crate) fn half<F: Format>(distance: F) -> F {
     // Exact, but for the half of a subnormal number.
-    above_subnormal(0.5 * distance, distance)
+    above_subnormal(distance.halved(), distance)
 }
 
 /// At least a thickness, so that two of them are together at least the sum of the two thicknesses,
@@ -68,29 +69,44 @@ pub(crate) fn half(distance: f64) -> f64 {
 ///
 /// Rounding up adds less than a unit in the last place of the sum, which is at most two units in the
 /// last place of the larger summand. That one is larger by so much.
-fn summand(thickness: f64) -> f64 {
+fn summand<F: Format>(thickness: F) -> F {
     above_subnormal(thickness.next_up().next_up(), thickness)
 }
 
 /// A number that is larger by the effects of underflow, unless `of` is 0: subnormal numbers may be
 /// rounded, or flushed to zero, in sums and in comparisons of boxes.
-fn above_subnormal(margin: f64, of: f64) -> f64 {
-    // By its bits, because a comparison may read a subnormal number as zero.
-    if of.to_bits() == 0 {
-        0.0
+fn above_subnormal<F: Format>(margin: F, of: F) -> F {
+    if of.is_zero() { of } else { margin + F::FLUSHED }
+}
+
+/// At least the sum of two margins; exact if one is 0.
+fn sum<F: Format>(a: F, b: F) -> F {
+    if a.is_zero() {
+        b
+    } else if b.is_zero() {
+        a
     } else {
-        margin + 4.0 * f64::MIN_POSITIVE
+        sum_above(a, b)
     }
 }
 
-/// At least the sum of two margins; exact if one is 0. By their bits, and larger by more than two
-/// subnormal numbers, which a sum may read as zero.
-fn sum(a: f64, b: f64) -> f64 {
-    if a.to_bits() == 0 {
-        b
-    } else if b.to_bits() == 0 {
-        a
-    } else {
-        (a + b).next_up() + 4.0 * f64::MIN_POSITIVE
+#[cfg(test)]
+mod tests {
+    use super::{half, sum, summand};
+    use crate::broad_phase::small::{Environment, Small};
+
+    #[test]
+    fn margins_of_all_small_numbers_are_large_enough() {
+        for environment in Environment::all() {
+            for a in environment.numbers().filter(|a| a.value() >= 0.0) {
+                assert!(2.0 * half(a).value() >= a.value(), "{a:?}");
+                for b in environment.numbers().filter(|b| b.value() >= 0.0) {
+                    let exact = a.value() + b.value();
+                    assert!(sum(a, b).value() >= exact, "{a:?} {b:?}");
+                    let together = summand(a).value() + summand(b).value();
+                    assert!(together >= Small::least_above(exact), "{a:?} {b:?}");
+                }
+            }
+        }
     }
 }

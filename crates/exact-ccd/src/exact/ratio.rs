@@ -9,6 +9,9 @@ use crate::point::Point;
 /// The number of bits of a ratio after the point.
 const BITS: usize = 52;
 
+/// The bits of a guess beyond these.
+const GUARD: usize = 6;
+
 impl Narrowing {
     /// The direction of a vector at this time, unless it vanishes then.
     pub(crate) fn direction(&self, vector: Vector) -> Option<Point> {
@@ -33,8 +36,10 @@ impl Narrowing {
     /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at this time, rounded down to a multiple of
     /// 2⁻⁵².
     ///
-    /// The quotient at an end of the bracket is a guess, which signs prove or refute. It is right
-    /// once the bracket is narrow enough.
+    /// The quotient at an end of the bracket is a guess, which signs prove or refute. Once the bracket is
+    /// narrow enough, the quotient there and the one at this time differ by less than 1/2 unit, and the
+    /// guess is off by less than 1/2 more. Its floor is then at most one above or below that of the quotient
+    /// q, so that the floor of q is at least `low` and below `high`: the loop ends.
     pub(crate) fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
         let reaches = |n: u64| {
@@ -53,12 +58,15 @@ impl Narrowing {
         }
     }
 
-    /// The quotient of two numbers at an end of the bracket, to within one unit, if it is in the range of
-    /// u64.
+    /// The quotient of two numbers at an end of the bracket, rounded down after an error of less than 1/8, if
+    /// it is in the range of u64.
+    ///
+    /// Both numbers are known to 58 bits, and then rounded down to a unit of at most 2⁻⁵⁷ of b: the quotient,
+    /// at most about 2⁵², is off by less than 2⁻⁵⁷ + 2⁻⁵⁶ of itself and by 2⁻⁵⁷.
     fn guess(&self, a: &Polynomial, b: &Polynomial) -> Option<u64> {
         let t = self.lower_bound();
-        let [a, b] = [a, b].map(|polynomial| polynomial.value_at(&t, BITS + 2));
-        let unit = b.top() - (BITS + 2) as isize;
+        let [a, b] = [a, b].map(|polynomial| polynomial.value_at(&t, BITS + GUARD));
+        let unit = b.top() - (BITS + GUARD) as isize;
         let [a, b] = [a, b].map(|value| value.in_units(unit));
         (!b.is_zero()).then(|| u64::try_from(a / b).ok())?
     }

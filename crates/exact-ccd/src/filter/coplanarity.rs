@@ -59,8 +59,8 @@ impl<T: Lanes> Coplanarity<T> {
     /// that of |n|. Where n vanishes, so does c, which excludes it.
     ///
     /// A component of n₀ and n₁ results from four roundings, one of 2 m from five, of terms of at most
-    /// the extent: each coefficient of |n| is off by at most the error of n = 5 times the extent. The lengths,
-    /// their means and the bound add eleven roundings, and [`TINY`] in case the squares underflow.
+    /// the extent: each coefficient of |n| is off by at most the error of n = 5 times the extent. The
+    /// lengths, their means and the bound add eleven roundings, and [`TINY`] in case the squares underflow.
     #[inline(always)]
     pub(crate) fn are_planes_beyond<G: Gap<T>>(&self, gap: G) -> T::Mask {
         if !G::IS_POSITIVE {

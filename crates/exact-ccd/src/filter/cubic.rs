@@ -82,10 +82,11 @@ impl<T: Lanes> Cubic<T> {
             | ((-b0).gt(c0) & (-b1).gt(c1) & (-b2).gt(c2) & (-b3).gt(c3))
     }
 
-    /// The error of a blossom value: three interpolations of coefficients, n = 11 + 9.
+    /// The error of a blossom value: three interpolations, of three roundings each, of coefficients of which
+    /// the first has eight roundings: n = 11 + 8.
     #[inline(always)]
     pub(super) fn blossom_error(&self) -> T {
-        self.magnitude * (margin(20) * UNIT) + UNDERFLOW
+        self.magnitude * (margin(19) * UNIT) + UNDERFLOW
     }
 
     /// The blossom of c: symmetric, affine in each argument, and c(t) at (t, t, t). (Ramshaw,

@@ -39,7 +39,13 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// high + low for |high| ≥ |low|, exactly.
+    /// high + low, exactly, if `high` is a multiple of the unit in the last place of `low` (Boldo, Graillat,
+    /// Muller, On the robustness of the 2Sum and Fast2Sum algorithms, 2017).
+    ///
+    /// After a product, |low| is far below |high|. So it is after a sum, unless the heads cancel. Then the
+    /// smaller head is at least half of the other one, and their sum is exact and a multiple of the unit in
+    /// the last place of the smaller head, or 0. The low parts are at most half of the units of their
+    /// heads, so that their sum is at most 3/2 of that unit: its own unit in the last place divides it.
     fn normalized(high: f64, low: f64) -> Self {
         let sum = high + low;
         Self {

@@ -8,11 +8,11 @@ use core::cmp::Ordering;
 /// The unit roundoff u.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 
-/// The error of n roundings, in units of u and relative to the magnitudes of all terms: the least power of two
-/// that is at least a quarter above n.
+/// The error of n roundings, in units of u and relative to the magnitudes of all terms: the least power of
+/// two that is at least a quarter above n.
 ///
-/// It is at least n + 1. Hence a bound with k roundings of its own is at least (n + 1) (1 − k u) u of the exact
-/// magnitude, and exceeds γₙ = n u / (1 − n u) while (n + 1) (n + k) u < 1: for all n and k below 2²⁰.
+/// It is at least n + 1. Hence a bound with k roundings of its own is at least (n + 1) (1 − k u) u of the
+/// exact magnitude, and exceeds γₙ = n u / (1 − n u) while (n + 1) (n + k) u < 1: for all n and k below 2²⁰.
 pub(crate) const fn margin(n: u32) -> f64 {
     (n + n.div_ceil(4)).next_power_of_two() as f64
 }

@@ -76,7 +76,7 @@ impl<T: Lanes> Advancement<T> {
 
     /// A corner results from that of the query, 1 − t, a product and a sum: four roundings.
     #[inline(always)]
-    fn at<K: Kind>(&self, t: T) -> Heading<T> {
+    pub(super) fn at<K: Kind>(&self, t: T) -> Heading<T> {
         let mut corners = self.start;
         for (corner, end) in corners.iter_mut().zip(&self.end) {
             *corner = add(scaled(*corner, -t + 1.0), scaled(*end, t));

@@ -139,9 +139,9 @@ fn is_behind(corner: &Near, closest: &Near) -> bool {
 
 /// A vector, each component of which is within an error.
 #[derive(Clone, Copy)]
-struct Near {
-    value: Point,
-    error: f64,
+pub(super) struct Near {
+    pub(super) value: Point,
+    pub(super) error: f64,
 }
 
 impl Near {
@@ -155,7 +155,7 @@ impl Near {
     }
 
     /// The sum of this one and of a side times a step; three roundings of terms of at most the sum.
-    fn plus(&self, side: &Self, step: Step) -> Self {
+    pub(super) fn plus(&self, side: &Self, step: Step) -> Self {
         let [value, error] = [step.value, step.error];
         let moved = towards(self.value, side.value, value);
         let length = value.abs() * side.extent();
@@ -184,7 +184,7 @@ impl Near {
     }
 
     /// A bound of the length.
-    fn extent(&self) -> f64 {
+    pub(super) fn extent(&self) -> f64 {
         extent(self.value) + 3.0 * self.error
     }
 }
@@ -196,7 +196,7 @@ fn extent(vector: Point) -> f64 {
 
 /// A scalar product and its error: that of each factor times the magnitude of the other, and n = 3 roundings.
 /// The bound takes the errors into the magnitudes, and is doubled for its own roundings.
-fn product(a: &Near, b: &Near) -> [f64; 2] {
+pub(super) fn product(a: &Near, b: &Near) -> [f64; 2] {
     let (of_a, of_b) = (a.extent(), b.extent());
     let error = a.error * of_b + b.error * of_a + margin(3) * UNIT * of_a * of_b;
     [dot(a.value, b.value), 2.0 * error + UNDERFLOW]
@@ -204,9 +204,9 @@ fn product(a: &Near, b: &Near) -> [f64; 2] {
 
 /// The change of a parameter from x to the foot of the perpendicular, and its error.
 #[derive(Clone, Copy)]
-struct Step {
-    value: f64,
-    error: f64,
+pub(super) struct Step {
+    pub(super) value: f64,
+    pub(super) error: f64,
 }
 
 impl Step {

@@ -16,6 +16,8 @@ mod crossing;
 mod intervals;
 mod leaving;
 mod nearest;
+#[cfg(test)]
+mod proof;
 mod scaled;
 mod snapshot;
 mod turning;
@@ -129,11 +131,8 @@ fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
 
 /// True if |x| < d for x = F(t, u, v).
 ///
-/// At t = 0, x is a combination of corners below 1, each rounded once, with at most three products and sums:
-/// n = 8 on each axis, on terms that add up to at most 5 (corners, and differences of two of them). Later, a
-/// corner is a sum of its start, off by u, and t times a velocity of at most 2, off by 4 u, with two more
-/// roundings: it is off by 9 u, a combination of them with factors that add up to at most 3 by 27 u, and its
-/// own operations add 16 u.
+/// A component of x is off by at most 37 u (`proof/point.g`): corners result from their start, rounded once,
+/// and from a velocity, or are at t = 0.
 fn is_certainly_within(x: Point, d: f64) -> bool {
     largest_square(x) < d * d
 }
@@ -144,7 +143,7 @@ fn is_certainly_within(x: Point, d: f64) -> bool {
 /// with the bound one each: six, and a seventh is that of d². The errors are relative to positive terms.
 #[inline(always)]
 fn largest_square<T: Lanes>([x, y, z]: [T; 3]) -> T {
-    const ERROR: f64 = margin(43) * UNIT;
+    const ERROR: f64 = margin(37) * UNIT;
     let reach = [x.abs() + ERROR, y.abs() + ERROR, z.abs() + ERROR];
     dot(reach, reach) * (1.0 + margin(7) * UNIT)
 }

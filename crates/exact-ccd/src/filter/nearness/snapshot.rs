@@ -7,7 +7,7 @@ use super::closest::Closest;
 use super::scaled::Scaled;
 use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
 use crate::filter::number::{Number, subtract};
-use crate::filter::roundoff::UNDERFLOW;
+use crate::filter::roundoff::{UNDERFLOW, margin};
 use crate::filter::vector::{cross, dot, minus};
 use crate::kind::Kind;
 use crate::query::Query;
@@ -64,7 +64,7 @@ impl<T: Precision> Moving<T> {
         }
     }
 
-    pub(in crate::filter) fn corners(&self, t: f64) -> [Vector<T>; 4] {
+    pub(super) fn corners(&self, t: f64) -> [Vector<T>; 4] {
         [0, 1, 2, 3]
             .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t))
     }
@@ -87,8 +87,8 @@ impl<T: Precision> Moving<T> {
 /// The corners of F at one time, with a guess of the closest points.
 ///
 /// Let ε be [`ROUNDOFF`], the largest error of one operation in twice the precision, relative to its
-/// operands. A component of a corner, of magnitude at most 1, results from four operations on terms of at
-/// most 1, 1, 2 and 3. Its error is at most 8 ε.
+/// operands. A component of a corner, of magnitude at most 1, is off by at most 8 ε
+/// (`proof/precise_corner.g`).
 pub(super) struct Snapshot<T> {
     corners: [Vector<T>; 4],
     pub(super) closest: Closest,
@@ -110,7 +110,7 @@ impl<T: Precision> Snapshot<T> {
 }
 
 /// |x|² − d².
-fn excess<T: Precision>(x: Vector<T>, d: f64) -> T {
+pub(super) fn excess<T: Precision>(x: Vector<T>, d: f64) -> T {
     let d = T::difference(d, 0.0);
     dot(x, x) - d * d
 }
@@ -123,15 +123,18 @@ impl Moving<DoubleDouble> {
 }
 
 /// True if |x| is certainly less than d, for x = F at some parameters.
-///
-/// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners with factors of
-/// at most 1, and by 16 ε for the operations on them: 56 ε, for which 57 ε stands. With the sum m of the magnitudes of its
-/// components,
-/// |F|² is off by 114 ε m + 3 (57 ε)² and by 12 ε m² more; d² by ε d², the difference by ε (m² + d²).
 fn is_below(x: Vector<DoubleDouble>, d: f64) -> bool {
     let m = x.iter().fold(0.0, |sum, component| sum + component.value().abs());
-    let error = ROUNDOFF * (128.0 * m + 32.0 * m * m + 4.0 * d * d) + 65536.0 * ROUNDOFF * ROUNDOFF;
-    excess(x, d).value() < -error
+    excess(x, d).value() < -error_of_excess(m, d)
+}
+
+/// The error of |F|² − d², given the sum m of the magnitudes of the components.
+///
+/// A component is off by 52 ε (`proof/precise_point.g`), so that |F|² is off by 104 ε m + 3 (52 ε)². Four
+/// operations lead from the components to the result, two from d.
+pub(super) fn error_of_excess(m: f64, d: f64) -> f64 {
+    let own = margin(4) * m * m + margin(2) * d * d;
+    ROUNDOFF * (128.0 * m + own) + 16384.0 * ROUNDOFF * ROUNDOFF
 }
 
 impl Snapshot<DoubleDouble> {
@@ -150,7 +153,7 @@ impl Snapshot<DoubleDouble> {
         self.corners[i].map(Number::value)
     }
 
-    /// F at the guess, each component off by 57 ε, as in [`Moving::is_within`], and one rounding.
+    /// F at the guess, each component off by 52 ε, as in [`error_of_excess`], and one rounding.
     pub(super) fn precise_point(&self) -> [f64; 3] {
         self.closest.point(&self.corners).map(Number::value)
     }
@@ -174,28 +177,44 @@ impl Snapshot<DoubleDouble> {
 /// The corners at one time, and a direction: any vector of a length of about 1.
 type Headed<'a> = (&'a Snapshot<DoubleDouble>, Vector<DoubleDouble>);
 
+/// The errors of [`are_beyond`]: of [`least_along`], for corners that are off by 8 ε; of [`threshold`], and
+/// of the square of the first, with the difference of the two.
+pub(super) const OF_SUM: f64 = margin(8 + 5) * ROUNDOFF;
+pub(super) const OF_THRESHOLD: f64 = margin(7 + 1) * ROUNDOFF;
+pub(super) const OF_SQUARE: f64 = margin(1 + 1) * ROUNDOFF;
+
 /// True if gₐ · x_b + g_b · xₐ is certainly above d (|gₐ| + |g_b|) for all corners.
 ///
 /// It is if the sum s on the left is positive and s² > 2 d² (gₐ · gₐ + g_b · g_b), as (p + q)² ≤ 2
 /// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e
-/// and off by (8 + 6) ε e; taken less 32 ε e it is below the exact one. Its square is off by 4 ε
-/// times itself, the right side by 12 ε times itself.
+/// and off by (8 + 5) ε e; less twice that, it is below the exact one. Then its square has one operation, the
+/// right side seven, and both that of their difference.
 fn are_beyond((a, of_a): Headed<'_>, (b, of_b): Headed<'_>) -> bool {
     let extent = of_a.iter().chain(&of_b).fold(0.0, |sum, x| sum + x.value().abs());
-    let slack = DoubleDouble::difference(32.0 * ROUNDOFF * extent + UNDERFLOW, 0.0);
-    let d = DoubleDouble::difference(a.d, 0.0);
-    let lengths = dot(of_a, of_a) + dot(of_b, of_b);
-    let threshold = d * d * lengths * 2.0;
-    let limit = 32.0 * ROUNDOFF * threshold.value() + UNDERFLOW;
+    let slack = DoubleDouble::difference(OF_SUM * extent + UNDERFLOW, 0.0);
+    let threshold = threshold(a.d, of_a, of_b);
+    let limit = OF_THRESHOLD * threshold.value() + UNDERFLOW;
     a.corners
         .iter()
         .zip(&b.corners)
         .take(a.count)
         .all(|(&at_a, &at_b)| {
-            let least = dot(of_a, at_b) + dot(of_b, at_a) - slack;
+            let least = least_along([of_a, at_b], [of_b, at_a], slack);
             let square = least * least;
-            least.value() > 0.0 && (square - threshold).value() > limit + 16.0 * ROUNDOFF * square.value()
+            let above = limit + OF_SQUARE * square.value();
+            least.value() > 0.0 && (square - threshold).value() > above
         })
+}
+
+/// The sum of two scalar products, less the error of all.
+pub(super) fn least_along<T: Precision>([g, x]: [Vector<T>; 2], [h, y]: [Vector<T>; 2], slack: T) -> T {
+    dot(g, x) + dot(h, y) - slack
+}
+
+/// 2 d² (g · g + h · h).
+pub(super) fn threshold<T: Precision>(d: f64, g: Vector<T>, h: Vector<T>) -> T {
+    let d = T::difference(d, 0.0);
+    d * d * (dot(g, g) + dot(h, h)) * 2.0
 }
 
 /// A vector of a length of about 1 across the features, on the side of F.

@@ -5,22 +5,22 @@ use crate::filter::roundoff::{UNDERFLOW, UNIT, margin};
 use crate::filter::vector::{dot, scaled, select};
 use crate::kind::Kind;
 
-/// The corners of F at one time, each component the result of four roundings of terms of at most the reach, and a
-/// direction: a vector of length at most 1 + 8 u.
+/// The corners of F at one time, each component the result of four roundings of terms of at most the reach,
+/// and a direction: a vector of length at most 1 + 8 u.
 #[derive(Clone, Copy)]
 pub(super) struct Heading<T> {
     corners: [[T; 3]; 4],
-    pub(in crate::filter) direction: [T; 3],
+    pub(super) direction: [T; 3],
 }
 
 /// d and all errors of [`Heading::are_beyond_until`].
 ///
 /// Let r be the sum of the reaches on the three axes. The sum gₐ · x_b + g_b · xₐ results from n = 8
 /// roundings, four of them those of a corner, of terms of at most 2 r (1 + 8 u), and is compared with twice
-/// the limit. d times the lengths is at most 2 d (1 + 8 u), and the limit has three more roundings: n = 11.
+/// the limit. d times the lengths is at most 2 d (1 + 8 u), and the limit has four more roundings: n = 12.
 #[inline(always)]
 pub(super) fn limit<T: Lanes>(d: T, reach: [T; 3]) -> T {
-    d * (1.0 + margin(11) * UNIT) + (reach[0] + reach[1] + reach[2]) * (margin(8) * UNIT) + UNDERFLOW
+    d * (1.0 + margin(12) * UNIT) + (reach[0] + reach[1] + reach[2]) * (margin(8) * UNIT) + UNDERFLOW
 }
 
 impl<T: Lanes> Heading<T> {
@@ -75,7 +75,7 @@ impl<T: Lanes> Heading<T> {
 
     /// gₐ · xₐ, gₐ · x_b + g_b · xₐ and g_b · x_b for a corner x.
     #[inline(always)]
-    pub(in crate::filter) fn along(&self, later: &Self, i: usize) -> [T; 3] {
+    pub(super) fn along(&self, later: &Self, i: usize) -> [T; 3] {
         let (a, b) = (self.corners[i], later.corners[i]);
         [
             dot(self.direction, a),

@@ -7,4 +7,6 @@ mod gappa;
 mod roundings;
 mod symbol;
 
-use symbol::{Precise, Symbol};
+pub(super) use gappa::Script;
+pub(super) use roundings::{assert_bound, assert_counts, opposite_points, power, symbols};
+pub(super) use symbol::{Precise, Symbol};

@@ -11,8 +11,9 @@ use crate::filter::roundoff::LARGEST;
 
 /// An operation of the code, on the places of its operands in the record.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Operation {
+pub(in crate::filter) enum Operation {
     Input,
+    Rounded(usize),
     Constant(f64),
     Sum(usize, usize),
     Difference(usize, usize),
@@ -29,30 +30,31 @@ thread_local! {
 }
 
 /// A copy of the operations so far.
-pub(super) fn record() -> Rc<[Operation]> {
+pub(in crate::filter) fn record() -> Rc<[Operation]> {
     RECORD.with_borrow(|record| record.as_slice().into())
 }
 
 /// An f64, and a bound of its error.
 ///
-/// The number is a sum of products of inputs, each term times at most `roundings` factors from 1 − u to 1 + u;
+/// The number is a sum of products of inputs, each term times at most `roundings` factors from 1 − u to 1 +
+/// u;
 /// `permanent` is the sum of their magnitudes. So its error is at most γₙ times the permanent, apart from
 /// underflow (Higham, Accuracy and Stability of Numerical Algorithms, chapter 3).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Symbol {
-    pub(super) value: f64,
+pub(in crate::filter) struct Symbol {
+    pub(in crate::filter) value: f64,
     /// n.
-    pub(super) roundings: u32,
-    pub(super) permanent: f64,
+    pub(in crate::filter) roundings: u32,
+    pub(in crate::filter) permanent: f64,
     /// The largest degree of a term in the inputs.
-    pub(super) degree: i32,
+    pub(in crate::filter) degree: i32,
     /// A bound of the magnitude, for differences of inputs of at most twice [`LARGEST`].
-    pub(super) largest: f64,
+    pub(in crate::filter) largest: f64,
     /// A bound of the error by underflow for these, in units of 2⁻¹⁰⁷⁵.
-    pub(super) underflow: f64,
+    pub(in crate::filter) underflow: f64,
     is_constant: bool,
     /// The place in the record.
-    pub(super) place: usize,
+    pub(in crate::filter) place: usize,
 }
 
 /// The rules of an arithmetic.
@@ -83,7 +85,7 @@ impl Symbol {
     }
 
     /// A coordinate, or an exact difference of two.
-    pub(super) fn input(value: f64) -> Self {
+    pub(in crate::filter) fn input(value: f64) -> Self {
         Self {
             degree: 1,
             largest: 2.0 * LARGEST,
@@ -92,7 +94,7 @@ impl Symbol {
     }
 
     /// A number without unit that the code takes as it is, such as a parameter.
-    pub(super) fn exactly(value: f64) -> Self {
+    pub(in crate::filter) fn exactly(value: f64) -> Self {
         Self::new(value, Operation::Input)
     }
 
@@ -104,9 +106,33 @@ impl Symbol {
         }
     }
 
-    /// This number, with this number of roundings so far.
-    pub(super) fn rounded(self, roundings: u32) -> Self {
-        Self { roundings, ..self }
+    /// This number as one of some degree: a product of differences, or a vector of such.
+    pub(in crate::filter) fn of_degree(self, degree: i32) -> Self {
+        // The components of normals are sums of two products.
+        let largest = 2.0 * (2.0 * LARGEST).powi(degree);
+        Self {
+            degree,
+            largest,
+            ..self
+        }
+    }
+
+    /// This number as an exact one: the next bound is of errors from here on.
+    pub(in crate::filter) fn afresh(self) -> Self {
+        Self {
+            roundings: 0,
+            permanent: self.value.abs(),
+            underflow: 0.0,
+            ..self
+        }
+    }
+
+    /// This number, rounded once.
+    pub(in crate::filter) fn rounded(self) -> Self {
+        Self {
+            roundings: 1,
+            ..self.unchanged(self.value, Operation::Rounded(self.place))
+        }
     }
 
     fn is_exact(self) -> bool {
@@ -278,14 +304,21 @@ impl Lanes for Symbol {
         self.unchanged(self.value.abs(), Operation::Magnitude(self.place))
     }
 
-    /// The root of a number of even degree. It has no more roundings than its square, and its own.
+    /// The root of a number of even degree. It has no more roundings than its square, and its own. What
+    /// underflows in the square is below 2⁷⁵ units of 2⁻¹⁰⁷⁵, and its root below 2⁻⁵⁰⁰, which the code adds.
     fn sqrt(self) -> Self {
         assert_eq!(self.degree % 2, 0, "the root of an odd degree");
+        assert!(
+            self.largest.is_infinite() || self.underflow < 2.0_f64.powi(75),
+            "{}",
+            self.underflow
+        );
         Self {
             roundings: self.roundings + 1,
             permanent: self.permanent.sqrt(),
             degree: self.degree / 2,
             largest: self.largest.sqrt(),
+            underflow: 0.0,
             ..self.unchanged(self.value.sqrt(), Operation::Root(self.place))
         }
     }
@@ -306,7 +339,7 @@ impl Lanes for Symbol {
 /// A [`Symbol`] in the place of [`DoubleDouble`](crate::filter::double_double::DoubleDouble): differences of
 /// coordinates are exact, and `roundings` counts operations. Or, if not `TWICE`, in the place of an f64.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Precise<const TWICE: bool>(pub(super) Symbol);
+pub(in crate::filter) struct Precise<const TWICE: bool>(pub(in crate::filter) Symbol);
 
 impl<const TWICE: bool> Precise<TWICE> {
     const RULES: Rules = if TWICE { Rules::Double } else { Rules::Single };
@@ -316,7 +349,8 @@ impl<const TWICE: bool> Number for Precise<TWICE> {
     type Real = f64;
 
     fn difference(a: f64, b: f64) -> Self {
-        Self(Symbol::input(a - b).rounded(u32::from(!TWICE)))
+        let exact = Symbol::input(a - b);
+        Self(if TWICE { exact } else { exact.rounded() })
     }
 
     fn value(self) -> f64 {
@@ -364,7 +398,7 @@ impl<const TWICE: bool> Mul<f64> for Precise<TWICE> {
     type Output = Self;
 
     fn mul(self, other: f64) -> Self {
-        self * Self(Symbol::exactly(other))
+        self * Self(Symbol::constant(other))
     }
 }
 
