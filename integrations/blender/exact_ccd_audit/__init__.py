@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import bpy
 import numpy as np
 from bpy.props import FloatProperty
@@ -19,7 +21,7 @@ class ExactCcdAudit(bpy.types.Operator):
 
     min_distance: FloatProperty(
         name="Distance",
-        description="Meshes at most this far apart count as touching",
+        description="Primitives at most this far apart count as touching, those of one mesh too",
         min=0.0,
         default=0.0,
         subtype="DISTANCE",
@@ -58,8 +60,9 @@ class ExactCcdAudit(bpy.types.Operator):
             _, face = violation.intersection
             vertices = faces[face].tolist()
         else:
-            scene.frame_set(frame, subframe=min(contact.time, 0.999))
-            self.report({"WARNING"}, f"contact at frame {frame + contact.time:.6g} ({contact.kind})")
+            part, whole = math.modf(frame + contact.time)
+            scene.frame_set(int(whole), subframe=part)
+            self.report({"WARNING"}, f"contact at frame {whole + part:.6g} ({contact.kind})")
             vertices = contact.vertices.tolist()
         # Modifiers that add vertices change the numbers: then nothing is selected.
         if scenes.evaluated(objects)[2] == [len(item.data.vertices) for item in objects]:
