@@ -3,7 +3,9 @@
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     let target = |key: &str| std::env::var(format!("CARGO_CFG_TARGET_{key}")).unwrap_or_default();
-    if target("FAMILY") == "unix" && target("VENDOR") != "apple" {
+    if target("VENDOR") == "apple" {
+        println!("cargo:rustc-cdylib-link-arg=-Wl,-install_name,@rpath/libexact_ccd.dylib");
+    } else if target("FAMILY") == "unix" {
         println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libexact_ccd.so.3");
     }
 }

@@ -26,6 +26,7 @@ include_patterns = [
     "bindings/python/README.md",
     "fuzz/README.md",
     "packaging/README.md",
+    "integrations/*/README.md",
 ]
 exclude_patterns = ["target", "**/target", "**/node_modules", "build", "result"]
 

@@ -46,13 +46,19 @@ class ExactCcd(ConanFile):
         CMake(self).install()
         # Both libraries are built: the one that was not asked for goes.
         libraries = os.path.join(self.package_folder, "lib")
-        for pattern in ["*.a", "*.lib"] if self.options.shared else ["*.so*", "*.dylib", "*.dll", "*.dll.lib"]:
-            rm(self, pattern, libraries)
+        if self.options.shared:
+            rm(self, "libexact_ccd.a", libraries)
+            rm(self, "exact_ccd.lib", libraries)
+        else:
+            for pattern in ["*.so*", "*.dylib", "*.dll.lib"]:
+                rm(self, pattern, libraries)
+            rmdir(self, os.path.join(self.package_folder, "bin"))
         rmdir(self, os.path.join(libraries, "cmake"))
         rmdir(self, os.path.join(libraries, "pkgconfig"))
 
     def package_info(self):
-        self.cpp_info.libs = ["exact_ccd"]
+        is_dll = self.options.shared and self.settings.os == "Windows"
+        self.cpp_info.libs = ["exact_ccd.dll" if is_dll else "exact_ccd"]
         self.cpp_info.set_property("cmake_file_name", "exact_ccd")
         self.cpp_info.set_property("cmake_target_name", "exact_ccd::exact_ccd")
         if self.options.shared:
