@@ -4,8 +4,9 @@
 use core::cmp::Ordering;
 
 use super::cubic::Root;
+use super::length::Area;
 use super::roundoff::{UNIT, certain_sign};
-use super::wide::Wide;
+
 use super::window::Window;
 
 /// A time or an interval of times.
@@ -27,7 +28,8 @@ impl Moment {
     ///
     /// After t = 0, (1−t)², (1−t) t and t² are positive, but for the first two at t = 1: coefficients without
     /// two opposite signs have one sign in all of (0, 1], if the last is not zero.
-    pub(super) fn sign<const N: usize>(&self, coefficient: impl Fn(usize) -> Wide<N>) -> Option<Ordering> {
+    #[inline(always)]
+    pub(super) fn sign<A: Area>(&self, coefficient: impl Fn(usize) -> A) -> Option<Ordering> {
         match self {
             Self::Start => Some(coefficient(0).sign()),
             Self::End => Some(coefficient(2).sign()),
@@ -50,8 +52,8 @@ impl Moment {
 /// slope. The value at `near` results from at most 10 roundings: that of the coefficient, 1 − t twice, two
 /// products twice, two sums; n = 10. The integers are at least 1, so that what underflows is far below the
 /// bound.
-fn near<const N: usize>(quadratic: [Wide<N>; 3], window: &Window, root: &Root) -> Option<Ordering> {
-    if quadratic.iter().all(Wide::is_zero) {
+fn near<A: Area>(quadratic: [A; 3], window: &Window, root: &Root) -> Option<Ordering> {
+    if quadratic.iter().all(|q| q.sign().is_eq()) {
         return Some(Ordering::Equal);
     }
     let [q0, q1, q2] = window.quadratic(quadratic)?;

@@ -2,15 +2,15 @@
 
 // Without closures: those of arrays are not inlined into code for vector instructions.
 
-use super::number::{Lanes, Number};
+use super::number::{Lanes, Ring};
 
 #[inline(always)]
-pub(crate) fn add<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+pub(crate) fn add<T: Ring>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 #[inline(always)]
-pub(crate) fn minus<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+pub(crate) fn minus<T: Ring>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -36,12 +36,12 @@ pub(crate) fn select<T: Lanes>(mask: T::Mask, yes: [T; 3], no: [T; 3]) -> [T; 3]
 }
 
 #[inline(always)]
-pub(crate) fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
+pub(crate) fn dot<T: Ring>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline(always)]
-pub(crate) fn cross<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+pub(crate) fn cross<T: Ring>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

@@ -4,7 +4,6 @@ use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::double_double::DoubleDouble;
-use super::number::Number;
 
 /// An integer of N words, the least significant first, in two's complement.
 ///
@@ -90,6 +89,21 @@ impl<const N: usize> Wide<N> {
         DoubleDouble::sum(high * scale, low * scale)
     }
 
+    /// The product of integers of 64 and 128 bits, for N > 2.
+    #[inline(always)]
+    pub(super) fn product(a: i64, b: i128) -> Self {
+        let a = i128::from(a);
+        let low = a * i128::from(b as u64);
+        let high = a * (b >> 64) + (low >> 64);
+        let fill = if high < 0 { u64::MAX } else { 0 };
+        Self(core::array::from_fn(|i| match i {
+            0 => low as u64,
+            1 => high as u64,
+            2 => (high >> 64) as u64,
+            _ => fill,
+        }))
+    }
+
     #[cfg(test)]
     pub(super) fn words(self) -> [u64; N] {
         self.0
@@ -166,20 +180,6 @@ impl<const N: usize> Mul for Wide<N> {
             }
         }
         Self(product)
-    }
-}
-
-/// The coordinates are integers below 2¹²⁶.
-impl<const N: usize> Number for Wide<N> {
-    type Real = f64;
-
-    #[inline]
-    fn difference(a: f64, b: f64) -> Self {
-        Self::from(a as i128 - b as i128)
-    }
-
-    fn value(self) -> f64 {
-        self.approximate().value()
     }
 }
 
