@@ -164,12 +164,19 @@ fn largest(values: [f64; 4]) -> f64 {
 
 /// The time of the only root of a cubic in a bracket: a multiple of 2⁻¹⁰, as many are in flat worlds, or
 /// between two adjacent f64.
+///
+/// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
+/// off by 2⁻¹⁰⁴ of itself, less than one operation of the twenty there.
 fn rounded(bits: u32, cubic: &[Volume; 4], window: &Window, root: &Root) -> Option<ContactTime> {
     if *window != Window::STEP {
         return window.time(cubic, root);
     }
-    let dyadic = fraction(root).and_then(|fraction| at_fraction(bits, cubic, fraction));
-    dyadic.or_else(|| between_adjacent(cubic, root))
+    let values = cubic.map(Wide::approximate);
+    let precise = PreciseCubic::new(values, largest(values.map(|value| value.high)));
+    let dyadic = fraction(root)
+        .filter(|&elapsed| !precise.exceeds(elapsed as f64 / PARTS as f64, 0.0))
+        .and_then(|elapsed| at_fraction(bits, cubic, elapsed));
+    dyadic.or_else(|| precise.round(&with_slope(values.map(|value| value.high), root)))
 }
 
 /// The number of parts of the step whose ends are tried.
@@ -195,16 +202,9 @@ fn at_fraction(bits: u32, &[c0, c1, c2, c3]: &[Volume; 4], elapsed: i128) -> Opt
     (is_exact && is_root()).then(|| ContactTime::exactly(elapsed as f64 / PARTS as f64))
 }
 
-/// The root in a bracket between two adjacent f64, if the signs of the cubic at both are certain.
-///
-/// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
-/// off by 2⁻¹⁰⁴ of itself, less than one operation of the twenty there.
-fn between_adjacent(cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
-    let values = cubic.map(Wide::approximate);
-    let [c0, c1, c2, c3] = values.map(|value| value.high);
-    // The slope in the units of the integers.
+/// The root with the slope in the units of the integers.
+fn with_slope([c0, c1, c2, c3]: [f64; 4], root: &Root) -> Root {
     let [a1, a2, a3] = [c1 - 3.0 * c0, c2 - 2.0 * c1 + 3.0 * c0, c3 - c2 + c1 - c0];
     let slope = (3.0 * a3 * root.near + 2.0 * a2) * root.near + a1;
-    let precise = PreciseCubic::new(values, largest([c0, c1, c2, c3]));
-    precise.round(&Root { slope, ..*root })
+    Root { slope, ..*root }
 }

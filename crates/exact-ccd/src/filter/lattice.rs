@@ -76,8 +76,8 @@ impl<K: Kind> Integers<K> {
     /// certain; the four points are coplanar then. The tests are those of the exact path.
     pub(super) fn touches(&self, moment: &Moment) -> Option<bool> {
         match self {
-            Self::Short(lattice) => lattice.touches(moment),
-            Self::Long(lattice) => lattice.touches(moment),
+            Self::Short(lattice) => lattice.position(moment),
+            Self::Long(lattice) => lattice.position(moment),
         }
     }
 }
@@ -138,6 +138,25 @@ impl<K: Kind, L: Length> Lattice<K, L> {
             volume(w[0], end) + volume(w[1], mixed),
             volume(w[1], end),
         ]
+    }
+
+    fn position(&self, moment: &Moment) -> Option<bool> {
+        self.touches(moment)
+            .or_else(|| self.is_apart(moment).then_some(false))
+    }
+
+    /// Returns true if an axis separates the primitives at all times of a moment: F has one strict sign there
+    /// at all corners of its domain, hence everywhere.
+    fn is_apart(&self, moment: &Moment) -> bool {
+        let side = |axis: usize, corner| {
+            let [start, end] = self.difference(corner).map(|ends| ends[axis]);
+            moment.sign_of_linear([start.value(), end.value()])
+        };
+        (0..3).any(|axis| {
+            let first = side(axis, K::CORNERS[0]);
+            let has_side = |&corner: &Difference| side(axis, corner) == first;
+            first.is_some() && K::CORNERS[1..].iter().all(has_side)
+        })
     }
 
     fn touches(&self, moment: &Moment) -> Option<bool> {

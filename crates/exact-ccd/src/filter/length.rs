@@ -19,6 +19,9 @@ pub(super) trait Length: Copy {
     /// A coordinate m 2ᵏ below 2 to the power [`MOST_BITS`](Self::MOST_BITS).
     fn shifted(mantissa: i64, k: u32) -> Self;
 
+    /// The nearest f64.
+    fn value(self) -> f64;
+
     /// a − b.
     fn minus(self, other: Self) -> Self;
 
@@ -52,6 +55,10 @@ impl Length for i64 {
     #[inline(always)]
     fn minus(self, other: Self) -> Self {
         self - other
+    }
+
+    fn value(self) -> f64 {
+        self as f64
     }
 
     #[inline(always)]
@@ -95,6 +102,10 @@ impl Length for i128 {
 
     fn minus(self, other: Self) -> Self {
         self - other
+    }
+
+    fn value(self) -> f64 {
+        self as f64
     }
 
     fn times(self, other: Self) -> Volume {

@@ -46,6 +46,22 @@ impl Moment {
     }
 }
 
+impl Moment {
+    /// The sign of d₀ (1−t) + d₁ t at a root, for coefficients rounded once, if it is certain and not zero.
+    ///
+    /// At the place s of the root in its window, t results from three more roundings, the value from that of
+    /// 1 − t, a product and a sum: n = 5, on terms of at most |d₀| + |d₁|. That bounds the slope, too.
+    pub(super) fn sign_of_linear(&self, [start, end]: [f64; 2]) -> Option<Ordering> {
+        let Self::Root(window, root) = self else {
+            return None;
+        };
+        let t = window.time_at(root.near);
+        let value = (1.0 - t) * start + t * end;
+        let radius = (root.high - root.near).max(root.near - root.low);
+        certain_sign(value, (start.abs() + end.abs()) * (2.0 * radius + 16.0 * UNIT))
+    }
+}
+
 /// The sign of a quadratic in a bracket, if it is certain.
 ///
 /// With its coefficients in the window, M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 4 M its

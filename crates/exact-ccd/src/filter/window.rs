@@ -37,6 +37,11 @@ impl Window {
         is_valid.then_some(Self { low, high })
     }
 
+    /// The time at a place of this window, from 0 to 1; within three roundings.
+    pub(super) fn time_at(&self, place: f64) -> f64 {
+        self.low + place * (self.high - self.low)
+    }
+
     /// Three times the Bernstein coefficients of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ in this
     /// window, in some unit.
     pub(super) fn cubic<const N: usize>(&self, cubic: &[Wide<N>; 4]) -> Option<[Integer; 4]> {
