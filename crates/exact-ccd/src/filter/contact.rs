@@ -105,6 +105,16 @@ impl Contact {
         by_roundoff.or_else(|| fixed_width::first(query))
     }
 
+    /// Returns true if the earliest contact certainly is after a time: the cubic has no root in the bracket up
+    /// to its lower end.
+    #[inline]
+    pub(crate) fn is_after(&self, time: f64) -> bool {
+        match self {
+            Self::AtRoot(at_root) => at_root.since_first().is_some_and(|(root, _)| root.low >= time),
+            Self::Sliding(_) | Self::Coincident(_) | Self::AtMoment(_) => false,
+        }
+    }
+
     /// All intervals of contact, if the filters determine them.
     pub(crate) fn intervals<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
         let by_roundoff = match self {

@@ -164,29 +164,22 @@ fn largest(values: [f64; 4]) -> f64 {
 
 /// The time of the only root of a cubic in a bracket: a multiple of 2⁻¹⁰, as many are in flat worlds, or
 /// between two adjacent f64.
-///
-/// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
-/// off by 2⁻¹⁰⁴ of itself, less than one operation of the twenty there.
 fn rounded(bits: u32, cubic: &[Volume; 4], window: &Window, root: &Root) -> Option<ContactTime> {
     if *window != Window::STEP {
         return window.time(cubic, root);
     }
-    let values = cubic.map(Wide::approximate);
-    let precise = PreciseCubic::new(values, largest(values.map(|value| value.high)));
-    let dyadic = fraction(root)
-        .filter(|&elapsed| !precise.exceeds(elapsed as f64 / PARTS as f64, 0.0))
-        .and_then(|elapsed| at_fraction(bits, cubic, elapsed));
-    dyadic.or_else(|| precise.round(&with_slope(values.map(|value| value.high), root)))
+    let dyadic = fraction(root).and_then(|fraction| at_fraction(bits, cubic, fraction));
+    dyadic.or_else(|| between_adjacent(cubic, root))
 }
 
 /// The number of parts of the step whose ends are tried.
-const PARTS: i128 = 1 << 10;
+const PARTS: i64 = 1 << 10;
 
 /// The number of such parts that have elapsed at the end next to a root, if that is in the bracket.
-fn fraction(root: &Root) -> Option<i128> {
+fn fraction(root: &Root) -> Option<i64> {
     let elapsed = libm::round(root.near * PARTS as f64);
     let t = elapsed / PARTS as f64;
-    (t > root.low && t < root.high).then_some(elapsed as i128)
+    (t > root.low && t < root.high).then_some(elapsed as i64)
 }
 
 /// The time at which this part of the step has elapsed, if the cubic of coordinates of b bits vanishes then.
@@ -194,17 +187,24 @@ fn fraction(root: &Root) -> Option<i128> {
 /// In 2ᵏ parts, a fraction in lowest terms, the points are multiples of 2⁻ᵏ. With 2ᵏ as the unit, their
 /// coordinates are below 2ᵇ⁺ᵏ, and the volume, which is the cubic at that time, is below 6 · 2³⁽ᵇ⁺ᵏ⁺¹⁾ <
 /// 2³⁽ᵇ⁺ᵏ⁾⁺⁶: it is exact if b + k ≤ 83.
-fn at_fraction(bits: u32, &[c0, c1, c2, c3]: &[Volume; 4], elapsed: i128) -> Option<ContactTime> {
+fn at_fraction(bits: u32, &[c0, c1, c2, c3]: &[Volume; 4], elapsed: i64) -> Option<ContactTime> {
     let common = elapsed.trailing_zeros().min(PARTS.trailing_zeros());
-    let [t, s] = [elapsed, PARTS - elapsed].map(|part| Volume::from(part >> common));
+    let [t, s] = [elapsed, PARTS - elapsed].map(|part| part >> common);
     let is_exact = bits + (PARTS.trailing_zeros() - common) <= 83;
-    let is_root = || (((c0 * s + c1 * t) * s + c2 * (t * t)) * s + c3 * (t * t * t)).is_zero();
-    (is_exact && is_root()).then(|| ContactTime::exactly(elapsed as f64 / PARTS as f64))
+    let value = || c0.times(s * s * s) + c1.times(s * s * t) + c2.times(s * t * t) + c3.times(t * t * t);
+    (is_exact && value().is_zero()).then(|| ContactTime::exactly(elapsed as f64 / PARTS as f64))
 }
 
-/// The root with the slope in the units of the integers.
-fn with_slope([c0, c1, c2, c3]: [f64; 4], root: &Root) -> Root {
+/// The root in a bracket between two adjacent f64, if the signs of the cubic at both are certain.
+///
+/// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
+/// off by 2⁻¹⁰⁴ of itself, less than one operation of the twenty there.
+fn between_adjacent(cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
+    let values = cubic.map(Wide::approximate);
+    let [c0, c1, c2, c3] = values.map(|value| value.high);
+    // The slope in the units of the integers.
     let [a1, a2, a3] = [c1 - 3.0 * c0, c2 - 2.0 * c1 + 3.0 * c0, c3 - c2 + c1 - c0];
     let slope = (3.0 * a3 * root.near + 2.0 * a2) * root.near + a1;
-    Root { slope, ..*root }
+    let precise = PreciseCubic::new(values, largest([c0, c1, c2, c3]));
+    precise.round(&Root { slope, ..*root })
 }

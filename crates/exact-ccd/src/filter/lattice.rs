@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use super::length::{Length, Volume};
 use super::moment::Moment;
 use super::wide::Wide;
-use crate::exact::decompose;
+use crate::exact::parts;
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
 
@@ -20,9 +20,7 @@ pub(super) enum Integers<K> {
 impl<K: Kind> Integers<K> {
     /// The query in the largest units that make all coordinates integers; `None` if these are too long.
     pub(super) fn new(query: &Query<K>) -> Option<Self> {
-        let parts = query
-            .four()
-            .map(|points| points.map(|point| point.map(decompose)));
+        let parts = query.four().map(|points| points.map(|point| point.map(parts)));
         let mut units = [0; 3];
         let mut bits = 0;
         for (axis, unit) in units.iter_mut().enumerate() {
@@ -30,8 +28,8 @@ impl<K: Kind> Integers<K> {
             for point in parts.as_flattened() {
                 let (mantissa, exponent) = point[axis];
                 if mantissa != 0 {
-                    low = low.min(exponent);
-                    high = high.max(exponent + 64 - mantissa.unsigned_abs().leading_zeros() as i32);
+                    low = low.min(exponent + mantissa.trailing_zeros() as i32);
+                    high = high.max(exponent + f64::MANTISSA_DIGITS as i32);
                 }
             }
             if low < high {
@@ -96,10 +94,7 @@ impl<K: Kind, L: Length> Lattice<K, L> {
     /// The points with these mantissas and exponents, in units 2 to these powers.
     #[inline(always)]
     fn new(parts: &[[[(i64, i32); 3]; 4]; 2], units: [i32; 3], bits: u32) -> Self {
-        let coordinate = |(mantissa, exponent): (i64, i32), unit: i32| match mantissa {
-            0 => L::shifted(0, 0),
-            _ => L::shifted(mantissa, (exponent - unit) as u32),
-        };
+        let coordinate = |(mantissa, exponent), unit| L::scaled(mantissa, exponent - unit);
         let point = |&[x, y, z]: &[_; 3]| {
             [
                 coordinate(x, units[0]),

@@ -1,7 +1,7 @@
 //! Lengths and areas in integers of two widths: the short ones serve nearly all queries, the long ones the rest.
 
 use core::cmp::Ordering;
-use core::ops::{Add, Sub};
+use core::ops::{Add, Shl, Shr, Sub};
 
 use super::wide::Wide;
 
@@ -16,8 +16,8 @@ pub(super) trait Length: Copy {
     /// The product of two lengths, and sums of at most six of them.
     type Area: Area;
 
-    /// A coordinate m 2ᵏ below 2 to the power [`MOST_BITS`](Self::MOST_BITS).
-    fn shifted(mantissa: i64, k: u32) -> Self;
+    /// A coordinate m 2ᵏ, an integer below 2 to the power [`MOST_BITS`](Self::MOST_BITS); 0 for m = 0.
+    fn scaled(mantissa: i64, k: i32) -> Self;
 
     /// The nearest f64.
     fn value(self) -> f64;
@@ -48,8 +48,8 @@ impl Length for i64 {
     type Area = i128;
 
     #[inline(always)]
-    fn shifted(mantissa: i64, k: u32) -> Self {
-        mantissa << k
+    fn scaled(mantissa: i64, k: i32) -> Self {
+        shifted(mantissa, k)
     }
 
     #[inline(always)]
@@ -69,6 +69,18 @@ impl Length for i64 {
     #[inline(always)]
     fn volume(self, area: i128) -> Volume {
         Volume::product(self, area)
+    }
+}
+
+/// x 2ᵏ, if that is an integer that fits.
+#[inline(always)]
+fn shifted<T: Shl<u32, Output = T> + Shr<u32, Output = T>>(x: T, k: i32) -> T {
+    // A shift that is too long is that of zero.
+    let most = 8 * size_of::<T>() as u32 - 1;
+    if k >= 0 {
+        x << (k as u32).min(most)
+    } else {
+        x >> k.unsigned_abs().min(most)
     }
 }
 
@@ -96,8 +108,8 @@ impl Length for i128 {
     const MOST_BITS: u32 = 81;
     type Area = Volume;
 
-    fn shifted(mantissa: i64, k: u32) -> Self {
-        Self::from(mantissa) << k
+    fn scaled(mantissa: i64, k: i32) -> Self {
+        shifted(Self::from(mantissa), k)
     }
 
     fn minus(self, other: Self) -> Self {
