@@ -114,6 +114,12 @@ impl<'a, K: Kind> Collision<'a, K> {
         if until >= 1.0 {
             return Some(self);
         }
+        if let Proof::Filter(contact) = &self.proof
+            && environment::is_default()
+            && contact.is_after(until)
+        {
+            return None;
+        }
         let first = self.time();
         first.is_at_most(until).then_some(Self {
             first: Some(first),

@@ -4,25 +4,23 @@ use dashu_int::IBig;
 
 /// (m, e) with x = m · 2ᵉ, for finite x; m is odd or zero. Only the bit pattern is read.
 pub(crate) fn decompose(x: f64) -> (i64, i32) {
-    let bits = x.to_bits();
-    let fraction = (bits & ((1 << 52) - 1)) as i64;
-    let (mantissa, exponent) = match (bits >> 52) & 0x7ff {
-        0 => (fraction, -1074),
-        biased => (fraction | 1 << 52, biased as i32 - 1075),
-    };
+    let (mantissa, exponent) = parts(x);
     if mantissa == 0 {
         return (0, i32::MAX);
     }
     let zeros = mantissa.trailing_zeros();
-    let magnitude = mantissa >> zeros;
-    (
-        if x.is_sign_negative() {
-            -magnitude
-        } else {
-            magnitude
-        },
-        exponent + zeros as i32,
-    )
+    (mantissa >> zeros, exponent + zeros as i32)
+}
+
+/// (m, e) with x = m · 2ᵉ, for finite x; m has at most 53 bits. Only the bit pattern is read.
+#[inline(always)]
+pub(crate) fn parts(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let biased = (bits >> 52 & 0x7ff) as i32;
+    let leading = u64::from(biased > 0) << 52;
+    let magnitude = (bits & ((1 << 52) - 1) | leading) as i64;
+    let sign = bits as i64 >> 63;
+    ((magnitude ^ sign) - sign, biased.max(1) - 1075)
 }
 
 /// The numbers as integers, all divided by one power of two, and its exponent; none if all are zero. Only bit

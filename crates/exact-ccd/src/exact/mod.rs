@@ -32,7 +32,7 @@ mod ratio;
 mod roots;
 mod split;
 
-pub(crate) use dyadic::{decompose, to_integers};
+pub(crate) use dyadic::{parts, to_integers};
 pub(crate) use first_contact::FirstContact;
 pub use nearness::distance_at;
 pub(crate) use nearness::{first_within, impact_at, intervals_within};

@@ -93,9 +93,8 @@ impl Contact {
         let by_roundoff = match self {
             Self::AtRoot(at_root) => match at_root.since_first() {
                 Some((root, _)) => {
-                    let rounded =
-                        fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root));
-                    return rounded.or_else(|| fixed_width::round(query, root));
+                    let rounded = fixed_width::round(query, root);
+                    return rounded.or_else(|| coplanarity::precise(query).round(root));
                 }
                 None => None,
             },
@@ -104,6 +103,16 @@ impl Contact {
             Self::AtMoment(moment) => return fixed_width::time(query, moment),
         };
         by_roundoff.or_else(|| fixed_width::first(query))
+    }
+
+    /// Returns true if the earliest contact certainly is after a time: the cubic has no root in the bracket up
+    /// to its lower end.
+    #[inline]
+    pub(crate) fn is_after(&self, time: f64) -> bool {
+        match self {
+            Self::AtRoot(at_root) => at_root.since_first().is_some_and(|(root, _)| root.low >= time),
+            Self::Sliding(_) | Self::Coincident(_) | Self::AtMoment(_) => false,
+        }
     }
 
     /// All intervals of contact, if the filters determine them.
@@ -139,10 +148,10 @@ impl Contact {
 
 /// The moments of contact at a root, and at those after it at which the primitives touch.
 fn moments<K: Kind>(query: &Query<K>, (first, later): (&Root, &[Root])) -> Option<Intervals> {
-    let precise = coplanarity::precise(query);
+    let precise = || coplanarity::precise(query);
     let moment = |root: &Root| {
-        let dyadic = fixed_width::dyadic(query, root);
-        dyadic.or_else(|| precise.round(root)).map(Interval::moment)
+        let rounded = fixed_width::round(query, root);
+        rounded.or_else(|| precise().round(root)).map(Interval::moment)
     };
     let of_later = later.iter().filter_map(|root| match position::at(query, root) {
         Some(Position::Inside) => Some(moment(root)),

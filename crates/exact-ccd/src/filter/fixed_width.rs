@@ -8,7 +8,8 @@
 use arrayvec::ArrayVec;
 
 use super::cubic::{Cubic, Root};
-use super::lattice::{Lattice, without_ends};
+use super::lattice::{Integers, without_ends};
+use super::length::Volume;
 use super::moment::Moment;
 use super::precise_cubic::PreciseCubic;
 use super::wide::Wide;
@@ -18,10 +19,6 @@ use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
 
-/// Integers of 256 bits: coordinates of all 53 bits that differ by a factor of 2²⁸ at most.
-type Integer = Wide<4>;
-type Integers<K> = Lattice<K, 4>;
-
 /// The number of times at which a cubic may vanish, with the ends of the step.
 const MAX_MOMENTS: usize = 5;
 
@@ -29,11 +26,11 @@ const MAX_MOMENTS: usize = 5;
 #[inline(never)]
 pub(super) fn first_moment<K: Kind>(query: &Query<K>) -> Option<Option<Moment>> {
     let integers = Integers::new(query)?;
-    if integers.is_flat_at([0, 1]) && integers.touches(&Moment::Start)? {
+    if integers.volume_at_start().is_zero() && integers.touches(&Moment::Start)? {
         return Some(Some(Moment::Start));
     }
     let cubic = integers.cubic();
-    if cubic == [Integer::ZERO; 4] {
+    if cubic == [Volume::ZERO; 4] {
         let touches = integers.touches(&Moment::Later)?;
         return (!touches).then_some(None);
     }
@@ -54,7 +51,7 @@ pub(super) fn first<K: Kind>(query: &Query<K>) -> Option<ContactTime> {
 pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
     let integers = Integers::new(query)?;
     let cubic = integers.cubic();
-    if cubic == [Integer::ZERO; 4] {
+    if cubic == [Volume::ZERO; 4] {
         let only_at_start = integers.touches(&Moment::Start)? && !integers.touches(&Moment::Later)?;
         return only_at_start.then(|| {
             [Interval::moment(ContactTime::exactly(0.0))]
@@ -67,7 +64,7 @@ pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
         .filter_map(|moment| match integers.touches(&moment) {
             Some(false) => None,
             Some(true) => Some(match &moment {
-                Moment::Root(window, root) => rounded(&integers, &cubic, window, root),
+                Moment::Root(window, root) => rounded(integers.bits(), &cubic, window, root),
                 moment => time(query, moment),
             }),
             None => Some(None),
@@ -85,7 +82,7 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
     match moment {
         Moment::Root(window, root) => {
             let integers = Integers::new(query)?;
-            rounded(&integers, &integers.cubic(), window, root)
+            rounded(integers.bits(), &integers.cubic(), window, root)
         }
         Moment::End => Some(ContactTime::exactly(1.0)),
         Moment::Start => Some(ContactTime::exactly(0.0)),
@@ -100,7 +97,7 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
 /// once, n = 1 of the ten roundings there, and the largest rounded one is below its integer by one rounding
 /// at most. Coefficients are below 2²⁵⁵, squares of them below 2⁵¹⁴: nothing overflows. The largest is at
 /// least 1, so that what underflows is far below the bounds.
-fn flat_moments(cubic: &[Integer; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
+fn flat_moments(cubic: &[Volume; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
     let (inner, [at_start, at_end]) = without_ends(*cubic);
     let values = inner.map(|c| c.approximate().high);
     let cubic = Cubic::new(values, largest(values));
@@ -122,7 +119,7 @@ fn flat_moments(cubic: &[Integer; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
 ///
 /// The signs of the coefficients in a window are exact: without two opposite ones, there is no root.
 /// Otherwise the bounds of [`Cubic::new`] hold as in [`flat_moments`], with one more rounding.
-fn roots_in_windows(inner: &[Integer; 4], middles: &[f64]) -> Option<ArrayVec<Moment, 3>> {
+fn roots_in_windows(inner: &[Volume; 4], middles: &[f64]) -> Option<ArrayVec<Moment, 3>> {
     let mut moments = ArrayVec::new();
     let mut low = 0.0;
     for high in around(middles).into_iter().chain([1.0]) {
@@ -165,53 +162,44 @@ fn largest(values: [f64; 4]) -> f64 {
     values.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
-/// The time of the only root of a cubic in a bracket.
-fn rounded<K: Kind>(
-    integers: &Integers<K>,
-    cubic: &[Integer; 4],
-    window: &Window,
-    root: &Root,
-) -> Option<ContactTime> {
+/// The time of the only root of a cubic in a bracket: a multiple of 2⁻¹⁰, as many are in flat worlds, or
+/// between two adjacent f64.
+fn rounded(bits: u32, cubic: &[Volume; 4], window: &Window, root: &Root) -> Option<ContactTime> {
     if *window != Window::STEP {
         return window.time(cubic, root);
     }
-    let dyadic = fraction(root).and_then(|fraction| at_fraction(integers, fraction));
+    let dyadic = fraction(root).and_then(|fraction| at_fraction(bits, cubic, fraction));
     dyadic.or_else(|| between_adjacent(cubic, root))
 }
 
-/// The root of the coplanarity cubic in a bracket, if it is a multiple of 2⁻¹⁰, as in flat worlds many are.
-pub(super) fn dyadic<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
-    let fraction = fraction(root)?;
-    at_fraction(&Integers::new(query)?, fraction)
-}
-
 /// The number of parts of the step whose ends are tried.
-const PARTS: i128 = 1 << 10;
+const PARTS: i64 = 1 << 10;
 
 /// The number of such parts that have elapsed at the end next to a root, if that is in the bracket.
-fn fraction(root: &Root) -> Option<i128> {
+fn fraction(root: &Root) -> Option<i64> {
     let elapsed = libm::round(root.near * PARTS as f64);
     let t = elapsed / PARTS as f64;
-    (t > root.low && t < root.high).then_some(elapsed as i128)
+    (t > root.low && t < root.high).then_some(elapsed as i64)
 }
 
-/// The time at which this part of the step has elapsed, if the cubic vanishes then.
+/// The time at which this part of the step has elapsed, if the cubic of coordinates of b bits vanishes then.
 ///
-/// The volume of [`Lattice::is_flat_at`] is exact if b + k ≤ 83, for coordinates of b bits and 2ᵏ parts, a
-/// fraction in lowest terms.
-fn at_fraction<K: Kind>(integers: &Integers<K>, elapsed: i128) -> Option<ContactTime> {
+/// In 2ᵏ parts, a fraction in lowest terms, the points are multiples of 2⁻ᵏ. With 2ᵏ as the unit, their
+/// coordinates are below 2ᵇ⁺ᵏ, and the volume, which is the cubic at that time, is below 6 · 2³⁽ᵇ⁺ᵏ⁺¹⁾ <
+/// 2³⁽ᵇ⁺ᵏ⁾⁺⁶: it is exact if b + k ≤ 83.
+fn at_fraction(bits: u32, &[c0, c1, c2, c3]: &[Volume; 4], elapsed: i64) -> Option<ContactTime> {
     let common = elapsed.trailing_zeros().min(PARTS.trailing_zeros());
-    let parts = [elapsed, PARTS - elapsed].map(|part| part >> common);
-    let is_exact = integers.bits + (PARTS.trailing_zeros() - common) <= 83;
-    let time = ContactTime::exactly(elapsed as f64 / PARTS as f64);
-    (is_exact && integers.is_flat_at(parts)).then_some(time)
+    let [t, s] = [elapsed, PARTS - elapsed].map(|part| part >> common);
+    let is_exact = bits + (PARTS.trailing_zeros() - common) <= 83;
+    let value = || c0.times(s * s * s) + c1.times(s * s * t) + c2.times(s * t * t) + c3.times(t * t * t);
+    (is_exact && value().is_zero()).then(|| ContactTime::exactly(elapsed as f64 / PARTS as f64))
 }
 
 /// The root in a bracket between two adjacent f64, if the signs of the cubic at both are certain.
 ///
 /// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
 /// off by 2⁻¹⁰⁴ of itself, less than one operation, of which seven lead to a coefficient there.
-fn between_adjacent(cubic: &[Integer; 4], root: &Root) -> Option<ContactTime> {
+fn between_adjacent(cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
     let values = cubic.map(Wide::approximate);
     let [c0, c1, c2, c3] = values.map(|value| value.high);
     // The slope in the units of the integers.

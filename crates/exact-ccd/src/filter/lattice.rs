@@ -3,105 +3,163 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
+use super::length::{Length, Volume};
 use super::moment::Moment;
-use super::number::{Points, subtract};
-use super::vector::{add, cross, cross_along, dot};
 use super::wide::Wide;
-use crate::exact::decompose;
+use crate::exact::parts;
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
 
-/// A difference of two points at t = 0 and at t = 1.
-type Ends<const N: usize> = [[Wide<N>; 3]; 2];
-
 /// The points of a query in integers, each axis in a unit of its own: contact is invariant under such
 /// scalings.
-pub(super) struct Lattice<K, const N: usize> {
-    /// Integers, although of type f64.
-    points: Points<f64>,
-    /// The number of bits of the coordinates.
-    pub(super) bits: u32,
-    kind: PhantomData<K>,
+pub(super) enum Integers<K> {
+    Short(Lattice<K, i64>),
+    Long(Lattice<K, i128>),
 }
 
-impl<K: Kind, const N: usize> Lattice<K, N> {
-    /// The largest number of bits of coordinates.
-    ///
-    /// If coordinates are below 2ᵇ, differences are below 2ᵇ⁺¹, the terms of a coefficient of the cubic
-    /// below 2³ᵇ⁺³, and there are at most 18 of them: it is below 2³ᵇ⁺⁸. [`without_ends`] makes it at
-    /// most 2³ times as large.
-    const MOST_BITS: u32 = (64 * N as u32 - 12) / 3;
-
-    /// The query in the largest units that make all coordinates integers; `None` if these are too long, or
-    /// the units are near the ends of the range of f64.
+impl<K: Kind> Integers<K> {
+    /// The query in the largest units that make all coordinates integers; `None` if these are too long.
     pub(super) fn new(query: &Query<K>) -> Option<Self> {
-        let mut points = *query.four();
+        let parts = query.four().map(|points| points.map(|point| point.map(parts)));
+        let mut units = [0; 3];
         let mut bits = 0;
-        for axis in 0..3 {
+        for (axis, unit) in units.iter_mut().enumerate() {
             let (mut low, mut high) = (i32::MAX, i32::MIN);
-            for point in points.as_flattened() {
-                let (mantissa, exponent) = decompose(point[axis]);
+            for point in parts.as_flattened() {
+                let (mantissa, exponent) = point[axis];
                 if mantissa != 0 {
-                    low = low.min(exponent);
-                    high = high.max(exponent + 64 - mantissa.unsigned_abs().leading_zeros() as i32);
+                    low = low.min(exponent + mantissa.trailing_zeros() as i32);
+                    high = high.max(exponent + f64::MANTISSA_DIGITS as i32);
                 }
             }
-            if low > high {
-                continue;
-            }
-            if low.abs() > 1000 || high - low > Self::MOST_BITS as i32 {
-                return None;
-            }
-            bits = bits.max((high - low) as u32);
-            let unit = f64::from_bits(((1023 - low) as u64) << 52);
-            for point in points.as_flattened_mut() {
-                point[axis] *= unit;
+            if low < high {
+                *unit = low;
+                bits = bits.max((high - low) as u32);
             }
         }
-        Some(Self {
-            points,
-            bits,
-            kind: PhantomData,
-        })
+        if bits <= i64::MOST_BITS {
+            Some(Self::Short(Lattice::new(&parts, units, bits)))
+        } else if bits <= i128::MOST_BITS {
+            Some(Self::Long(Lattice::new(&parts, units, bits)))
+        } else {
+            None
+        }
     }
 
-    fn difference(&self, difference: Difference) -> Ends<N> {
-        subtract(&self.points, difference)
+    /// The number of bits of the coordinates.
+    pub(super) fn bits(&self) -> u32 {
+        match self {
+            Self::Short(lattice) => lattice.bits,
+            Self::Long(lattice) => lattice.bits,
+        }
     }
 
-    /// True if the four points are coplanar at the time that splits the step into these two parts.
-    ///
-    /// If the parts add up to at most 2ᵏ, the points are multiples of 2⁻ᵏ then: with 2ᵏ as the unit, their
-    /// coordinates are below 2ᵇ⁺ᵏ, and the volume is below 6 · 2³⁽ᵇ⁺ᵏ⁺¹⁾ < 2³⁽ᵇ⁺ᵏ⁾⁺⁶.
-    pub(super) fn is_flat_at(&self, [elapsed, left]: [i128; 2]) -> bool {
-        let parts = [left, elapsed].map(Wide::from);
-        let [w, e1, e2] = K::SPAN.map(|difference| {
-            let [start, end] = self.difference(difference);
-            [0, 1, 2].map(|axis: usize| start[axis] * parts[0] + end[axis] * parts[1])
-        });
-        dot(w, cross(e1, e2)).is_zero()
+    /// The first coefficient of the coplanarity cubic: the volume of the points at t = 0.
+    pub(super) fn volume_at_start(&self) -> Volume {
+        match self {
+            Self::Short(lattice) => lattice.volume_at_start(),
+            Self::Long(lattice) => lattice.volume_at_start(),
+        }
     }
 
     /// The coplanarity cubic c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³.
-    pub(super) fn cubic(&self) -> [Wide<N>; 4] {
-        let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
-        let [start, mixed, end] = product(&e1, &e2);
-        [
-            dot(w[0], start),
-            dot(w[1], start) + dot(w[0], mixed),
-            dot(w[0], end) + dot(w[1], mixed),
-            dot(w[1], end),
-        ]
+    pub(super) fn cubic(&self) -> [Volume; 4] {
+        match self {
+            Self::Short(lattice) => lattice.cubic(),
+            Self::Long(lattice) => lattice.cubic(),
+        }
     }
 
     /// Returns true if the primitives touch at each time of a moment, false if they do so at none, if it is
     /// certain; the four points are coplanar then. The tests are those of the exact path.
     pub(super) fn touches(&self, moment: &Moment) -> Option<bool> {
+        match self {
+            Self::Short(lattice) => lattice.position(moment),
+            Self::Long(lattice) => lattice.position(moment),
+        }
+    }
+}
+
+/// A difference of two points at t = 0 and at t = 1.
+type Ends<L> = [[L; 3]; 2];
+
+/// The points in integers of one width.
+pub(super) struct Lattice<K, L> {
+    points: [[[L; 3]; 4]; 2],
+    bits: u32,
+    kind: PhantomData<K>,
+}
+
+impl<K: Kind, L: Length> Lattice<K, L> {
+    /// The points with these mantissas and exponents, in units 2 to these powers.
+    #[inline(always)]
+    fn new(parts: &[[[(i64, i32); 3]; 4]; 2], units: [i32; 3], bits: u32) -> Self {
+        let coordinate = |(mantissa, exponent), unit| L::scaled(mantissa, exponent - unit);
+        let point = |&[x, y, z]: &[_; 3]| {
+            [
+                coordinate(x, units[0]),
+                coordinate(y, units[1]),
+                coordinate(z, units[2]),
+            ]
+        };
+        Self {
+            points: parts.each_ref().map(|end| end.each_ref().map(point)),
+            bits,
+            kind: PhantomData,
+        }
+    }
+
+    #[inline(always)]
+    fn difference(&self, (i, j): Difference) -> Ends<L> {
+        self.points
+            .each_ref()
+            .map(|end| [0, 1, 2].map(|axis: usize| end[i][axis].minus(end[j][axis])))
+    }
+
+    fn volume_at_start(&self) -> Volume {
+        let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference)[0]);
+        volume(w, [0, 1, 2].map(|axis| component(axis, e1, e2)))
+    }
+
+    fn cubic(&self) -> [Volume; 4] {
+        let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
+        let normal = |coefficient| {
+            [0, 1, 2].map(|axis| coefficient_of(coefficient, &e1, &e2, |a, b| component(axis, a, b)))
+        };
+        let [start, mixed, end] = [0, 1, 2].map(normal);
+        [
+            volume(w[0], start),
+            volume(w[1], start) + volume(w[0], mixed),
+            volume(w[0], end) + volume(w[1], mixed),
+            volume(w[1], end),
+        ]
+    }
+
+    fn position(&self, moment: &Moment) -> Option<bool> {
+        self.touches(moment)
+            .or_else(|| self.is_apart(moment).then_some(false))
+    }
+
+    /// Returns true if an axis separates the primitives at all times of a moment: F has one strict sign there
+    /// at all corners of its domain, hence everywhere.
+    fn is_apart(&self, moment: &Moment) -> bool {
+        let side = |axis: usize, corner| {
+            let [start, end] = self.difference(corner).map(|ends| ends[axis]);
+            moment.sign_of_linear([start.value(), end.value()])
+        };
+        (0..3).any(|axis| {
+            let first = side(axis, K::CORNERS[0]);
+            let has_side = |&corner: &Difference| side(axis, corner) == first;
+            first.is_some() && K::CORNERS[1..].iter().all(has_side)
+        })
+    }
+
+    fn touches(&self, moment: &Moment) -> Option<bool> {
         let [e1, e2] = [1, 2].map(|i: usize| self.difference(K::SPAN[i]));
         let mut facing = Some(Ordering::Equal);
         let mut along = 0;
         for axis in 0..3 {
-            match sign(moment, &e1, &e2, component(axis)) {
+            match sign(moment, &e1, &e2, |a, b| component(axis, a, b)) {
                 Some(Ordering::Equal) => {}
                 None => facing = None,
                 certain => {
@@ -117,7 +175,7 @@ impl<K: Kind, const N: usize> Lattice<K, N> {
         let is_inside = |side: &Side| {
             let [x, y] = self.edge(side);
             let inside = if side.along { facing } else { facing.reverse() };
-            let sign = sign(moment, &x, &y, component(along))?;
+            let sign = sign(moment, &x, &y, |a, b| component(along, a, b))?;
             Some(sign.is_eq() || sign == inside)
         };
         holds(K::SIDES.iter().map(is_inside), false)
@@ -126,7 +184,7 @@ impl<K: Kind, const N: usize> Lattice<K, N> {
     /// Returns true if a vertex lies on an edge.
     fn lies_on(&self, side: &Side, moment: &Moment) -> Option<bool> {
         let [x, y] = self.edge(side);
-        let is_on_line = |axis| Some(sign(moment, &x, &y, component(axis))?.is_eq());
+        let is_on_line = |axis| Some(sign(moment, &x, &y, |a, b| component(axis, a, b))?.is_eq());
         if holds((0..3).map(is_on_line), false)? {
             return sign(moment, &x, &y, dot).map(Ordering::is_le);
         }
@@ -134,7 +192,7 @@ impl<K: Kind, const N: usize> Lattice<K, N> {
     }
 
     /// The ends of an edge, from a vertex.
-    fn edge(&self, side: &Side) -> [Ends<N>; 2] {
+    fn edge(&self, side: &Side) -> [Ends<L>; 2] {
         side.edge.map(|end| self.difference((end, side.vertex)))
     }
 }
@@ -152,32 +210,48 @@ fn holds(conditions: impl Iterator<Item = Option<bool>>, decisive: bool) -> Opti
     result
 }
 
-/// The coefficients of a × b.
-fn product<const N: usize>(a: &Ends<N>, b: &Ends<N>) -> [[Wide<N>; 3]; 3] {
-    [
-        cross(a[0], b[0]),
-        add(cross(a[0], b[1]), cross(a[1], b[0])),
-        cross(a[1], b[1]),
-    ]
-}
-
-/// The sign of a bilinear product of two differences.
-fn sign<const N: usize>(
-    moment: &Moment,
-    a: &Ends<N>,
-    b: &Ends<N>,
-    product: impl Fn([Wide<N>; 3], [Wide<N>; 3]) -> Wide<N>,
-) -> Option<Ordering> {
-    moment.sign(|coefficient| match coefficient {
+/// One of the coefficients q₀, q₁, q₂ of a bilinear product of two differences.
+#[inline(always)]
+fn coefficient_of<L: Length>(
+    coefficient: usize,
+    a: &Ends<L>,
+    b: &Ends<L>,
+    product: impl Fn([L; 3], [L; 3]) -> L::Area,
+) -> L::Area {
+    match coefficient {
         0 => product(a[0], b[0]),
         1 => product(a[0], b[1]) + product(a[1], b[0]),
         _ => product(a[1], b[1]),
-    })
+    }
+}
+
+/// The sign of a bilinear product of two differences.
+#[inline(always)]
+fn sign<L: Length>(
+    moment: &Moment,
+    a: &Ends<L>,
+    b: &Ends<L>,
+    product: impl Fn([L; 3], [L; 3]) -> L::Area,
+) -> Option<Ordering> {
+    moment.sign(|coefficient| coefficient_of(coefficient, a, b, &product))
 }
 
 /// One component of a × b.
-fn component<const N: usize>(axis: usize) -> impl Fn([Wide<N>; 3], [Wide<N>; 3]) -> Wide<N> {
-    move |a, b| cross_along(axis, a, b)
+#[inline(always)]
+fn component<L: Length>(axis: usize, a: [L; 3], b: [L; 3]) -> L::Area {
+    let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
+    a[next].times(b[last]) - a[last].times(b[next])
+}
+
+#[inline(always)]
+fn dot<L: Length>(a: [L; 3], b: [L; 3]) -> L::Area {
+    a[0].times(b[0]) + a[1].times(b[1]) + a[2].times(b[2])
+}
+
+/// The scalar product of a difference and a normal.
+#[inline(always)]
+fn volume<L: Length>([x, y, z]: [L; 3], normal: [L::Area; 3]) -> Volume {
+    x.volume(normal[0]) + y.volume(normal[1]) + z.volume(normal[2])
 }
 
 /// The cubic without its roots at t = 0 and t = 1, and true for each of these that it has.

@@ -15,6 +15,7 @@ mod gap;
 mod hull;
 mod impact;
 mod lattice;
+mod length;
 mod moment;
 mod nearness;
 mod number;

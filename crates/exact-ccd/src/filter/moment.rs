@@ -4,9 +4,9 @@
 use core::cmp::Ordering;
 
 use super::cubic::Root;
+use super::length::Area;
 use super::number::Lanes;
 use super::roundoff::{UNIT, certain_sign, margin};
-use super::wide::Wide;
 use super::window::Window;
 
 /// A time or an interval of times.
@@ -28,7 +28,8 @@ impl Moment {
     ///
     /// After t = 0, (1−t)², (1−t) t and t² are positive, but for the first two at t = 1: coefficients without
     /// two opposite signs have one sign in all of (0, 1], if the last is not zero.
-    pub(super) fn sign<const N: usize>(&self, coefficient: impl Fn(usize) -> Wide<N>) -> Option<Ordering> {
+    #[inline(always)]
+    pub(super) fn sign<A: Area>(&self, coefficient: impl Fn(usize) -> A) -> Option<Ordering> {
         match self {
             Self::Start => Some(coefficient(0).sign()),
             Self::End => Some(coefficient(2).sign()),
@@ -45,13 +46,30 @@ impl Moment {
     }
 }
 
+impl Moment {
+    /// The sign of d₀ (1−t) + d₁ t at a root, for coefficients rounded once, if it is certain and not zero.
+    ///
+    /// The value results from n = 7 roundings: that of the coefficient, three of t, which its place in the
+    /// window determines, those of 1 − t, a product and a sum. Terms are at most |d₀| + |d₁|, which bounds
+    /// the slope, too.
+    pub(super) fn sign_of_linear(&self, [start, end]: [f64; 2]) -> Option<Ordering> {
+        let Self::Root(window, root) = self else {
+            return None;
+        };
+        let t = window.time_at(root.near);
+        let value = (1.0 - t) * start + t * end;
+        let radius = (root.high - root.near).max(root.near - root.low);
+        certain_sign(value, (start.abs() + end.abs()) * (2.0 * radius + margin(7) * UNIT))
+    }
+}
+
 /// The sign of a quadratic in a bracket, if it is certain.
 ///
 /// With its coefficients in the window, M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 4 M its
 /// slope. The value at `near` results from n = 7 roundings: that of the coefficient, 1 − t twice, two
 /// products and two sums. The integers are at least 1, so that what underflows is far below the bound.
-fn near<const N: usize>(quadratic: [Wide<N>; 3], window: &Window, root: &Root) -> Option<Ordering> {
-    if quadratic.iter().all(Wide::is_zero) {
+fn near<A: Area>(quadratic: [A; 3], window: &Window, root: &Root) -> Option<Ordering> {
+    if quadratic.iter().all(|q| q.sign().is_eq()) {
         return Some(Ordering::Equal);
     }
     let quadratic = window.quadratic(quadratic)?;

@@ -87,8 +87,13 @@ impl Lanes for f64 {
     }
 }
 
+/// Numbers that are added, subtracted and multiplied.
+pub(crate) trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
+
+impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Ring for T {}
+
 /// An approximation of a real number.
-pub(crate) trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+pub(crate) trait Number: Ring {
     /// The type of coordinates and bounds.
     type Real: Lanes;
 

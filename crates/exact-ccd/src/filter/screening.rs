@@ -128,7 +128,7 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
         return Decision::Collision(Proved::Contact(Contact::Coincident(coincidence)));
     }
     let hull = Hull::new::<K>(&query.four());
-    if alongside::separates(query, &hull) || hull.some_direction_separates() {
+    if alongside::separates(query, &hull) {
         return Decision::Free(Stage::Direction);
     }
     match Planar::new(query).and_then(|planar| planar.stretches()) {
@@ -136,11 +136,14 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
             Some([beginning, _]) => Decision::Collision(Proved::Contact(Contact::Sliding(beginning))),
             None => Decision::Free(Stage::Planar),
         },
-        None => decide_in_integers(query),
+        None => match decide_in_integers(query) {
+            Decision::Unknown if hull.some_direction_separates() => Decision::Free(Stage::Direction),
+            decision => decision,
+        },
     }
 }
 
-/// The last stage before the exact path.
+/// The stage of integers of fixed width.
 fn decide_in_integers<K: Kind>(query: &Query<K>) -> Decision {
     match fixed_width::first_moment(query) {
         Some(Some(moment)) => Decision::Collision(Proved::Contact(Contact::AtMoment(moment))),

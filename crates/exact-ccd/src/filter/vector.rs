@@ -4,15 +4,15 @@
 
 use core::ops::Mul;
 
-use super::number::{Lanes, Number};
+use super::number::{Lanes, Number, Ring};
 
 #[inline(always)]
-pub(crate) fn add<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+pub(crate) fn add<T: Ring>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 #[inline(always)]
-pub(crate) fn minus<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+pub(crate) fn minus<T: Ring>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -38,18 +38,18 @@ pub(crate) fn select<T: Lanes>(mask: T::Mask, yes: [T; 3], no: [T; 3]) -> [T; 3]
 }
 
 #[inline(always)]
-pub(crate) fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
+pub(crate) fn dot<T: Ring>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline(always)]
-pub(crate) fn cross<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+pub(crate) fn cross<T: Ring>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [cross_along(0, a, b), cross_along(1, a, b), cross_along(2, a, b)]
 }
 
 /// A component of a × b.
 #[inline(always)]
-pub(crate) fn cross_along<T: Number>(axis: usize, a: [T; 3], b: [T; 3]) -> T {
+pub(crate) fn cross_along<T: Ring>(axis: usize, a: [T; 3], b: [T; 3]) -> T {
     let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
     a[next] * b[last] - a[last] * b[next]
 }

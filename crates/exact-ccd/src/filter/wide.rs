@@ -4,7 +4,6 @@ use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::double_double::DoubleDouble;
-use super::number::Number;
 
 /// An integer of N words, the least significant first, in two's complement.
 ///
@@ -55,15 +54,14 @@ impl<const N: usize> Wide<N> {
         used.map_or(0, |last| 64 * (last as u32 + 1) - words[last].leading_zeros())
     }
 
-    /// The quotient by 2ᵏ, rounded down, for k < 64 N.
-    fn shifted_right(self, k: u32) -> Self {
+    /// The quotient by 2ᵏ, rounded down, if 128 bits hold it.
+    #[inline]
+    fn shifted_right(self, k: u32) -> i128 {
         let (words, bits) = ((k / 64) as usize, k % 64);
         let fill = if self.is_negative() { u64::MAX } else { 0 };
-        let word = |i: usize| self.0.get(i).copied().unwrap_or(fill);
-        Self(core::array::from_fn(|i| {
-            let (low, high) = (word(i + words), word(i + words + 1));
-            ((u128::from(high) << 64 | u128::from(low)) >> bits) as u64
-        }))
+        let word = |i: usize| u128::from(self.0.get(i).copied().unwrap_or(fill));
+        let pair = |i: usize| ((word(i + 1) << 64 | word(i)) >> bits) as u64;
+        (u128::from(pair(words + 1)) << 64 | u128::from(pair(words))) as i128
     }
 
     /// The integer, if 64 bits hold it.
@@ -77,17 +75,50 @@ impl<const N: usize> Wide<N> {
         rest.iter().all(|&word| word == fill).then_some(first)
     }
 
-    /// An approximation whose relative error is less than 2⁻¹⁰⁴: the leading bits are cut off after
-    /// [`LEADING`], and of these the part that is below the unit in the last place of an f64, at most 2⁷³,
-    /// is rounded to one.
+    /// An approximation whose relative error is less than 2⁻¹⁰⁴.
+    ///
+    /// The leading bits are cut off after [`LEADING`], which is three times 42. Each third is exactly an f64,
+    /// and the sum of the first two exactly a double-double h + l. If l is not zero, |h| is at least 2⁹⁵, so
+    /// that l and the last third are at most 2⁻⁵³ |h| each: their sum is off by at most 2⁻¹⁰⁵ |h|. If l is
+    /// zero, that sum is exact. What is cut off is below 2⁻¹²⁵ of the integer.
     pub(super) fn approximate(self) -> DoubleDouble {
+        const THIRD: u32 = LEADING / 3;
+        const MASK: i128 = (1 << THIRD) - 1;
+        const UNIT: f64 = (1_u64 << THIRD) as f64;
         let shift = self.bit_len().saturating_sub(LEADING);
-        let words = self.shifted_right(shift).0;
-        let leading = (u128::from(words[1]) << 64 | u128::from(words[0])) as i128;
-        let high = leading as f64;
-        let low = (leading - high as i128) as f64;
+        let leading = self.shifted_right(shift);
         let scale = f64::from_bits(u64::from(1023 + shift) << 52);
-        DoubleDouble::sum(high * scale, low * scale)
+        let [first, second, third] = [leading >> (2 * THIRD), leading >> THIRD & MASK, leading & MASK]
+            .map(|part| part as i64 as f64 * scale);
+        let sum = DoubleDouble::sum(first * UNIT * UNIT, second * UNIT);
+        DoubleDouble::sum(sum.high, sum.low + third)
+    }
+
+    /// The product with an integer of 64 bits.
+    #[inline]
+    pub(super) fn times(self, other: i64) -> Self {
+        let mut carry = 0;
+        let product = Self(self.0.map(|word| {
+            let sum = u128::from(word) * u128::from(other.unsigned_abs()) + u128::from(carry);
+            carry = (sum >> 64) as u64;
+            sum as u64
+        }));
+        if other < 0 { -product } else { product }
+    }
+
+    /// The product of integers of 64 and 128 bits, for N > 2.
+    #[inline(always)]
+    pub(super) fn product(a: i64, b: i128) -> Self {
+        let a = i128::from(a);
+        let low = a * i128::from(b as u64);
+        let high = a * (b >> 64) + (low >> 64);
+        let fill = if high < 0 { u64::MAX } else { 0 };
+        Self(core::array::from_fn(|i| match i {
+            0 => low as u64,
+            1 => high as u64,
+            2 => (high >> 64) as u64,
+            _ => fill,
+        }))
     }
 
     #[cfg(test)]
@@ -166,20 +197,6 @@ impl<const N: usize> Mul for Wide<N> {
             }
         }
         Self(product)
-    }
-}
-
-/// The coordinates are integers below 2¹²⁶.
-impl<const N: usize> Number for Wide<N> {
-    type Real = f64;
-
-    #[inline]
-    fn difference(a: f64, b: f64) -> Self {
-        Self::from(a as i128 - b as i128)
-    }
-
-    fn value(self) -> f64 {
-        self.approximate().value()
     }
 }
 

@@ -7,6 +7,7 @@
 use core::cmp::Ordering;
 
 use super::cubic::Root;
+use super::length::Area;
 use super::wide::Wide;
 use crate::time::ContactTime;
 
@@ -36,6 +37,11 @@ impl Window {
         is_valid.then_some(Self { low, high })
     }
 
+    /// The time at a place of this window, from 0 to 1; within three roundings.
+    pub(super) fn time_at(&self, place: f64) -> f64 {
+        self.low + place * (self.high - self.low)
+    }
+
     /// Three times the Bernstein coefficients of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ in this
     /// window, in some unit.
     pub(super) fn cubic<const N: usize>(&self, cubic: &[Wide<N>; 4]) -> Option<[Integer; 4]> {
@@ -50,12 +56,13 @@ impl Window {
     }
 
     /// The coefficients of q₀ (1−t)² + q₁ (1−t) t + q₂ t² in this window, in the same form and some unit.
-    pub(super) fn quadratic<const N: usize>(&self, [q0, q1, q2]: [Wide<N>; 3]) -> Option<[f64; 3]> {
+    pub(super) fn quadratic<A: Area>(&self, [q0, q1, q2]: [A; 3]) -> Option<[f64; 3]> {
         if *self == Self::STEP {
-            return Some([q0, q1, q2].map(|q| q.approximate().high));
+            return Some([q0, q1, q2].map(A::value));
         }
         let (low, high) = (parts(self.low)?, parts(self.high)?);
-        let value = |times| blossom([q0 + q0, q1, q2 + q2].map(Wide::widened), times);
+        let [q0, q1, q2] = [q0, q1, q2].map(|q| q.widened().widened());
+        let value = |times| blossom([q0 + q0, q1, q2 + q2], times);
         let [start, middle, end] = [[low, low], [low, high], [high, high]].map(value);
         Some([start, middle + middle, end].map(|q: Integer| q.approximate().high))
     }
