@@ -115,7 +115,8 @@ impl NarrowPhase {
         }
     }
 
-    /// Calls `found` with the vertices and the query of each pair that [`approaches`](Self::approaches) decides.
+    /// Calls `found` with the vertices and the query of each pair that [`approaches`](Self::approaches)
+    /// decides.
     pub(crate) fn queries<K: PairKind>(
         &self,
         mesh: &TriangleMesh,
