@@ -376,6 +376,34 @@ enum exact_ccd_status_t exact_ccd_detector_free_steps(struct exact_ccd_detector_
                                                       size_t *rounds,
                                                       struct exact_ccd_pairs_t **blocked);
 
+// All contacts of a step, the earliest first, and the first one of each vertex: for methods that limit the
+// displacement of each vertex by a rule of their own.
+//
+// `first` has room for `vertex_count` indices in the list: that of the first contact of a pair to which the
+// vertex belongs, or the number of contacts for a vertex without contact. `times` has room for as many
+// numbers: its time, rounded down, or infinity. The list `contacts` is freed with `exact_ccd_contacts_free`.
+// Other arguments as in `exact_ccd_detector_collides`.
+enum exact_ccd_status_t exact_ccd_detector_first_contacts(struct exact_ccd_detector_t *detector,
+                                                          const double *x0,
+                                                          const double *x1,
+                                                          size_t vertex_count,
+                                                          double until,
+                                                          size_t *first,
+                                                          double *times,
+                                                          struct exact_ccd_contacts_t **contacts);
+
+// The clearance of each vertex at rest: the least distance of a pair of primitives one of which has the
+// vertex, or `cut_off` if all are farther apart. It is the largest `double` that is not above.
+//
+// A mesh of which each vertex moves by less than half of its clearance, on whatever path, is free of contact
+// (docs/steps.md). The minimum distance of the detector has no part in it. `clearances` has room for
+// `vertex_count` numbers, and `cut_off` is finite and at least 0.
+enum exact_ccd_status_t exact_ccd_detector_clearances(struct exact_ccd_detector_t *detector,
+                                                      const double *x,
+                                                      size_t vertex_count,
+                                                      double cut_off,
+                                                      double *clearances);
+
 // The message of the last call on this thread that failed; empty if none has. It names the argument,
 // the vertex or the query that is wrong. The string is valid until the next call that fails on this
 // thread.

@@ -380,6 +380,14 @@ public:
         std::vector<Pair> blocked;
     };
 
+    /// The contacts of a step, the earliest first. For each vertex, the index of the first one of a pair to which
+    /// it belongs, and its time; the number of contacts, and infinity, for a vertex without contact.
+    struct FirstContacts {
+        std::vector<Contact> contacts;
+        std::vector<std::size_t> first;
+        std::vector<double> times;
+    };
+
     /// An edge and a face, by their indices, that meet at rest.
     struct Intersection {
         std::uint32_t edge, face;
@@ -532,6 +540,33 @@ public:
                                             &blocked));
         steps.blocked = detail::copy<Pair>(blocked, exact_ccd_pairs_data, exact_ccd_pairs_free);
         return steps;
+    }
+
+    /// All contacts, the earliest first, and the first one of each vertex, for rules of your own.
+    FirstContacts first_contacts(Points x0, Points x1, double until = 1)
+    {
+        detail::check_counts(x0, x1);
+        FirstContacts all{{}, std::vector<std::size_t>(x0.size()), std::vector<double>(x0.size())};
+        exact_ccd_contacts_t* contacts = nullptr;
+        check(exact_ccd_detector_first_contacts(handle(),
+                                                x0.data(),
+                                                x1.data(),
+                                                x0.size(),
+                                                until,
+                                                all.first.data(),
+                                                all.times.data(),
+                                                &contacts));
+        all.contacts = detail::copy<Contact>(contacts, exact_ccd_contacts_data, exact_ccd_contacts_free);
+        return all;
+    }
+
+    /// The clearance of each vertex at rest: the least distance of a pair to which it belongs, rounded down, or
+    /// `cut_off` if all are farther apart. Displacements below half of the clearances are free of contact.
+    std::vector<double> clearances(Points x, double cut_off)
+    {
+        std::vector<double> clearances(x.size());
+        check(exact_ccd_detector_clearances(handle(), x.data(), x.size(), cut_off, clearances.data()));
+        return clearances;
     }
 
     exact_ccd_detector_t* handle() const noexcept { return handle_.get(); }

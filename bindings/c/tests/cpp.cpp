@@ -136,6 +136,11 @@ void meshes()
     CHECK(steps.sizes[3] < 0.5 && steps.blocked.empty() && steps.rounds > 1);
     CHECK(!detector.collides(x0, steps.positions));
     const std::vector<std::uint32_t> falling{3, 4, 5};
+    const auto first = detector.first_contacts(x0, x1);
+    CHECK(first.contacts.size() == 1 && first.first[3] == 0 && first.first[4] == 1);
+    CHECK(first.times[3] == 0.5 && std::isinf(first.times[4]));
+    CHECK(detector.clearances(x0, 0.125) == std::vector<double>(6, 0.125));
+    throws<std::invalid_argument>([&] { detector.clearances(x0, -1); });
     const auto with_pinned = detector.free_steps(x0, x1, falling);
     CHECK(with_pinned.sizes[3] == 1 && with_pinned.positions[3] == x1[3]);
     CHECK(with_pinned.blocked.size() == 1 && with_pinned.blocked[0].first == 3);

@@ -1,12 +1,13 @@
-//! The step for every vertex through C has the bits of the one through Rust.
+//! The step for every vertex, first contacts and clearances through C have the bits of those through Rust.
 
 use core::{ptr, slice};
 
-use exact_ccd::{Point, Separation, Thickness};
+use exact_ccd::{CONTACT, Point, Separation, Thickness};
 use exact_ccd_c::{
-    Kind, Status, exact_ccd_detector_free, exact_ccd_detector_free_steps, exact_ccd_detector_new,
-    exact_ccd_detector_set_min_distance, exact_ccd_detector_set_thickness, exact_ccd_mesh_free,
-    exact_ccd_mesh_new, exact_ccd_pairs_data, exact_ccd_pairs_free,
+    Kind, Status, exact_ccd_contacts_data, exact_ccd_contacts_free, exact_ccd_detector_clearances,
+    exact_ccd_detector_first_contacts, exact_ccd_detector_free, exact_ccd_detector_free_steps,
+    exact_ccd_detector_new, exact_ccd_detector_set_min_distance, exact_ccd_detector_set_thickness,
+    exact_ccd_mesh_free, exact_ccd_mesh_new, exact_ccd_pairs_data, exact_ccd_pairs_free,
 };
 use exact_ccd_mesh::{Detector, FreeStepOptions, FreeSteps, MinDistance, Pair, TriangleMesh};
 
@@ -43,6 +44,12 @@ fn the_bits_are_those_of_rust() {
         let by_rust = through_rust(&x0, &x1, pinned, keep, &distance);
         let by_c = through_c(&x0, &x1, pinned, keep, &distance);
         assert_eq!(bits(&by_c), bits(&by_rust), "round {round}");
+        let cut_off = [0.0, 0.1, 1.0][round % 3];
+        let (of_rust, of_c) = (
+            vertices_through_rust(&x0, &x1, cut_off),
+            vertices_through_c(&x0, &x1, cut_off),
+        );
+        assert_eq!(of_c, of_rust, "round {round}");
         in_contact += usize::from(by_rust.sizes.iter().any(|&size| size < 1.0));
         blocked += by_rust.blocked.len();
         repeated += usize::from(by_rust.rounds > 2);
@@ -128,6 +135,74 @@ fn through_c(x0: &[Point], x1: &[Point], pinned: &[u32], keep: f64, distance: &D
             rounds,
         }
     }
+}
+
+/// Contacts, the first of each vertex with its time, and clearances, in bits.
+type OfVertices = (usize, Vec<usize>, Vec<u64>, Vec<u64>);
+
+fn vertices_through_rust(x0: &[Point], x1: &[Point], cut_off: f64) -> OfVertices {
+    let (faces, edges) = connectivity();
+    let mesh = TriangleMesh::with_edges(VERTICES, faces, &edges).expect("the vertices exist");
+    let mut detector = Detector::new(mesh);
+    let first = detector
+        .first_contacts(x0, x1, CONTACT)
+        .expect("a step of the mesh");
+    let cut_off = Separation::new(cut_off).expect("a distance");
+    let clearances = detector.clearances(x0, cut_off).expect("positions of the mesh");
+    let count = first.contacts.len();
+    let of_vertices = first.of_vertices.iter().map(|first| first.unwrap_or(count));
+    (
+        count,
+        of_vertices.collect(),
+        first.times().into_iter().map(f64::to_bits).collect(),
+        clearances.into_iter().map(f64::to_bits).collect(),
+    )
+}
+
+fn vertices_through_c(x0: &[Point], x1: &[Point], cut_off: f64) -> OfVertices {
+    let (faces, edges) = connectivity();
+    let (mut mesh, mut detector, mut list) = (ptr::null_mut(), ptr::null_mut(), ptr::null_mut());
+    let (mut data, mut count) = (ptr::null(), 0);
+    let mut first = vec![0; VERTICES];
+    let (mut times, mut clearances) = (vec![0.0; VERTICES], vec![0.0; VERTICES]);
+    // SAFETY: the arrays have the lengths that are passed on, and handles are freed once.
+    unsafe {
+        let statuses = [
+            exact_ccd_mesh_new(
+                VERTICES,
+                faces.as_ptr().cast(),
+                faces.len(),
+                edges.as_ptr().cast(),
+                edges.len(),
+                &raw mut mesh,
+            ),
+            exact_ccd_detector_new(mesh, &raw mut detector),
+            exact_ccd_detector_first_contacts(
+                detector,
+                x0.as_ptr().cast(),
+                x1.as_ptr().cast(),
+                VERTICES,
+                1.0,
+                first.as_mut_ptr(),
+                times.as_mut_ptr(),
+                &raw mut list,
+            ),
+            exact_ccd_contacts_data(list, &raw mut data, &raw mut count),
+            exact_ccd_detector_clearances(
+                detector,
+                x0.as_ptr().cast(),
+                VERTICES,
+                cut_off,
+                clearances.as_mut_ptr(),
+            ),
+        ];
+        assert_eq!(statuses, [Status::Ok; 5]);
+        exact_ccd_contacts_free(list);
+        exact_ccd_detector_free(detector);
+        exact_ccd_mesh_free(mesh);
+    }
+    let bits = |values: Vec<f64>| values.into_iter().map(f64::to_bits).collect();
+    (count, first, bits(times), bits(clearances))
 }
 
 fn of_kind(kind: u32, first: u32, second: u32) -> Pair {

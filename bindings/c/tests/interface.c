@@ -388,6 +388,45 @@ static void free_steps(void)
     exact_ccd_mesh_free(mesh);
 }
 
+// A vertex falls onto a face, another one passes by: first contacts and clearances.
+static void answers_for_vertices(void)
+{
+    const uint32_t face[3] = {1, 2, 3};
+    const double x0[15] = {0.25, 0.25, 0.5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 1};
+    double x1[15], times[5], clearances[5];
+    memcpy(x1, x0, sizeof x1);
+    x1[2] = -0.5;
+    x1[14] = -1;
+    exact_ccd_mesh_t* mesh = NULL;
+    exact_ccd_detector_t* detector = NULL;
+    exact_ccd_contacts_t* contacts = NULL;
+    const exact_ccd_contact_t* data = NULL;
+    size_t first[5], count = 99;
+    OK(exact_ccd_mesh_new(5, face, 1, NULL, 0, &mesh));
+    OK(exact_ccd_detector_new(mesh, &detector));
+    OK(exact_ccd_detector_first_contacts(detector, x0, x1, 5, 1, first, times, &contacts));
+    OK(exact_ccd_contacts_data(contacts, &data, &count));
+    CHECK(count == 1 && first[0] == 0 && first[3] == 0 && first[4] == 1);
+    CHECK(times[0] == 0.5 && times[2] == 0.5 && times[4] > 2);
+    exact_ccd_contacts_free(contacts);
+    contacts = NULL;
+    OK(exact_ccd_detector_clearances(detector, x0, 5, 2, clearances));
+    CHECK(clearances[0] == 0.5 && clearances[3] == 0.5 && clearances[4] == 2);
+
+    const exact_ccd_status_t argument = EXACT_CCD_STATUS_INVALID_ARGUMENT;
+    const exact_ccd_status_t wrong_positions = EXACT_CCD_STATUS_INVALID_POSITIONS;
+    times[0] = clearances[0] = -7;
+    fails(exact_ccd_detector_first_contacts(detector, x0, x1, 4, 1, first, times, &contacts), wrong_positions, "4");
+    fails(exact_ccd_detector_first_contacts(detector, x0, x1, 5, 2, first, times, &contacts), argument, "time 2");
+    fails(exact_ccd_detector_first_contacts(detector, x0, x1, 5, 1, NULL, times, &contacts), argument, "first");
+    fails(exact_ccd_detector_clearances(detector, x0, 4, 2, clearances), wrong_positions, "4");
+    fails(exact_ccd_detector_clearances(detector, x0, 5, -1, clearances), argument, "cut_off");
+    fails(exact_ccd_detector_clearances(detector, x0, 5, 2, NULL), argument, "clearances");
+    CHECK(times[0] == -7 && clearances[0] == -7 && contacts == NULL);
+    exact_ccd_detector_free(detector);
+    exact_ccd_mesh_free(mesh);
+}
+
 // A mesh that is pierced at the start is free of contact, unless the start is checked.
 static void start_check(const exact_ccd_mesh_t* mesh, const double* apart, const double* crossing)
 {
@@ -640,6 +679,7 @@ int main(void)
     wrong_batches();
     smallest_times();
     free_steps();
+    answers_for_vertices();
     meshes();
     numbers_of_threads();
     return 0;

@@ -96,27 +96,25 @@ fn free_steps<B: BroadPhase>(
     let mut is_least_certified = !pinned.is_empty();
     let (mut kept, mut rounds, mut blocked) = (1.0, 0, Vec::new());
     loop {
-        let found = sizes.search(search, &options.min_distance, &watch)?;
+        let (times, stuck) = sizes.search(search, &options.min_distance, &watch)?;
         rounds += 1;
-        if found.is_empty() {
+        let earliest = times.iter().copied().fold(f64::INFINITY, f64::min);
+        if stuck.is_empty() && earliest == f64::INFINITY {
             break;
         }
         if rounds == 1 && pinned.is_empty() {
             // The common step is not larger. It is certified only if it is needed.
-            let earliest = found.iter().map(|retreat| retreat.time).fold(1.0, f64::min);
             sizes.set_least(keep * earliest);
         }
-        let (stuck, retreats): (Vec<_>, Vec<_>) =
-            found.into_iter().partition(|retreat| retreat.vertices.is_empty());
         if !stuck.is_empty() && !is_least_certified {
             let common = certified(search, step, sizes.least(), |size| step.at(size), options, &watch)?;
             sizes.set_least(common.map_or(0.0, |(size, _)| size));
             is_least_certified = true;
             continue;
         }
-        blocked.extend(stuck.iter().map(|retreat| retreat.pair));
+        blocked.extend(stuck);
         kept = if rounds < LAST_FALL { kept * keep } else { 0.0 };
-        sizes.hold_back(&retreats, kept);
+        sizes.hold_back(&times, kept);
     }
     blocked.sort_unstable();
     blocked.dedup();

@@ -1,6 +1,7 @@
 //! The vertices that contacts hold back.
 
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use arrayvec::ArrayVec;
@@ -12,36 +13,47 @@ use crate::search::{Collect, NarrowPhase};
 use crate::steps::Step;
 use crate::vector::{dot, minus};
 
-/// A contact, and the vertices that it holds back.
-#[derive(Clone, Debug)]
-pub(super) struct Retreat {
-    pub(super) pair: Pair,
-    /// The largest f64 not above the time of the contact.
-    pub(super) time: f64,
-    /// None, if no vertex of the pair can be held back.
-    pub(super) vertices: ArrayVec<u32, 4>,
-}
-
-/// The collector of all contacts of a step, with the vertices that they hold back.
+/// The collector of all contacts of a step, which hold vertices back.
 pub(super) struct Retreats<'a> {
     step: Step<'a>,
     /// The vertices that can be held back.
     can_retreat: &'a [bool],
-    found: Mutex<Vec<Retreat>>,
+    /// For each vertex, the time of the first contact that holds it back, as far as it is known. The bits of
+    /// f64 that are not negative are in the order of the numbers.
+    times: Vec<AtomicU64>,
+    stuck: Mutex<Vec<Pair>>,
 }
 
 impl<'a> Retreats<'a> {
     pub(super) fn new(step: Step<'a>, can_retreat: &'a [bool]) -> Self {
+        let never = f64::INFINITY.to_bits();
         Self {
             step,
             can_retreat,
-            found: Mutex::default(),
+            times: can_retreat.iter().map(|_| AtomicU64::new(never)).collect(),
+            stuck: Mutex::default(),
         }
     }
 
-    /// The contacts in no order, some of them twice.
-    pub(super) fn found(self) -> Vec<Retreat> {
-        self.found.into_inner().unwrap_or_else(PoisonError::into_inner)
+    /// For each vertex, the largest f64 not above the time of the first contact that holds it back, or
+    /// infinity; and the pairs in contact of which no vertex can be held back, in no order, some of them
+    /// twice.
+    pub(super) fn found(self) -> (Vec<f64>, Vec<Pair>) {
+        let bits = self.times.into_iter().map(AtomicU64::into_inner);
+        let stuck = self.stuck.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (bits.map(f64::from_bits).collect(), stuck)
+    }
+
+    /// The bits of the time of the first contact that holds a vertex back, as far as it is known.
+    fn first(&self, vertex: u32) -> u64 {
+        self.times[vertex as usize].load(Ordering::Relaxed)
+    }
+
+    /// The vertices that can be held back.
+    fn able(&self, vertices: &[u32]) -> ArrayVec<u32, 4> {
+        let mut able: ArrayVec<u32, 4> = vertices.iter().copied().collect();
+        able.retain(|&mut vertex| self.can_retreat[vertex as usize]);
+        able
     }
 
     /// The vertices of a contact to hold back: those that approach the other primitive, or all of them where
@@ -51,8 +63,7 @@ impl<'a> Retreats<'a> {
     /// the gap along the normal n by w n · d, to first order. The gap closes: a vertex approaches if its
     /// change has the sign of the sum of all changes.
     fn held_back<K: PairKind>(&self, vertices: &[u32], impact: &Impact) -> ArrayVec<u32, 4> {
-        let mut held_back: ArrayVec<u32, 4> = vertices.iter().copied().collect();
-        held_back.retain(|&mut vertex| self.can_retreat[vertex as usize]);
+        let mut held_back = self.able(vertices);
         let Some(normal) = impact.normal else {
             return held_back;
         };
@@ -89,21 +100,25 @@ impl Collect for Retreats<'_> {
     ) -> ControlFlow<()> {
         // Rounding depends on the order of the primitives, which must not be that in which they are found.
         let pairs: Vec<[u32; 2]> = pairs.iter().map(|&ids| K::pair(ids).ids()).collect();
-        let mut found = Vec::new();
+        let mut stuck = Vec::new();
         narrow_phase.approaches::<K>(mesh, &pairs, self.until(), |ids, approach| {
             let Some((collision, vertices)) = approach.contact().zip(K::vertices(mesh, ids)) else {
                 return;
             };
-            let impact = collision.impact();
-            found.push(Retreat {
-                pair: K::pair(ids),
-                time: impact.time.lower(),
-                vertices: self.held_back::<K>(vertices.as_ref(), &impact),
-            });
+            let able = self.able(vertices.as_ref());
+            let time = collision.time().lower();
+            if able.is_empty() {
+                stuck.push(K::pair(ids));
+            } else if able.iter().any(|&vertex| time.to_bits() < self.first(vertex)) {
+                // Otherwise, earlier contacts hold back whichever of them this one does.
+                for vertex in self.held_back::<K>(vertices.as_ref(), &collision.impact()) {
+                    self.times[vertex as usize].fetch_min(time.to_bits(), Ordering::Relaxed);
+                }
+            }
         });
-        if !found.is_empty() {
-            let mut all = self.found.lock().unwrap_or_else(PoisonError::into_inner);
-            all.append(&mut found);
+        if !stuck.is_empty() {
+            let mut all = self.stuck.lock().unwrap_or_else(PoisonError::into_inner);
+            all.append(&mut stuck);
         }
         ControlFlow::Continue(())
     }

@@ -3,10 +3,10 @@
 use exact_ccd::Point;
 
 use super::error::LineSearchError;
-use super::retreat::{Retreat, Retreats};
+use super::retreat::Retreats;
 use super::watched::{Watch, Watched};
 use crate::broad_phase::BroadPhase;
-use crate::pairs::MinDistance;
+use crate::pairs::{MinDistance, Pair};
 use crate::search::CulledSearch;
 use crate::steps::Step;
 
@@ -59,13 +59,13 @@ impl<'a> Sizes<'a> {
         self.find_who_can_retreat();
     }
 
-    /// Searches the step to the positions for contact.
+    /// Searches the step to the positions for contact: the result of [`Retreats::found`].
     pub(super) fn search<B: BroadPhase>(
         &self,
         search: &mut CulledSearch<B>,
         min_distance: &MinDistance,
         watch: &Watch<'_>,
-    ) -> Result<Vec<Retreat>, LineSearchError> {
+    ) -> Result<(Vec<f64>, Vec<Pair>), LineSearchError> {
         let [x0, _] = self.step.positions();
         let step = Step::new(self.step.mesh(), x0, &self.positions)?;
         let collector = Retreats::new(step, &self.can_retreat);
@@ -80,23 +80,18 @@ impl<'a> Sizes<'a> {
         Ok(watched.collector.found())
     }
 
-    /// Holds the vertices of contacts back: to `kept` times the time of the contact, from the size before.
-    pub(super) fn hold_back(&mut self, retreats: &[Retreat], kept: f64) {
-        let before = self.sizes.clone();
-        let mut has_fallen = vec![false; before.len()];
-        for retreat in retreats {
-            for &vertex in &retreat.vertices {
-                let vertex = vertex as usize;
-                // Below the size before, even if nothing is lost to the time and to the factor.
-                let size = (kept * retreat.time * before[vertex]).min(before[vertex].next_down());
-                self.sizes[vertex] = self.sizes[vertex].min(size).max(self.least);
-                has_fallen[vertex] = true;
-            }
+    /// Holds vertices back: to `kept` times the time of the first contact that does, from the size before.
+    pub(super) fn hold_back(&mut self, times: &[f64], kept: f64) {
+        for (vertex, &time) in times.iter().enumerate().filter(|(_, time)| time.is_finite()) {
+            let before = self.sizes[vertex];
+            // Below the size before, even if nothing is lost to the time and to the factor.
+            let size = (kept * time * before).min(before.next_down()).max(self.least);
+            self.sizes[vertex] = size;
+            self.positions[vertex] = self.step.vertex_at(vertex, size);
         }
-        for vertex in (0..before.len()).filter(|&vertex| has_fallen[vertex]) {
-            self.positions[vertex] = self.step.vertex_at(vertex, self.sizes[vertex]);
-        }
-        self.has_fallen = Some(has_fallen);
+        let has_fallen = self.has_fallen.get_or_insert_default();
+        has_fallen.clear();
+        has_fallen.extend(times.iter().map(|time| time.is_finite()));
         self.find_who_can_retreat();
     }
 

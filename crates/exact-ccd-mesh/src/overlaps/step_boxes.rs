@@ -201,8 +201,8 @@ impl<const T: usize> StepBoxes<T> {
         self.has_begun && K::SETS.iter().any(|&set| self.get(set).is_empty())
     }
 
-    /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked; some of them twice, and in
-    /// any order.
+    /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked, in any order. Those of two
+    /// marked primitives are found twice, and passed on once.
     pub(crate) fn pairs_of_marked<K: Searched>(
         &self,
         mesh: &TriangleMesh,
@@ -213,18 +213,25 @@ impl<const T: usize> StepBoxes<T> {
         let uncovered = self.uncovered::<K>(mesh, sink);
         let [first, second] = K::SETS;
         let any = |vertices: &[u32]| vertices.iter().any(|&vertex| marked[vertex as usize]);
-        let only = |set: PrimitiveSet| {
-            self.get(set).only(|id| match set {
-                PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => any(&[id]),
-                PrimitiveSet::Faces => any(&mesh.faces()[id as usize]),
-                PrimitiveSet::Edges | PrimitiveSet::LooseEdges => any(&mesh.edges()[id as usize]),
-            })
+        let is_marked = |set: PrimitiveSet, id: u32| match set {
+            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => any(&[id]),
+            PrimitiveSet::Faces => any(&mesh.faces()[id as usize]),
+            PrimitiveSet::Edges | PrimitiveSet::LooseEdges => any(&mesh.edges()[id as usize]),
         };
-        broad_phase.between(&only(first), self.get(second), &uncovered)?;
+        let only = |set: PrimitiveSet| self.get(set).only(|id| is_marked(set, id));
+        let once = |pairs: &[[u32; 2]], counts: &dyn Fn(&[u32; 2]) -> bool| {
+            let pairs: Vec<_> = pairs.iter().copied().filter(counts).collect();
+            uncovered(&pairs)
+        };
         if first == second {
-            return ControlFlow::Continue(());
+            return broad_phase.between(&only(first), self.get(first), &|pairs| {
+                once(pairs, &|&[a, b]| a < b || !is_marked(first, b))
+            });
         }
-        broad_phase.between(self.get(first), &only(second), &uncovered)
+        broad_phase.between(&only(first), self.get(second), &uncovered)?;
+        broad_phase.between(self.get(first), &only(second), &|pairs| {
+            once(pairs, &|&[a, _]| !is_marked(first, a))
+        })
     }
 
     /// The pairs of a kind that no pair of edges covers, passed on.

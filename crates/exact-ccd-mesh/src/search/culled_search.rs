@@ -107,8 +107,8 @@ impl<B: BroadPhase> CulledSearch<B> {
 }
 
 impl<B: BroadPhase> CulledSearch<B> {
-    /// Searches the pairs of which a vertex is marked, in all of the step; some of them twice. The search
-    /// before was in the same step, but for the ends of the marked vertices.
+    /// Searches the pairs of which a vertex is marked, in all of the step. The search before was in the same
+    /// step, but for the ends of the marked vertices.
     pub(crate) fn run_marked(
         &mut self,
         step: &Step<'_>,

@@ -1,7 +1,7 @@
 //! The narrow phase: exact tests of candidates, in batches.
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{EdgeEdge, Options, Separation, Separations, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Options, Query, Separation, Separations, VertexEdge, VertexFace, VertexVertex};
 
 use super::approach::Approach;
 use super::contact::Contact;
@@ -112,6 +112,25 @@ impl NarrowPhase {
                     found(kept[index], Approach::new(collision, inner, until));
                 })
                 .expect("a mesh has the vertices of its primitives, and each has a thickness");
+        }
+    }
+
+    /// Calls `found` with the vertices and the query of each pair that [`approaches`](Self::approaches)
+    /// decides.
+    pub(crate) fn queries<K: PairKind>(
+        &self,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+        mut found: impl FnMut(&K::Vertices, Query<K>),
+    ) {
+        for vertices in pairs.iter().filter_map(|&ids| K::vertices(mesh, ids)) {
+            let (a, b) = vertices.as_ref().split_at(K::FIRST);
+            if K::are_apart(&vertices)
+                && self.can_collide.allows(a, b)
+                && let Some(query) = self.trajectories.query::<K>(vertices)
+            {
+                found(&vertices, query);
+            }
         }
     }
 

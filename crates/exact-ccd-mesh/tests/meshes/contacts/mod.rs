@@ -3,6 +3,7 @@
 mod bisection;
 mod can_collide;
 mod candidates;
+mod clearances;
 mod distance;
 mod free_step;
 mod free_steps;

@@ -1,0 +1,94 @@
+//! Answers for each vertex: first contacts and clearances.
+
+use exact_ccd::Separation;
+
+use crate::border::call;
+use crate::contact::Contact;
+use crate::contacts::Contacts;
+use crate::detector::Detector;
+use crate::error::{Error, Status};
+use crate::pointers::{Out, fill, places, positions, reference_mut};
+
+/// All contacts of a step, the earliest first, and the first one of each vertex: for methods that limit the
+/// displacement of each vertex by a rule of their own.
+///
+/// `first` has room for `vertex_count` indices in the list: that of the first contact of a pair to which the
+/// vertex belongs, or the number of contacts for a vertex without contact. `times` has room for as many
+/// numbers: its time, rounded down, or infinity. The list `contacts` is freed with `exact_ccd_contacts_free`.
+/// Other arguments as in `exact_ccd_detector_collides`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_first_contacts(
+    detector: *mut Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    until: f64,
+    first: *mut usize,
+    times: *mut f64,
+    contacts: *mut *mut Contacts,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let (detector, x0, x1, first, times, contacts) = unsafe {
+            let detector = reference_mut("detector", detector)?;
+            let (x0, x1) = (
+                positions("x0", x0, vertex_count)?,
+                positions("x1", x1, vertex_count)?,
+            );
+            let contacts = Out::new("contacts", contacts)?;
+            let first = places("first", first, vertex_count)?;
+            (
+                detector,
+                x0,
+                x1,
+                first,
+                places("times", times, vertex_count)?,
+                contacts,
+            )
+        };
+        let options = detector.options().until(until);
+        let found = detector.run(|detector| Ok(detector.first_contacts(x0, x1, options)?))?;
+        let count = found.contacts.len();
+        fill(times, found.times());
+        fill(
+            first,
+            found
+                .of_vertices
+                .iter()
+                .map(|of_vertex| of_vertex.unwrap_or(count)),
+        );
+        let of = |contact| Contact::of(detector.inner.mesh(), [x0, x1], contact);
+        let list = found.contacts.iter().map(of).collect();
+        contacts.write(Box::into_raw(Box::new(Contacts(list))));
+        Ok(())
+    })
+}
+
+/// The clearance of each vertex at rest: the least distance of a pair of primitives one of which has the
+/// vertex, or `cut_off` if all are farther apart. It is the largest `double` that is not above.
+///
+/// A mesh of which each vertex moves by less than half of its clearance, on whatever path, is free of contact
+/// (docs/steps.md). The minimum distance of the detector has no part in it. `clearances` has room for
+/// `vertex_count` numbers, and `cut_off` is finite and at least 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_clearances(
+    detector: *mut Detector,
+    x: *const f64,
+    vertex_count: usize,
+    cut_off: f64,
+    clearances: *mut f64,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let (detector, x, clearances) = unsafe {
+            let detector = reference_mut("detector", detector)?;
+            let x = positions("x", x, vertex_count)?;
+            (detector, x, places("clearances", clearances, vertex_count)?)
+        };
+        let cut_off =
+            Separation::new(cut_off).map_err(|error| Error::argument(format_args!("cut_off: {error}")))?;
+        let found = detector.run(|detector| Ok(detector.clearances(x, cut_off)?))?;
+        fill(clearances, found);
+        Ok(())
+    })
+}

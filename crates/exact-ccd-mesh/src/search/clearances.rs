@@ -1,0 +1,111 @@
+//! The distance of each vertex to the rest of the mesh.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use exact_ccd::{Options, Point, Separation};
+
+use super::collect::Collect;
+use super::detector::Detector;
+use super::narrow_phase::NarrowPhase;
+use crate::broad_phase::BroadPhase;
+use crate::mesh::TriangleMesh;
+use crate::pairs::PairKind;
+use crate::steps::StepError;
+
+impl<B: BroadPhase> Detector<B> {
+    /// The clearance of each vertex at rest: the least distance of a [`Pair`](crate::Pair) whose primitives
+    /// have the vertex, or the cut-off, if all are farther apart. It is the largest f64 that is not above.
+    ///
+    /// The pairs of a vertex are those of it with a face, those of a face that has it with another vertex,
+    /// and those of an edge that has it with another edge; with points and rods, the others that [`Pair`]
+    /// lists. So a mesh of which each vertex moves by less than half of its clearance, on whatever path, is
+    /// free of contact: no point of a primitive moves farther than one of its vertices, which is less than
+    /// half of the distance of any of its pairs.
+    ///
+    /// The time is that of the pairs within the cut-off: about the largest displacement that is of interest,
+    /// twice.
+    ///
+    /// ```
+    /// use exact_ccd::Separation;
+    /// use exact_ccd_mesh::{Detector, TriangleMesh};
+    ///
+    /// let mesh = TriangleMesh::new(5, vec![[0, 1, 2]])?;
+    /// let floor = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let x = [&floor[..], &[[0.25, 0.25, 0.5], [5.0, 0.0, 1.0]]].concat();
+    ///
+    /// let clearances = Detector::new(mesh).clearances(&x, Separation::new(2.0)?)?;
+    /// assert_eq!(clearances, [0.5, 0.5, 0.5, 0.5, 2.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`StepError`] names the positions that are too many, too few or not finite, or, with the check of the
+    /// start, the edge that passes through a face.
+    ///
+    /// [`Pair`]: crate::Pair
+    pub fn clearances(&mut self, x: &[Point], cut_off: Separation) -> Result<Vec<f64>, StepError> {
+        let mut begun = self.begin(x, x, Options::within(cut_off))?;
+        Ok(begun.run(Clearances::new(x.len(), cut_off)).into_values())
+    }
+}
+
+/// The least distances of the pairs so far, for each vertex.
+struct Clearances {
+    /// Their bits, which are in the order of the numbers.
+    least: Vec<AtomicU64>,
+}
+
+impl Clearances {
+    fn new(vertex_count: usize, cut_off: Separation) -> Self {
+        let bits = cut_off.get().to_bits();
+        Self {
+            least: (0..vertex_count).map(|_| AtomicU64::new(bits)).collect(),
+        }
+    }
+
+    fn into_values(self) -> Vec<f64> {
+        let bits = self.least.into_iter().map(AtomicU64::into_inner);
+        bits.map(f64::from_bits).collect()
+    }
+
+    /// The distance below which a pair matters.
+    fn of(&self, vertices: &[u32]) -> f64 {
+        let bits = vertices
+            .iter()
+            .map(|&vertex| self.least[vertex as usize].load(Ordering::Relaxed));
+        f64::from_bits(bits.max().unwrap_or_default())
+    }
+}
+
+impl Collect for Clearances {
+    const PROFITS_FROM_SAMPLE: bool = false;
+
+    fn until(&self) -> f64 {
+        0.0
+    }
+
+    fn examine<K: PairKind>(
+        &self,
+        narrow_phase: &NarrowPhase,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+    ) -> ControlFlow<()> {
+        narrow_phase.queries::<K>(mesh, pairs, |vertices, query| {
+            // Most pairs are beyond what their vertices have, which filters prove.
+            let Ok(most) = Separation::new(self.of(vertices.as_ref())) else {
+                return;
+            };
+            if !query.collides(most) {
+                return;
+            }
+            let Ok(distance) = query.distance_at(0.0) else {
+                return;
+            };
+            for &vertex in vertices.as_ref() {
+                self.least[vertex as usize].fetch_min(distance.lower.to_bits(), Ordering::Relaxed);
+            }
+        });
+        ControlFlow::Continue(())
+    }
+}
