@@ -163,7 +163,7 @@ Proof.
   - exists right, right_leaves, right_nodes; split; [exact right_built|split; [|split; [|lia]]].
     + exists (nodes_before ++ [all_of first_leaf rest] ++ left_nodes), nodes_after; split.
       * rewrite nodes_are, <- !app_assoc; simpl; rewrite <- !app_assoc; reflexivity.
-      * unfold second_child; cbn [node_place]; rewrite !app_length, first_count; simpl; lia.
+      * unfold second_child; cbn [node_place]; rewrite !app_length, first_count; simpl length; lia.
     + exists (before ++ left_leaves), after; split; [rewrite leaves_are, <- !app_assoc; reflexivity|].
       rewrite app_length; unfold second_child; cbn [node_begin]; lia.
 Qed.
@@ -171,7 +171,7 @@ Qed.
 Lemma leaf_of_children t n l : is_node t n -> leaf_of t n l -> leaf_of t (first_child n) l \/ leaf_of t (second_child n) l.
 Proof.
   intros _ (i & range & here); destruct (Nat.lt_ge_cases i (node_begin n + count n / 2)); [left|right];
-    exists i; split; simpl; auto; lia.
+    exists i; split; cbn [first_child second_child node_begin node_end]; try exact here; lia.
 Qed.
 
 (** ** The search *)
@@ -248,12 +248,14 @@ Proof.
   set (middle := (node_begin n + count n / 2)%nat).
   rewrite !in_app_iff.
   destruct (Nat.lt_ge_cases j middle) as [left|right]; [|destruct (Nat.lt_ge_cases i middle) as [left|right']].
-  - destruct (IH (first_child n) first_node ltac:(lia) i j x y) as [apart|here]; simpl; fold middle; auto; lia.
+  - destruct (IH (first_child n) first_node ltac:(lia) i j x y) as [apart|here];
+      cbn [first_child second_child node_begin node_end]; fold middle; auto; lia.
   - destruct (between_complete (2 * count n) d t t (first_child n) (second_child n) first_node second_node ltac:(lia) x y)
-      as [apart|here]; simpl; fold middle; auto.
-    + exists i; simpl; fold middle; split; [lia|exact i_here].
-    + exists j; simpl; fold middle; split; [lia|exact j_here].
-  - destruct (IH (second_child n) second_node ltac:(lia) i j x y) as [apart|here]; simpl; fold middle; auto; lia.
+      as [apart|here]; auto.
+    + exists i; cbn [first_child node_begin node_end]; fold middle; split; [lia|exact i_here].
+    + exists j; cbn [second_child node_begin node_end]; fold middle; split; [lia|exact j_here].
+  - destruct (IH (second_child n) second_node ltac:(lia) i j x y) as [apart|here];
+      cbn [first_child second_child node_begin node_end]; fold middle; auto; lia.
 Qed.
 
 (** [Tree::new] and [root]. *)
