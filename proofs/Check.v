@@ -1,35 +1,23 @@
 (** The statements of one step: [check_table] and [check_step] of the file [check.rs], [pairs] of [tree.rs]. *)
 
 From Coq Require Import Reals ZArith List Bool Lra Lia Permutation.
-Require Import Vectors Motion Separation Rest Grid Tree Boxes Polynomial Moving InContact.
+Require Import Vectors Motion Separation Rest Grid Tree Boxes Polynomial Moving InContact Mesh.
 Import ListNotations.
 Open Scope R_scope.
 
 Definition id := nat.
 
 Section Check.
-Variable V : Type.
+Local Notation V := nat.
 Variable m : motion V.
 Hypothesis distance_not_negative : (0 <= distance V m)%Z.
-Variable all : list V.
+Variable mesh : Mesh.mesh.
+Hypothesis made : is_mesh mesh.
 Variable until : time.
 
-(** [Mesh::pair] and [Mesh::primitives]. *)
-Variable pair_of : kind -> id * id -> option (pair V).
-Variable primitives : kind -> bool -> list (id * (V * V * V)).
-
-Definition is_one_set (k : kind) : bool := match k with EdgeEdge | VertexVertex => true | _ => false end.
-
-Definition is_vertex_of (corners : V * V * V) (v : V) := let '(a, b, c) := corners in In v [a; b; c].
-
-(** A pair that counts consists of primitives of the kind. *)
-Hypothesis pair_of_primitives : forall k a b p, pair_of k (a, b) = Some p ->
-  fits k p /\ (forall v, In v (first V p) \/ In v (second V p) -> In v all)
-  /\ (k = EdgeFace -> has_distance V p = false)
-  /\ (is_one_set k = true -> (a < b)%nat /\ primitives k false = primitives k true)
-  /\ exists a_corners b_corners, In (a, a_corners) (primitives k false) /\ In (b, b_corners) (primitives k true)
-    /\ (forall v, In v (first V p) -> is_vertex_of a_corners v)
-    /\ (forall v, In v (second V p) -> is_vertex_of b_corners v).
+Local Notation all := (seq 0 (vertex_count mesh)).
+Local Notation pair_of := (Mesh.pair_of mesh).
+Local Notation primitives := (Mesh.primitives mesh).
 
 (** ** The pairs that need a proof *)
 
@@ -170,7 +158,7 @@ Lemma table_proof k rows a b p : check_table k rows = true -> pair_of k (a, b) =
     /\ is_separate (prune_distance k) (snd (leaf_for k (a, a_corners))) (snd (leaf_for k (b, b_corners))) = true.
 Proof.
   unfold check_table; intros holds counted; apply andb_prop in holds as (_ & holds).
-  destruct (pair_of_primitives k a b p counted) as (fit & listed & contact & ordered & a_corners & b_corners & a_here & b_here & first_in & second_in).
+  destruct (pair_of_primitives mesh made k a b p counted) as (fit & listed & contact & ordered & a_corners & b_corners & a_here & b_here & first_in & second_in).
   destruct (pairs_complete k a b p a_corners b_corners counted) as [here|apart]; try assumption; [intros one; apply ordered, one| |].
   - left; apply (match_rows_all k rows (sort (pairs k))); [exact holds|].
     apply (Permutation_in _ (sort_permutes _) here).
@@ -193,7 +181,7 @@ Theorem table_free k rows ids p t : k <> EdgeFace -> check_table k rows = true -
   0 <= t <= moment until -> apart V m p t.
 Proof.
   destruct ids as (a, b); intros moving holds counted range.
-  destruct (pair_of_primitives k a b p counted) as (fit & listed & _).
+  destruct (pair_of_primitives mesh made k a b p counted) as (fit & listed & _).
   destruct (table_proof k rows a b p holds counted) as [(w & proved)|(a_corners & b_corners & first_in & second_in & separate)].
   - unfold is_proved in proved; rewrite counted in proved; destruct w as [g|inner from to].
     + apply (separates_apart V m distance_not_negative all until p g t listed); [destruct k; try contradiction; exact proved|exact range].
@@ -210,7 +198,7 @@ Qed.
 Theorem table_rest rows ids p : check_table EdgeFace rows = true -> pair_of EdgeFace ids = Some p -> ~ pierces V m p 0.
 Proof.
   destruct ids as (a, b); intros holds counted.
-  destruct (pair_of_primitives EdgeFace a b p counted) as (fit & listed & contact & _); specialize (contact eq_refl).
+  destruct (pair_of_primitives mesh made EdgeFace a b p counted) as (fit & listed & contact & _); specialize (contact eq_refl).
   destruct (table_proof EdgeFace rows a b p holds counted) as [(w & proved)|(a_corners & b_corners & first_in & second_in & separate)].
   - unfold is_proved in proved; rewrite counted in proved; destruct w as [g|inner from to].
     + intros piercing; apply (separates_rest V m distance_not_negative all until p g listed proved), pierces_within, piercing.
@@ -230,7 +218,7 @@ Theorem first_contact rows k ids p after witness : moment until < moment after -
   /\ forall k ids p t, k <> EdgeFace -> pair_of k ids = Some p -> 0 <= t <= moment until -> ~ within V m p t.
 Proof.
   intros later tables moving counted contact; split.
-  - destruct ids as (a, b); destruct (pair_of_primitives k a b p counted) as (fit & _).
+  - destruct ids as (a, b); destruct (pair_of_primitives mesh made k a b p counted) as (fit & _).
     destruct (is_contact_within V m k p until after witness fit ltac:(lra) contact) as (t & range & strict & near).
     exists t; split; [specialize (strict later); lra|exact near].
   - intros k' ids' p' t other counted' range; apply (table_free k' (rows k') ids' p' t other (tables k' other) counted' range).
@@ -240,7 +228,7 @@ Qed.
 Theorem contact_at_start k ids p witness : k <> EdgeFace -> pair_of k ids = Some p ->
   is_contact V m k p zero zero witness = true -> within V m p 0.
 Proof.
-  destruct ids as (a, b); intros moving counted contact; destruct (pair_of_primitives k a b p counted) as (fit & _).
+  destruct ids as (a, b); intros moving counted contact; destruct (pair_of_primitives mesh made k a b p counted) as (fit & _).
   destruct (is_contact_within V m k p zero zero witness fit ltac:(lra) contact) as (t & range & _ & near).
   rewrite zero_moment in range; replace 0 with t by lra; exact near.
 Qed.
