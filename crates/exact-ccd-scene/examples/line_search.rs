@@ -35,7 +35,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         (Some(name), Some(steps)) => vec![(name, steps.parse()?)],
         _ => SCENES.map(|(name, steps)| (name.to_owned(), steps)).to_vec(),
     };
-    println!("| scene, time steps | line search | iterations | time | least step | mean step | elastic, J | sum, J | unconverged | audit |");
+    println!(
+        "| scene, time steps | line search | iterations | time | least step | mean step | elastic, J | sum, J | unconverged | audit |"
+    );
     println!("|---|---|---:|---:|---:|---:|---:|---:|---:|---|");
     for (name, steps) in chosen {
         compare(&name, steps, meshes.as_deref())?;
@@ -122,7 +124,11 @@ impl Run {
         let taken = sizes().filter(|&&size| size > 0.0);
         let least = taken.fold(1.0_f64, |least, &size| least.min(size));
         let mean = sizes().sum::<f64>() / sizes().count() as f64;
-        let energies = self.statistics.last().map(|step| step.energies).unwrap_or_default();
+        let energies = self
+            .statistics
+            .last()
+            .map(|step| step.energies)
+            .unwrap_or_default();
         println!(
             "| {scene} | {} | {iterations} | {:.2} | {least:.1e} | {mean:.3} | {:.5} | {:.5} | {unconverged} | {} |",
             self.name,

@@ -25,11 +25,15 @@ pub enum Integrator {
     /// The backward differentiation formula of second order, with less numerical damping. The first step
     /// of a simulation is one of implicit Euler.
     Bdf2,
-    /// Implicit Euler from rest: each time step drops all velocities. With time steps that are long against
-    /// the periods of a body, each step ends near its equilibrium. The body must be held, by scripts or by
-    /// contact: a free one falls by the time step squared.
+    /// Equilibria: each time step ends where all forces balance, whatever its duration. A body that nothing holds
+    /// falls until it rests on others; one that falls without end does not converge.
     QuasiStatic,
 }
+
+/// The duration in s of a step from rest that ends in equilibrium. Without any inertia, the system would be
+/// singular for a body that nothing holds. That of a step of this duration changes an equilibrium by 1 / (ω · 100 s)²
+/// of its displacement, for the least angular frequency ω of the body.
+const LONG: f64 = 100.0;
 
 /// The equations of one time step: v = (x − origin) / duration, and the inertia of each vertex.
 ///
@@ -45,7 +49,7 @@ pub(crate) struct Scheme {
     pub(crate) origin: Vec<Point>,
     /// The positions in the absence of forces.
     predicted: Vec<Point>,
-    /// The factor of the masses: 1 + α duration, or 1 from rest.
+    /// The factor of the masses: 1 + α duration, or (duration / [`LONG`])² for equilibria.
     inertia: f64,
 }
 
@@ -66,7 +70,7 @@ impl Integrator {
                 let inertia = 1.0 + duration * damping;
                 (inertia, duration / inertia)
             }
-            Self::QuasiStatic => (1.0, 0.0),
+            Self::QuasiStatic => ((duration / LONG).min(1.0).powi(2), 0.0),
         };
         let ahead = |(x, v): (&Point, &Point)| core::array::from_fn(|axis| x[axis] + left * v[axis]);
         let predicted = origin.iter().zip(&drift).map(ahead).collect();

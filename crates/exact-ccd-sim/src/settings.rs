@@ -199,7 +199,9 @@ pub struct Friction {
     pub pairs: Vec<FrictionPair>,
     /// The slip velocity below which friction is static.
     pub static_velocity: Length,
-    /// The number of friction lags: updates of normal forces and tangent planes in a time step. At least 1.
+    /// The greatest number of friction lags: updates of normal forces and tangent planes in a time step. At least
+    /// 1. They end with the first update after which Newton's method converges in one iteration: with a large
+    /// number, the forces of friction are those of the end of the time step, within the tolerance.
     pub lags: usize,
 }
 

@@ -53,7 +53,7 @@ pub(super) fn of_unconverged(unconverged: &[u64], steps: u64) -> Option<String> 
     unconverged.first()?;
     let text = of_convergence(unconverged, steps);
     Some(format!(
-        "{text}: there, the motion is free of contact, but not accurate; \
+        "{text}: there, the motion is not accurate; \
          set a smaller `time-step`, a larger `max-iterations`, or `max-substeps`"
     ))
 }

@@ -32,11 +32,10 @@ impl Hinge {
     /// triangle has no area.
     pub(crate) fn new(vertices: [u32; 4], rest: &[Point], rigidity: f64) -> Option<Self> {
         let shape = Fold::of(rest, &vertices);
-        let area = 0.5 * (shape.normals[0].norm() + shape.normals[1].norm());
         let degenerate = shape.normals.iter().any(|normal| normal.norm_squared() == 0.0);
         (!degenerate).then(|| Self {
             vertices,
-            stiffness: rigidity * shape.edge.norm_squared() / area,
+            stiffness: rigidity * shape.stiffness(),
             rest: shape.angle(),
         })
     }
@@ -86,6 +85,11 @@ impl Fold {
         let sides = [c - a, d - a];
         let normals = [edge.cross(&sides[0]), sides[1].cross(&edge)];
         Self { edge, sides, normals }
+    }
+
+    /// |e|² / A.
+    pub(super) fn stiffness(&self) -> f64 {
+        self.edge.norm_squared() / (0.5 * (self.normals[0].norm() + self.normals[1].norm()))
     }
 
     /// The angle from the first normal to the second, counterclockwise about the edge.

@@ -1,33 +1,43 @@
 //! Bending of thin shells, averaged about vertices.
 
 use std::collections::BTreeMap;
+use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, MatrixXx3, RowVector3, Vector3};
 
 use super::hinge::{Fold, Hinge};
 use crate::energy::{Energy, Projection, gather};
 use crate::hinges::{Side, hinges};
 
-/// The part of the bending energy that hinges have on their own, see [`VertexBend`].
-const OWN: f64 = 0.2;
+/// The stiffness against the part of a fold that no curvature explains, relative to that of a [`Hinge`].
+const REST: f64 = 0.5;
+
+/// The least singular value of the mean of a curvature about a vertex that counts: for most meshes, all are near
+/// 1. Curvatures that the hinges of a vertex do not show count as zero.
+const LEAST: f64 = 0.01;
 
 /// The bending energy of the hinges that share a vertex.
 ///
 /// The curvature of a surface of triangles is concentrated at its edges: its integral along an edge of length
 /// l with the unit normal n in the surface is l θ n ⊗ n, where θ is the change of the angle between both
 /// faces. The mean curvature tensor about a vertex, weighted by the linear function that is 1 at the vertex,
-/// is H = Σ ½ l θ n ⊗ n / A, over the edges of the vertex, with a third of the area of its faces, A. The
-/// energy is that of a plate: ½ A D ((1 − ν) H : H + ν (tr H)²), with the flexural rigidity D and Poisson's
-/// ratio ν.
+/// is M θ = Σ ½ l θ n ⊗ n / A, over the edges of the vertex, with a third of the area of its faces, A.
 ///
-/// The energy of a shell is 0.8 times the sum of this over all vertices, and 0.2 times that of its
-/// [hinges](Hinge), which also resist the folds whose mean about every vertex vanishes. That of hinges alone
-/// depends on the arrangement of the triangles, not on their size: strips are up to 21 % too soft. The mean
-/// is a mixed finite element of the Hessian with lumped masses, as that of O. Stein, E. Grinspun, M.
-/// Wardetzky, A. Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with
-/// terms of the vertices on the boundary too.
+/// Let the angles be C κ where the vertices are on a graph of constant curvature κ. On regular meshes M C = 1;
+/// on others, and at the boundary, the mean of constant curvature is another one. H = (M C)⁻¹ M θ is the
+/// curvature of any such graph. What it does not explain is the rest r = θ − C H of the angles. The energy is
+/// that of a plate and that of half a hinge for the rest:
+///
+/// ½ A D ((1 − ν) H : H + ν (tr H)²) + ½ Σ ½ D (l² / a) r² / 2,
+///
+/// with the flexural rigidity D, Poisson's ratio ν and the area a of both faces of an edge, of which either
+/// end has half. The rest of constant curvature is 0: on any mesh, the energy is that of a plate then. This is the
+/// principle of the virtual element method, a consistent part and a stable rest: L. Beirão da Veiga, F. Brezzi, A.
+/// Cangiani, G. Manzini, L. Marini, A. Russo, *Basic principles of virtual element methods*, 2013. The mean
+/// is that of O. Stein, E. Grinspun, M. Wardetzky, A. Jacobson, *Natural boundary conditions for smoothing in
+/// geometry processing*, 2018, with terms of the vertices on the boundary too.
 #[derive(Debug)]
 pub(crate) struct VertexBend {
     vertices: Vec<u32>,
@@ -129,8 +139,10 @@ pub(crate) fn bending(
     for side in &sides {
         let ends = side.vertices[..2].iter().filter_map(|end| stars.get(end));
         let twisted = ends.filter(|star| star.is_twisted).count();
-        let share = OWN + (1.0 - OWN) * 0.5 * twisted as f64;
-        let hinge = Hinge::new(side.vertices, points, share * rigidity);
+        if twisted == 0 {
+            continue;
+        }
+        let hinge = Hinge::new(side.vertices, points, 0.5 * twisted as f64 * rigidity);
         elements.extend(hinge.map(|hinge| Arc::new(hinge) as Arc<dyn Energy>));
     }
     let whole = stars
@@ -149,29 +161,81 @@ fn vertex_bend(points: &[Point], star: &Star, sides: &[Side], rigidity: f64, poi
     vertices.dedup();
     let place = |vertex: u32| vertices.partition_point(|&other| other < vertex);
     let folds = corners.iter().map(|corners| corners.map(place)).collect();
-    let rest = corners.iter().map(|corners| Fold::of(points, corners).angle());
-    let normal = star.normal.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
-    // The edges at rest, with their lengths, in the tangent plane.
-    let edges: Vec<Vector3<f64>> = corners
-        .iter()
-        .map(|corners| {
-            let [a, b] = gather(points, &[corners[0], corners[1]]);
-            let edge = b - a;
-            let along = (edge - normal * normal.dot(&edge)).try_normalize(0.0);
-            along.map_or(edge, |along| along * edge.norm())
-        })
-        .collect();
-    let factor = (1.0 - OWN) * 0.25 * rigidity / star.area;
-    let stiffness = DMatrix::from_fn(edges.len(), edges.len(), |row, column| {
-        let (a, b) = (edges[row], edges[column]);
-        let (lengths, along) = (a.norm() * b.norm(), a.dot(&b));
-        // l l′ (ν + (1 − ν) (n · n′)²): normals in the plane enclose the angle of the edges.
-        factor * (poisson * lengths + (1.0 - poisson) * along * along / lengths)
-    });
+    let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
+    let plane = Plane::of(star);
+    let (mut means, mut angles) = (Matrix3xX::zeros(corners.len()), MatrixXx3::zeros(corners.len()));
+    for (place, (shape, corners)) in shapes.iter().zip(&corners).enumerate() {
+        let corners = gather(points, corners);
+        means.set_column(
+            place,
+            &(plane.across(corners[1] - corners[0]) * (0.5 / star.area)),
+        );
+        angles.set_row(
+            place,
+            &plane.angles(shape, corners.map(|corner| corner - corners[0])),
+        );
+    }
+    let found = (&means * &angles).pseudo_inverse(LEAST);
+    let curvature = found.unwrap_or_else(|_| Matrix3::zeros()) * means;
+    let rest = DMatrix::identity(corners.len(), corners.len()) - angles * &curvature;
+    let trace = Vector3::new(1.0, 1.0, 0.0);
+    let plate = Matrix3::identity() * (1.0 - poisson) + trace * trace.transpose() * poisson;
+    let of_rest = DVector::from_iterator(
+        shapes.len(),
+        shapes.iter().map(|shape| 0.5 * REST * shape.stiffness()),
+    );
+    let stiffness = curvature.transpose() * (plate * star.area) * &curvature
+        + rest.transpose() * DMatrix::from_diagonal(&of_rest) * &rest;
     VertexBend {
         folds,
-        rest: rest.collect(),
-        stiffness,
+        rest: shapes.iter().map(Fold::angle).collect(),
+        stiffness: stiffness * rigidity,
         vertices,
+    }
+}
+
+/// The tangent plane of a vertex at rest. Symmetric tensors in it are vectors of xx, yy and √2 xy, which have the
+/// same products.
+struct Plane {
+    normal: Vector3<f64>,
+    axes: [Vector3<f64>; 2],
+}
+
+impl Plane {
+    fn of(star: &Star) -> Self {
+        let normal = star.normal.try_normalize(0.0).unwrap_or_else(Vector3::z);
+        let first = normal.cross(&Vector3::ith(normal.iamin(), 1.0)).normalize();
+        Self {
+            normal,
+            axes: [first, normal.cross(&first)],
+        }
+    }
+
+    fn coordinates(&self, vector: &Vector3<f64>) -> [f64; 2] {
+        self.axes.map(|axis| axis.dot(vector))
+    }
+
+    /// l n ⊗ n for an edge of length l in space and the normal n to it in the plane.
+    fn across(&self, edge: Vector3<f64>) -> Vector3<f64> {
+        let [x, y] = self.coordinates(&edge);
+        let square = x * x + y * y;
+        if square > 0.0 {
+            Vector3::new(y * y, x * x, -SQRT_2 * x * y) * (edge.norm() / square)
+        } else {
+            Vector3::zeros()
+        }
+    }
+
+    /// The change of the angle of a fold, if its vertices rise along the normal to ½ x κ x, for each of the three
+    /// coordinates of κ. The derivatives of an angle do not depend on linear functions of x: its origin is
+    /// arbitrary.
+    fn angles(&self, shape: &Fold, corners: [Vector3<f64>; 4]) -> RowVector3<f64> {
+        let gradient = shape.gradient();
+        let changes = corners.iter().enumerate().map(|(place, corner)| {
+            let [x, y] = self.coordinates(corner);
+            let rise = gradient.fixed_rows::<3>(3 * place).dot(&self.normal);
+            RowVector3::new(0.5 * x * x, 0.5 * y * y, x * y / SQRT_2) * rise
+        });
+        changes.sum()
     }
 }

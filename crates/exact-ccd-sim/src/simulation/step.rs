@@ -207,7 +207,8 @@ impl Simulation {
         };
         let Self { system, settings, .. } = &*self;
         let mut friction = Vec::new();
-        for _ in 0..settings.friction.lags.max(1) {
+        for lag in 0..settings.friction.lags.max(1) {
+            let iterations = statistics.iterations;
             friction = self.friction(&now, lagged.unwrap_or(now.stiffness), &scheme, smoothing);
             let newton = Newton {
                 system,
@@ -226,7 +227,9 @@ impl Simulation {
             };
             statistics.converged &= newton.minimise(&mut memory, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);
-            if !settings.friction.acts() {
+            // The forces of an update leave the positions where they are, within the tolerance.
+            let is_settled = lag > 0 && statistics.converged && statistics.iterations == iterations + 1;
+            if is_settled || !settings.friction.acts() {
                 break;
             }
         }

@@ -96,8 +96,7 @@ impl Newton<'_> {
         let end = is_by_vertex.then(|| steps.truncated(self.system, step, &[]));
         statistics.seconds.ccd += clock.elapsed().as_secs_f64();
         if let Some(end) = end.flatten()
-            && let Some(taken) =
-                self.search_to(now, &end, direction, part * longest, potential, statistics)
+            && let Some(taken) = self.search_to(now, &end, direction, part * longest, potential, statistics)
         {
             self.take(now, taken, statistics);
             return Ok(true);

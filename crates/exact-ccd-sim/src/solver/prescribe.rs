@@ -133,8 +133,8 @@ impl Newton<'_> {
         };
         let candidates = self.system.near(step, &self.barrier);
         let obstacles = self.system.obstacle_pairs(step);
-        let is_free = self.is_free(&candidates, step)
-            && self.filter.is_free(&obstacles, step, &MinDistance::default());
+        let is_free =
+            self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step, &MinDistance::default());
         let collisions = self.collisions(&candidates, &end);
         let is_taken = is_free && potential.value(&end, collisions.as_slice()).is_finite();
         if is_taken {

@@ -1,10 +1,13 @@
 //! The line search takes only steps that the filter has accepted.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use exact_ccd::{CONTACT, Ccd, Decide, Guarantees, Kind, Query, TimeGuarantee};
 use exact_ccd_mesh::{Audit, Frame, Point, Violation};
-use exact_ccd_sim::{Script, Settings, Simulation, StepFilter, System, shapes};
+use exact_ccd_sim::{
+    Script, Settings, Simulation, SimulationError, State, Statistics, StepFilter, System, shapes,
+};
 
 /// A method whose time of impact is always just below 1. Its decision is exact if `decides`, else always
 /// free.
@@ -81,4 +84,74 @@ fn no_scripted_step_is_taken_without_a_decision() {
     let system = || System::new(&[cloth.clone(), floor.clone()], &[rising.clone().on(9..13)]).unwrap();
     assert_eq!(violation(system(), Hasty { decides: true }), None);
     assert!(violation(system(), Hasty { decides: false }).is_some());
+}
+
+/// A method that finds contact in everything while the flag is true, and is exact otherwise.
+struct Stuck(Arc<AtomicBool>);
+
+impl<K: Kind> Decide<K> for Stuck {
+    fn collides(&self, query: &Query<K>) -> bool {
+        self.0.load(Ordering::Relaxed) || query.collides(CONTACT)
+    }
+
+    fn time_of_impact(&self, _: &Query<K>) -> Option<f64> {
+        None
+    }
+}
+
+impl Ccd for Stuck {
+    fn name(&self) -> &'static str {
+        "stuck"
+    }
+
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: true,
+            time: TimeGuarantee::Absent,
+        }
+    }
+}
+
+/// The result of a time step with at most 8 parts, with the number of blocked attempts, of which the method blocks
+/// this many.
+fn blocked_step(most: usize) -> (Result<Statistics, SimulationError>, usize, [State; 2]) {
+    let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 5e-4, z + 0.2]);
+    let system = System::new(&[cube, shapes::floor([1, 1], [1.1, 1.2])], &[]).unwrap();
+    let is_stuck = Arc::new(AtomicBool::new(most > 0));
+    let attempts = Arc::new(AtomicUsize::new(0));
+    let filter = StepFilter::new("stuck", Arc::new(Stuck(Arc::clone(&is_stuck))));
+    let count = Arc::clone(&attempts);
+    // An attempt that is blocked ends with its first step.
+    let filter = filter.observed(move |candidates, _| {
+        assert!(!candidates.is_empty());
+        if is_stuck.load(Ordering::Relaxed) && count.fetch_add(1, Ordering::Relaxed) == most {
+            is_stuck.store(false, Ordering::Relaxed);
+        }
+    });
+    let simulation = Simulation::new(system, Settings::default()).unwrap();
+    let mut simulation = simulation.with_filter(filter).unwrap();
+    let before = simulation.state().clone();
+    let mut increments = 0;
+    let result = simulation.step_along(&mut |_| increments += 1);
+    assert_eq!(increments > 0, result.is_ok());
+    let attempts = attempts.load(Ordering::Relaxed).min(most);
+    (result, attempts, [before, simulation.state().clone()])
+}
+
+/// A blocked time step is repeated in 2, 4 and 8 parts. If all of them are blocked, the error leaves the state as it
+/// was, and no increment is visited.
+#[test]
+fn a_blocked_step_is_repeated_in_parts() {
+    for most in 0..4 {
+        let (result, attempts, [_, after]) = blocked_step(most);
+        assert!(result.unwrap().converged);
+        assert_eq!((attempts, after.step), (most, 1));
+    }
+    let (result, attempts, [before, after]) = blocked_step(usize::MAX);
+    assert!(
+        matches!(result, Err(SimulationError::Blocked { step: 1, .. })),
+        "{result:?}"
+    );
+    assert_eq!((attempts, before), (4, after));
 }

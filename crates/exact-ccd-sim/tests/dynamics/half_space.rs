@@ -1,7 +1,8 @@
 //! Half spaces as obstacles.
 
 use exact_ccd_sim::{
-    Friction, HalfSpace, Length, Plane, Settings, Simulation, SimulationError, System, SystemError, shapes,
+    Friction, HalfSpace, Length, LineSearch, Plane, Settings, Simulation, SimulationError, System,
+    SystemError, shapes,
 };
 use nalgebra::Vector3;
 
@@ -29,22 +30,25 @@ fn above(height: f64) -> System {
 /// A cube that falls fast onto a half space stays apart from it in every increment, exactly.
 #[test]
 fn no_increment_enters_a_half_space() {
-    let settings = Settings {
-        gravity: (Plane::of(&TILTED).normal * -300.0).into(),
-        time_step: 0.05,
-        ..Settings::default()
-    };
-    let mut simulation = Simulation::new(above(0.3), settings).unwrap();
-    let system = simulation.system().clone();
-    let (mut increments, mut contacts) = (0, 0);
-    for _ in 0..10 {
-        let visit = &mut |positions: &[[f64; 3]]| {
-            increments += 1;
-            assert_eq!(system.first_grounded(positions), None);
+    for line_search in [LineSearch::Common, LineSearch::Vertex] {
+        let settings = Settings {
+            gravity: (Plane::of(&TILTED).normal * -300.0).into(),
+            time_step: 0.05,
+            line_search,
+            ..Settings::default()
         };
-        contacts += simulation.step_along(visit).unwrap().contacts;
+        let mut simulation = Simulation::new(above(0.3), settings).unwrap();
+        let system = simulation.system().clone();
+        let (mut increments, mut contacts) = (0, 0);
+        for _ in 0..10 {
+            let visit = &mut |positions: &[[f64; 3]]| {
+                increments += 1;
+                assert_eq!(system.first_grounded(positions), None);
+            };
+            contacts += simulation.step_along(visit).unwrap().contacts;
+        }
+        assert!(increments > 20 && contacts > 0, "{increments} {contacts}");
     }
-    assert!(increments > 20 && contacts > 0, "{increments} {contacts}");
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod friction_pairs;
 mod half_space;
 mod impact;
 mod lengths;
+mod line_search;
 mod loads;
 mod measure;
 mod newton;

@@ -1,7 +1,7 @@
 //! A mat that is twisted by scripts.
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::{Length, Script, Settings, Simulation, State, System, shapes};
+use exact_ccd_sim::{Length, LineSearch, Script, Settings, Simulation, State, System, shapes};
 
 fn system() -> System {
     let mat = shapes::cloth([10, 6], [1.0, 0.4]);
@@ -19,8 +19,9 @@ fn system() -> System {
     System::new(&[mat], &scripts).unwrap()
 }
 
-fn settings() -> Settings {
+fn settings(line_search: LineSearch) -> Settings {
     Settings {
+        line_search,
         time_step: 0.04,
         gravity: [0.0; 3],
         contact_distance: Length::Absolute(2e-3),
@@ -28,9 +29,11 @@ fn settings() -> Settings {
     }
 }
 
+const LINE_SEARCHES: [LineSearch; 2] = [LineSearch::Common, LineSearch::Vertex];
+
 /// The state after 20 steps. `visit` gets the positions before and after each increment.
-fn twisted(mut visit: impl FnMut(&[Point], &[Point]) + Send) -> State {
-    let mut simulation = Simulation::new(system(), settings()).unwrap();
+fn twisted(line_search: LineSearch, mut visit: impl FnMut(&[Point], &[Point]) + Send) -> State {
+    let mut simulation = Simulation::new(system(), settings(line_search)).unwrap();
     let mut at = simulation.state().positions.clone();
     let mut contacts = 0;
     for _ in 0..20 {
@@ -52,15 +55,17 @@ fn twisted(mut visit: impl FnMut(&[Point], &[Point]) + Send) -> State {
 #[test]
 fn every_increment_is_free_of_contact() {
     let surface = system().surface().clone();
-    let mut increments = 0;
-    let state = twisted(|from, to| {
-        increments += 1;
-        assert!(exact_ccd_mesh::step(&surface, from, to).unwrap().is_free());
-    });
-    assert!(increments > 40);
-    // The scripts rotate the ends by 3.2 rad in opposite directions.
-    let moved = state.positions[0];
-    assert!((moved[1] - 0.2 * 3.2_f64.sin()).abs() < 1e-12, "{moved:?}");
+    for line_search in LINE_SEARCHES {
+        let mut increments = 0;
+        let state = twisted(line_search, |from, to| {
+            increments += 1;
+            assert!(exact_ccd_mesh::step(&surface, from, to).unwrap().is_free());
+        });
+        assert!(increments > 40);
+        // The scripts rotate the ends by 3.2 rad in opposite directions.
+        let moved = state.positions[0];
+        assert!((moved[1] - 0.2 * 3.2_f64.sin()).abs() < 1e-12, "{moved:?}");
+    }
 }
 
 #[test]
@@ -70,7 +75,9 @@ fn results_do_not_depend_on_the_number_of_threads() {
             .num_threads(threads)
             .build()
             .unwrap();
-        pool.install(|| twisted(|_, _| ()))
+        pool.install(|| LINE_SEARCHES.map(|line_search| twisted(line_search, |_, _| ())))
     };
-    assert_eq!(on(1), on(2));
+    let states = on(1);
+    assert_eq!(states, on(2));
+    assert_ne!(states[0], states[1], "the line searches took the same steps");
 }
