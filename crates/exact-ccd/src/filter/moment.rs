@@ -59,7 +59,10 @@ impl Moment {
         let t = window.time_at(root.near);
         let value = (1.0 - t) * start + t * end;
         let radius = (root.high - root.near).max(root.near - root.low);
-        certain_sign(value, (start.abs() + end.abs()) * (2.0 * radius + margin(7) * UNIT))
+        certain_sign(
+            value,
+            (start.abs() + end.abs()) * (2.0 * radius + margin(7) * UNIT),
+        )
     }
 }
 
