@@ -17,9 +17,7 @@ const VERTEX: [Point; 2] = [[0.4, -0.4, 3.2], [-0.3, -0.4, -3.0]];
 pub(crate) fn figure() -> Result<String, Box<dyn Error>> {
     let [[a, b, c], [d, e, f]] = FACE;
     let query = Query::<VertexFace>::new([VERTEX[0], a, b, c], [VERTEX[1], d, e, f])?;
-    let impact = query
-        .time_of_impact(CONTACT)
-        .ok_or("the vertex meets the face")?;
+    let impact = query.time_of_impact(CONTACT).ok_or("the vertex meets the face")?;
     let mut drawing = Drawing::new("exact-ccd", [96, 96]);
     let view = View {
         centre: [46.0, 48.0],
