@@ -1,5 +1,5 @@
-//! Draws the figures of docs/parity.md and docs/separation.md, and the logo. The contacts, signs and closest features in
-//! them are computed, not prescribed.
+//! Draws the figures of docs/parity.md and docs/separation.md, and the logo. The contacts, signs and
+//! closest features in them are computed, not prescribed.
 //!
 //! ```sh
 //! cargo run --release -p exact-ccd-figures -- [FOLDER]
