@@ -1,7 +1,7 @@
 //! The bounds of a distance above 0, by the numbers of [`proof`](crate::filter::proof).
 
 use super::advance::Advancement;
-use super::approach::{Near, Step, product};
+use super::approach::{Near, OF_MINOR, Step, minor, product};
 use super::closest::Closest;
 use super::largest_square;
 use super::scaled::Scaled;
@@ -74,6 +74,9 @@ fn scalar_products_of_vectors_with_errors() {
         dot(a, b)
     };
     assert_eq!(symbol.roundings, 3);
+    let [a0, b0] = [vectors[0], vectors[1]].map(|[x, y, _]| [x, y].map(Symbol::exactly));
+    assert_eq!(minor(a0, b0).roundings, 2);
+    assert_eq!(OF_MINOR / UNIT, power(2));
     let moved = a.plus(
         &b,
         Step {

@@ -139,7 +139,7 @@ fn normals() {
         }
         let mut planes = Coplanarity::<Symbol>::new::<K>(&symbols([start, start]));
         for normal in planes.normals.iter_mut().chain([&mut planes.mixed]) {
-            *normal = normal.map(|x| x.afresh());
+            *normal = normal.map(Symbol::afresh);
         }
         let bounds = planes.least_distances(Within(Symbol::input(1.0)));
         for bound in bounds {
@@ -244,7 +244,7 @@ fn positions_near_a_root() {
         let (d0, d1) = (start[1][0] - start[0][0], end[1][0] - end[0][0]);
         let place = interpolate(d0, d1, Symbol::exactly(0.5));
         assert_counts(&[place], 4, 1, d0.value.abs());
-        let [a, b] = [start[0], start[1]].map(|point| point.map(|x| x.afresh()));
+        let [a, b] = [start[0], start[1]].map(|point| point.map(Symbol::afresh));
         let product = cross_along(0, a, b);
         assert_counts(&[product], 2, 2, product.permanent);
 
