@@ -23,7 +23,7 @@ pub(crate) fn towards<T: Number + Mul<S, Output = T>, S: Copy>(a: [T; 3], b: [T;
 }
 
 #[inline(always)]
-pub(crate) fn scaled<T: Lanes>(a: [T; 3], s: T) -> [T; 3] {
+pub(crate) fn scaled<T: Number + Mul<S, Output = T>, S: Copy>(a: [T; 3], s: S) -> [T; 3] {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 

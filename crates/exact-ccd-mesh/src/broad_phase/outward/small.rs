@@ -204,6 +204,7 @@ impl Format for Small {
 #[test]
 fn the_format_has_its_numbers() {
     assert_eq!(Small::FLUSHED.value, 4.0 * least_normal());
+    assert_eq!(<f64 as Format>::FLUSHED, 4.0 * f64::MIN_POSITIVE);
     for environment in Environment::all() {
         let numbers: Vec<f64> = environment.numbers().map(Small::value).collect();
         // 16 subnormal ones with 0, 16 for each exponent, and the negative ones.

@@ -6,6 +6,7 @@ use core::cmp::Ordering;
 use super::closest::Closest;
 use super::snapshot::{Moving, Snapshot};
 use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
+use crate::filter::number::Lanes;
 use crate::filter::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
 use crate::filter::vector::{cross, dot, minus, towards};
 use crate::impact::{Impact, unit};
@@ -228,9 +229,17 @@ fn along(e: &Near, x: &Near) -> Option<Step> {
     (least > 0.0).then_some(Step { value, error })
 }
 
+/// The error of [`minor`] by its roundings.
+pub(super) const OF_MINOR: f64 = margin(2) * UNIT;
+
+/// a b − c d.
+pub(super) fn minor<T: Lanes>([a, b]: [T; 2], [c, d]: [T; 2]) -> T {
+    a * b - c * d
+}
+
 /// The steps along a and b to the foot of the perpendicular, if these certainly are not parallel.
 ///
-/// By Cramer's rule, for [aa, ab; ab, bb] δ = −[ax, bx]. The determinant results from three more roundings
+/// By Cramer's rule, for [aa, ab; ab, bb] δ = −[ax, bx]. The determinant results from two more roundings
 /// of terms of at most aa bb, as ab² ≤ aa bb, and so do the numerators, of their terms. The error of a
 /// quotient is that of [`along`]; the factors of 2 cover its roundings.
 fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
@@ -241,8 +250,8 @@ fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
     let [bx, of_bx] = product(b, x);
     let [most_aa, most_bb, most_ab] = [aa + of_aa, bb + of_bb, ab.abs() + of_ab];
     let of_determinant =
-        of_aa * most_bb + of_bb * most_aa + 2.0 * of_ab * most_ab + margin(3) * UNIT * most_aa * most_bb;
-    let determinant = aa * bb - ab * ab;
+        of_aa * most_bb + of_bb * most_aa + 2.0 * of_ab * most_ab + OF_MINOR * most_aa * most_bb;
+    let determinant = minor([aa, bb], [ab, ab]);
     let least = determinant - 2.0 * of_determinant;
     let step = |numerator: f64, error: f64| {
         let value = numerator / determinant;
@@ -254,13 +263,18 @@ fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
         + of_ab * size_of_bx
         + most_bb * of_ax
         + of_bb * size_of_ax
-        + margin(3) * UNIT * (most_ab * size_of_bx + most_bb * size_of_ax);
+        + OF_MINOR * (most_ab * size_of_bx + most_bb * size_of_ax);
     let of_v = most_ab * of_ax
         + of_ab * size_of_ax
         + most_aa * of_bx
         + of_aa * size_of_bx
-        + margin(3) * UNIT * (most_ab * size_of_ax + most_aa * size_of_bx);
-    (least > 0.0).then(|| [step(ab * bx - bb * ax, of_u), step(ab * ax - aa * bx, of_v)])
+        + OF_MINOR * (most_ab * size_of_ax + most_aa * size_of_bx);
+    (least > 0.0).then(|| {
+        [
+            step(minor([ab, bx], [bb, ax]), of_u),
+            step(minor([ab, ax], [aa, bx]), of_v),
+        ]
+    })
 }
 
 /// `Some` if all distances of the parameters from the ends of their range certainly are positive.

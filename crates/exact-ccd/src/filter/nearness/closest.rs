@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use crate::filter::number::Number;
-use crate::filter::vector::{dot, minus, towards};
+use crate::filter::vector::{add, dot, minus, scaled, towards};
 use crate::kind::Kind;
 use crate::point::Point;
 
@@ -74,7 +74,7 @@ impl Closest {
             }
             Self::Inner([i, j], [u, v]) => {
                 let (a, b) = (minus(corners[i], corners[0]), minus(corners[j], corners[0]));
-                towards(towards(corners[0], a, u), b, v)
+                add(corners[0], towards(scaled(a, u), b, v))
             }
         }
     }

@@ -131,7 +131,7 @@ fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
 
 /// True if |x| < d for x = F(t, u, v).
 ///
-/// A component of x is off by at most 37 u (`proof/point.g`): corners result from their start, rounded once,
+/// A component of x is off by at most 39 u (`proof/point.g`): corners result from their start, rounded once,
 /// and from a velocity, or are at t = 0.
 fn is_certainly_within(x: Point, d: f64) -> bool {
     largest_square(x) < d * d
@@ -143,7 +143,7 @@ fn is_certainly_within(x: Point, d: f64) -> bool {
 /// with the bound one each: six, and a seventh is that of d². The errors are relative to positive terms.
 #[inline(always)]
 fn largest_square<T: Lanes>([x, y, z]: [T; 3]) -> T {
-    const ERROR: f64 = margin(37) * UNIT;
+    const ERROR: f64 = margin(39) * UNIT;
     let reach = [x.abs() + ERROR, y.abs() + ERROR, z.abs() + ERROR];
     dot(reach, reach) * (1.0 + margin(7) * UNIT)
 }

@@ -130,7 +130,7 @@ fn is_below(x: Vector<DoubleDouble>, d: f64) -> bool {
 
 /// The error of |F|² − d², given the sum m of the magnitudes of the components.
 ///
-/// A component is off by 52 ε (`proof/precise_point.g`), so that |F|² is off by 104 ε m + 3 (52 ε)². Four
+/// A component is off by 53 ε (`proof/precise_point.g`), so that |F|² is off by 106 ε m + 3 (53 ε)². Four
 /// operations lead from the components to the result, two from d.
 pub(super) fn error_of_excess(m: f64, d: f64) -> f64 {
     let own = margin(4) * m * m + margin(2) * d * d;
@@ -153,7 +153,7 @@ impl Snapshot<DoubleDouble> {
         self.corners[i].map(Number::value)
     }
 
-    /// F at the guess, each component off by 52 ε, as in [`error_of_excess`], and one rounding.
+    /// F at the guess, each component off by 53 ε, as in [`error_of_excess`], and one rounding.
     pub(super) fn precise_point(&self) -> [f64; 3] {
         self.closest.point(&self.corners).map(Number::value)
     }

@@ -3,10 +3,14 @@
 //!
 //! `docs/proof.md` lists all bounds, and the check of each.
 
+mod assertions;
 mod gappa;
+mod operators;
+mod precise;
 mod roundings;
 mod symbol;
 
+pub(super) use assertions::{assert_bound, assert_counts, opposite_points, power, symbols};
 pub(super) use gappa::Script;
-pub(super) use roundings::{assert_bound, assert_counts, opposite_points, power, symbols};
-pub(super) use symbol::{Precise, Symbol};
+pub(super) use precise::Precise;
+pub(super) use symbol::Symbol;

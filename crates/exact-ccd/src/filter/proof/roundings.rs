@@ -5,6 +5,7 @@
 
 use core::ops::RangeInclusive;
 
+use super::assertions::{assert_bound, assert_counts, assert_in_range, opposite_points, power, symbols};
 use super::{Precise, Script, Symbol};
 use crate::filter::coplanarity::{Coplanarity, Expansion};
 use crate::filter::cubic::{Cubic, Root};
@@ -12,7 +13,7 @@ use crate::filter::double_double::ROUNDOFF;
 use crate::filter::gap::{Touching, Within};
 use crate::filter::hull::{Hull, diagonal_limit};
 use crate::filter::moment;
-use crate::filter::number::{Lanes, Points};
+use crate::filter::number::Lanes;
 use crate::filter::planar::Planar;
 use crate::filter::position::NearRoot;
 use crate::filter::precise_cubic::PreciseCubic;
@@ -21,58 +22,6 @@ use crate::filter::vector::{cross, cross_along, interpolate};
 use crate::kind::{EdgeEdge, Kind, VertexFace};
 use crate::predicates::{determinant, error_of_determinant};
 use crate::query::Query;
-
-/// Points that are the opposite of themselves at the other time: magnitudes are equal at both.
-pub(in crate::filter) fn opposite_points(seed: u64) -> Points<f64> {
-    let mut random = fastrand::Rng::with_seed(seed);
-    let start = [(); 4].map(|()| [(); 3].map(|()| random.f64() - 0.5));
-    [start, start.map(|point| point.map(|x| -x))]
-}
-
-pub(in crate::filter) fn symbols(points: Points<f64>) -> Points<Symbol> {
-    points.map(|now| now.map(|point| point.map(Symbol::input)))
-}
-
-/// The least power of two that is at least a quarter above n.
-pub(in crate::filter) fn power(n: u32) -> f64 {
-    (0..64)
-        .map(|k| f64::from(k).exp2())
-        .find(|&power| 4.0 * power >= f64::from(5 * n))
-        .unwrap()
-}
-
-/// Asserts that a bound has the constant that n roundings require, for terms of this magnitude.
-#[track_caller]
-pub(in crate::filter) fn assert_bound(bound: f64, magnitude: f64, n: u32) {
-    let units = bound / (UNIT * magnitude);
-    assert!(
-        (units - power(n)).abs() < 1e-9 * units,
-        "{units} u of the magnitude for n = {n}"
-    );
-}
-
-/// Asserts the largest number of roundings and the degree of values whose magnitudes are at most some sum.
-#[track_caller]
-pub(in crate::filter) fn assert_counts(values: &[Symbol], n: u32, degree: i32, magnitude: f64) {
-    assert_eq!(values.iter().map(|value| value.roundings).max(), Some(n));
-    for value in values {
-        assert_eq!(value.degree, degree);
-        assert!(
-            value.permanent <= magnitude * (1.0 + 1e-9),
-            "{} > {magnitude}",
-            value.permanent
-        );
-        assert_in_range(value);
-    }
-}
-
-/// Asserts that nothing overflows, and the bound of underflow.
-#[track_caller]
-fn assert_in_range(value: &Symbol) {
-    assert!(value.largest < f64::MAX, "{}", value.largest);
-    let far = 2.0 * LARGEST;
-    assert!(value.underflow <= 1000.0 * far * far, "{}", value.underflow);
-}
 
 /// One of the parameters in [0, 1] at which an interpolation has two equal weights, or one of them.
 const PARAMETERS: [f64; 3] = [0.0, 0.5, 1.0];
@@ -139,7 +88,7 @@ fn normals() {
         }
         let mut planes = Coplanarity::<Symbol>::new::<K>(&symbols([start, start]));
         for normal in planes.normals.iter_mut().chain([&mut planes.mixed]) {
-            *normal = normal.map(|x| x.afresh());
+            *normal = normal.map(Symbol::afresh);
         }
         let bounds = planes.least_distances(Within(Symbol::input(1.0)));
         for bound in bounds {
@@ -244,7 +193,7 @@ fn positions_near_a_root() {
         let (d0, d1) = (start[1][0] - start[0][0], end[1][0] - end[0][0]);
         let place = interpolate(d0, d1, Symbol::exactly(0.5));
         assert_counts(&[place], 4, 1, d0.value.abs());
-        let [a, b] = [start[0], start[1]].map(|point| point.map(|x| x.afresh()));
+        let [a, b] = [start[0], start[1]].map(|point| point.map(Symbol::afresh));
         let product = cross_along(0, a, b);
         assert_counts(&[product], 2, 2, product.permanent);
 

@@ -2,11 +2,9 @@
 
 use alloc::rc::Rc;
 use core::cell::RefCell;
-use core::ops::{Add, Div, Mul, Neg, Sub};
 use std::thread_local;
 use std::vec::Vec;
 
-use crate::filter::number::{Lanes, Number};
 use crate::filter::roundoff::LARGEST;
 
 /// An operation of the code, on the places of its operands in the record.
@@ -52,14 +50,14 @@ pub(in crate::filter) struct Symbol {
     pub(in crate::filter) largest: f64,
     /// A bound of the error by underflow for these, in units of 2⁻¹⁰⁷⁵.
     pub(in crate::filter) underflow: f64,
-    is_constant: bool,
+    pub(super) is_constant: bool,
     /// The place in the record.
     pub(in crate::filter) place: usize,
 }
 
 /// The rules of an arithmetic.
 #[derive(Clone, Copy, PartialEq)]
-enum Rules {
+pub(super) enum Rules {
     /// f64. A sum of exact numbers is off by u of itself; a product with a power of two is exact.
     Single,
     /// Twice the precision: each operation is off by its roundoff of the magnitudes of the operands.
@@ -99,7 +97,7 @@ impl Symbol {
     }
 
     /// A number in the code.
-    fn constant(value: f64) -> Self {
+    pub(super) fn constant(value: f64) -> Self {
         Self {
             is_constant: true,
             ..Self::new(value, Operation::Constant(value))
@@ -139,7 +137,7 @@ impl Symbol {
         self.roundings == 0
     }
 
-    fn sum(self, other: Self, value: f64, operation: Operation, rules: Rules) -> Self {
+    pub(super) fn sum(self, other: Self, value: f64, operation: Operation, rules: Rules) -> Self {
         let is_relative = rules == Rules::Single && self.is_exact() && other.is_exact();
         let are_inputs = self.degree == 1 && other.degree == 1 && is_relative;
         Self {
@@ -160,7 +158,7 @@ impl Symbol {
         }
     }
 
-    fn product(self, other: Self, rules: Rules) -> Self {
+    pub(super) fn product(self, other: Self, rules: Rules) -> Self {
         let is_power = |x: Self| x.is_constant && x.value.to_bits() << 12 == 0;
         let is_exact = rules == Rules::Single && (is_power(self) || is_power(other));
         Self {
@@ -176,7 +174,7 @@ impl Symbol {
         }
     }
 
-    fn quotient(self, other: Self) -> Self {
+    pub(super) fn quotient(self, other: Self) -> Self {
         Self {
             roundings: self.roundings + other.roundings + 1,
             permanent: self.permanent / other.value.abs(),
@@ -196,7 +194,7 @@ impl Symbol {
     }
 
     /// One of two numbers, with the bounds of both.
-    fn either(self, other: Self) -> Self {
+    pub(super) fn either(self, other: Self) -> Self {
         Self {
             roundings: self.roundings.max(other.roundings),
             degree: self.degree.max(other.degree),
@@ -206,206 +204,11 @@ impl Symbol {
         }
     }
 
-    fn unchanged(self, value: f64, operation: Operation) -> Self {
+    pub(super) fn unchanged(self, value: f64, operation: Operation) -> Self {
         Self {
             value,
             place: Self::new(value, operation).place,
             ..self
         }
-    }
-}
-
-impl Add for Symbol {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        self.sum(
-            other,
-            self.value + other.value,
-            Operation::Sum(self.place, other.place),
-            Rules::Single,
-        )
-    }
-}
-
-impl Sub for Symbol {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        let operation = Operation::Difference(self.place, other.place);
-        self.sum(other, self.value - other.value, operation, Rules::Single)
-    }
-}
-
-impl Mul for Symbol {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        self.product(other, Rules::Single)
-    }
-}
-
-impl Div for Symbol {
-    type Output = Self;
-
-    fn div(self, other: Self) -> Self {
-        self.quotient(other)
-    }
-}
-
-impl Neg for Symbol {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        self.unchanged(-self.value, Operation::Negative(self.place))
-    }
-}
-
-impl Add<f64> for Symbol {
-    type Output = Self;
-
-    fn add(self, other: f64) -> Self {
-        self + Self::constant(other)
-    }
-}
-
-impl Mul<f64> for Symbol {
-    type Output = Self;
-
-    fn mul(self, other: f64) -> Self {
-        self * Self::constant(other)
-    }
-}
-
-impl Div<f64> for Symbol {
-    type Output = Self;
-
-    fn div(self, other: f64) -> Self {
-        self / Self::constant(other)
-    }
-}
-
-impl Lanes for Symbol {
-    type Mask = bool;
-
-    fn splat(self, value: f64) -> Self {
-        Self::constant(value)
-    }
-
-    fn gt(self, other: Self) -> bool {
-        self.value > other.value
-    }
-
-    fn any(mask: bool) -> bool {
-        mask
-    }
-
-    fn abs(self) -> Self {
-        self.unchanged(self.value.abs(), Operation::Magnitude(self.place))
-    }
-
-    /// The root of a number of even degree. It has no more roundings than its square, and its own. What
-    /// underflows in the square is below 2⁷⁵ units of 2⁻¹⁰⁷⁵, and its root below 2⁻⁵⁰⁰, which the code adds.
-    fn sqrt(self) -> Self {
-        assert_eq!(self.degree % 2, 0, "the root of an odd degree");
-        assert!(
-            self.largest.is_infinite() || self.underflow < 2.0_f64.powi(75),
-            "{}",
-            self.underflow
-        );
-        Self {
-            roundings: self.roundings + 1,
-            permanent: self.permanent.sqrt(),
-            degree: self.degree / 2,
-            largest: self.largest.sqrt(),
-            underflow: 0.0,
-            ..self.unchanged(self.value.sqrt(), Operation::Root(self.place))
-        }
-    }
-
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes.either(no) } else { no.either(yes) }
-    }
-
-    fn min(self, other: Self) -> Self {
-        Self::select(self.value < other.value, self, other)
-    }
-
-    fn max(self, other: Self) -> Self {
-        Self::select(self.value > other.value, self, other)
-    }
-}
-
-/// A [`Symbol`] in the place of [`DoubleDouble`](crate::filter::double_double::DoubleDouble): differences of
-/// coordinates are exact, and `roundings` counts operations. Or, if not `TWICE`, in the place of an f64.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::filter) struct Precise<const TWICE: bool>(pub(in crate::filter) Symbol);
-
-impl<const TWICE: bool> Precise<TWICE> {
-    const RULES: Rules = if TWICE { Rules::Double } else { Rules::Single };
-}
-
-impl<const TWICE: bool> Number for Precise<TWICE> {
-    type Real = f64;
-
-    fn difference(a: f64, b: f64) -> Self {
-        let exact = Symbol::input(a - b);
-        Self(if TWICE { exact } else { exact.rounded() })
-    }
-
-    fn value(self) -> f64 {
-        self.0.value
-    }
-}
-
-impl<const TWICE: bool> Add for Precise<TWICE> {
-    type Output = Self;
-
-    fn add(self, Self(b): Self) -> Self {
-        let Self(a) = self;
-        Self(a.sum(
-            b,
-            a.value + b.value,
-            Operation::Sum(a.place, b.place),
-            Self::RULES,
-        ))
-    }
-}
-
-impl<const TWICE: bool> Sub for Precise<TWICE> {
-    type Output = Self;
-
-    fn sub(self, Self(b): Self) -> Self {
-        let Self(a) = self;
-        Self(a.sum(
-            b,
-            a.value - b.value,
-            Operation::Difference(a.place, b.place),
-            Self::RULES,
-        ))
-    }
-}
-
-impl<const TWICE: bool> Mul for Precise<TWICE> {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        Self(self.0.product(other.0, Self::RULES))
-    }
-}
-
-impl<const TWICE: bool> Mul<f64> for Precise<TWICE> {
-    type Output = Self;
-
-    fn mul(self, other: f64) -> Self {
-        self * Self(Symbol::constant(other))
-    }
-}
-
-impl<const TWICE: bool> Neg for Precise<TWICE> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self(-self.0)
     }
 }
