@@ -6,7 +6,6 @@ use core::cmp::Ordering;
 use super::cubic::Root;
 use super::length::Area;
 use super::roundoff::{UNIT, certain_sign};
-
 use super::window::Window;
 
 /// A time or an interval of times.
@@ -44,9 +43,7 @@ impl Moment {
             }
         }
     }
-}
 
-impl Moment {
     /// The sign of d₀ (1−t) + d₁ t at a root, for coefficients rounded once, if it is certain and not zero.
     ///
     /// At the place s of the root in its window, t results from three more roundings, the value from that of
