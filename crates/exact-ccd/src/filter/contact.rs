@@ -105,8 +105,8 @@ impl Contact {
         by_roundoff.or_else(|| fixed_width::first(query))
     }
 
-    /// Returns true if the earliest contact certainly is after a time: the cubic has no root in the bracket up
-    /// to its lower end.
+    /// Returns true if the earliest contact certainly is after a time: its root is above the lower end of the
+    /// bracket.
     #[inline]
     pub(crate) fn is_after(&self, time: f64) -> bool {
         match self {

@@ -1,4 +1,5 @@
-//! Lengths and areas in integers of two widths: the short ones serve nearly all queries, the long ones the rest.
+//! Lengths and areas in integers of two widths: the short ones serve nearly all queries, the long ones the
+//! rest.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Shl, Shr, Sub};
@@ -101,9 +102,9 @@ impl Area for i128 {
     }
 }
 
-/// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹, the terms of a coefficient of the cubic below 2³ᵇ⁺³, and there
-/// are at most 18 of them: it is below 2³ᵇ⁺⁸. [`without_ends`](super::lattice::without_ends) makes it at most
-/// 2³ times as large: below 2²⁵⁴ for b = 81.
+/// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹, the terms of a coefficient of the cubic below 2³ᵇ⁺³,
+/// and there are at most 18 of them: it is below 2³ᵇ⁺⁸. [`without_ends`](super::lattice::without_ends) makes
+/// it at most 2³ times as large: below 2²⁵⁴ for b = 81.
 impl Length for i128 {
     const MOST_BITS: u32 = 81;
     type Area = Volume;

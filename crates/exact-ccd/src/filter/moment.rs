@@ -44,9 +44,7 @@ impl Moment {
             }
         }
     }
-}
 
-impl Moment {
     /// The sign of d₀ (1−t) + d₁ t at a root, for coefficients rounded once, if it is certain and not zero.
     ///
     /// The value results from n = 7 roundings: that of the coefficient, three of t, which its place in the

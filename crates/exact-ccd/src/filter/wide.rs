@@ -243,6 +243,13 @@ mod tests {
                 assert_eq!(big(x + y), &i + &j, "{a} {b}");
                 assert_eq!(big(x - y), &i - &j, "{a} {b}");
                 assert_eq!(big(x * y), &i * &j, "{a} {b}");
+                let short = a.clamp(i64::MIN.into(), i64::MAX.into()) as i64;
+                assert_eq!(big(x.times(short)), IBig::from(short) * &i, "{a} {b}");
+                assert_eq!(
+                    big(Wide::<4>::product(short, b)),
+                    IBig::from(short) * &j,
+                    "{a} {b}"
+                );
                 let [x, y] = [a, b].map(Wide::<6>::from);
                 assert_eq!(big(x * y * x), &i * &j * &i, "{a} {b}");
                 assert_eq!((x * y).sign(), (&i * &j).cmp(&IBig::ZERO), "{a} {b}");
