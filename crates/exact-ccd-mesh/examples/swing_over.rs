@@ -94,7 +94,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         });
         let squared = slopes[0] * slopes[0] + slopes[1] * slopes[1];
         for (parameter, slope) in free.iter_mut().zip(slopes) {
-            // A tenth of the way at most: the model is good near the present parameters.
+            // At most 0.1 at a time: the linear model is good near the present parameters.
             *parameter += ((1.0 - time) * slope / squared).clamp(-0.1, 0.1);
         }
     }
