@@ -4,9 +4,11 @@
 """
 
 import sys
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exact_ccd import Detector, Mesh, audit
 
@@ -23,7 +25,8 @@ springs = mesh.edges[(mesh.edges < n * n).all(axis=1)]
 lengths = np.linalg.norm(start[springs[:, 0]] - start[springs[:, 1]], axis=1)
 degrees = np.bincount(springs.ravel(), minlength=len(start)).clip(1)[:, None]
 detector = Detector(mesh, min_distance=gap, inner_distance=gap / 4)
-limits = {
+Floats = NDArray[np.float64]
+limits: dict[str, Callable[[Floats, Floats], Floats]] = {
     "a step for every vertex": lambda x, y: detector.free_steps(x, y).positions,
     "one step for all": lambda x, y: detector.free_step(x, y).positions,
     "no limit": lambda x, y: y,
