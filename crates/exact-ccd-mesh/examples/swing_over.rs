@@ -2,9 +2,9 @@
 //!
 //! `cargo run -p exact-ccd-mesh --example swing_over`
 //!
-//! The link is an edge from a joint to its tip. Two parameters are free: the lift of the link, and the height of
-//! the joint at the end. Each step follows the derivatives of the time of impact, as far as its linear model
-//! reaches t = 1.
+//! The link is an edge from a joint to its tip. Two parameters are free: the lift of the link, and the
+//! height of the joint at the end. Each step follows the derivatives of the time of impact, until its linear
+//! model reaches t = 1.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
