@@ -140,7 +140,7 @@ void meshes()
     CHECK(first.contacts.size() == 1 && first.first[3] == 0 && first.first[4] == 1);
     CHECK(first.times[3] == 0.5 && std::isinf(first.times[4]));
     CHECK(detector.clearances(x0, 0.125) == std::vector<double>(6, 0.125));
-    throws<std::invalid_argument>([&] { detector.clearances(x0, -1); });
+    throws<exact_ccd::Error>([&] { detector.clearances(x0, -1); });
     const auto with_pinned = detector.free_steps(x0, x1, falling);
     CHECK(with_pinned.sizes[3] == 1 && with_pinned.positions[3] == x1[3]);
     CHECK(with_pinned.blocked.size() == 1 && with_pinned.blocked[0].first == 3);

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
-use exact_ccd::Point;
+use exact_ccd::{Point, Separation};
 use exact_ccd_mesh::{PairCounts, TriangleMesh};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
@@ -242,6 +242,18 @@ impl Detector {
             steps.map(|taken| taken.rounds).sum(),
             pair_columns(py, blocked.iter())?,
         ))
+    }
+
+    /// The clearances of all vertices of one world.
+    fn clearances<'py>(
+        &self,
+        py: Python<'py>,
+        x: Positions<'py>,
+        cut_off: f64,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let cut_off = Separation::new(cut_off).map_err(|error| refused(format_args!("cut_off: {error}")))?;
+        let clearances = self.each(py, &x, &x, None, |search, x, _| search.clearances(x, cut_off))?;
+        Ok(PyArray1::from_vec(py, clearances.concat()))
     }
 
     /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.

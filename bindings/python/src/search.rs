@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::{Options, Point};
+use exact_ccd::{Options, Point, Separation};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, FreeSteps, Intersection,
     IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
@@ -207,6 +207,15 @@ impl Search {
             Some(ruled) if taken.rounds > 1 => run(ruled),
             _ => Ok(taken),
         }
+    }
+
+    /// The clearance of each vertex at rest.
+    pub(crate) fn clearances(&mut self, x: &[Point], cut_off: Separation) -> Result<Vec<f64>, Refusal> {
+        if self.ruled.is_some() {
+            self.check_start(x)?;
+        }
+        let inner = self.ruled.as_mut().unwrap_or(&mut self.open);
+        Ok(inner.clearances(x, cut_off)?)
     }
 
     /// The contacts of a step, counted.

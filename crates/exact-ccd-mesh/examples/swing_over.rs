@@ -2,9 +2,9 @@
 //!
 //! `cargo run -p exact-ccd-mesh --example swing_over`
 //!
-//! The link is an edge from a joint to its tip. Two parameters are free: the lift of the link, and the height of
-//! the joint at the end. Each step follows the derivatives of the time of impact, as far as its linear model
-//! reaches t = 1.
+//! The link is an edge from a joint to its tip. Two parameters are free: the lift of the link, and the
+//! height of the joint at the end. Each step follows the derivatives of the time of impact, until its linear
+//! model reaches t = 1.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -94,7 +94,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         });
         let squared = slopes[0] * slopes[0] + slopes[1] * slopes[1];
         for (parameter, slope) in free.iter_mut().zip(slopes) {
-            // A tenth of the way at most: the model is good near the present parameters.
+            // At most 0.1 at a time: the linear model is good near the present parameters.
             *parameter += ((1.0 - time) * slope / squared).clamp(-0.1, 0.1);
         }
     }

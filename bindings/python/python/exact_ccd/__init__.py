@@ -15,7 +15,7 @@ from .contacts import CONTACT, PAIR, Contact
 from .detectors import Detector, Progress
 from .meshes import Mesh, MeshFile, read_mesh
 from .queries import IMPACT, Intervals, Kind, Queries
-from .steps import FreeStep, FreeSteps, PairCounts, StepReport
+from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
 from .worlds import Contacts, StepReports, WorldFreeSteps, Worlds
 
@@ -29,6 +29,7 @@ __all__ = [
     "Contacts",
     "CrossingError",
     "Detector",
+    "FirstContacts",
     "FreeStep",
     "FreeSteps",
     "Intervals",

@@ -15,7 +15,7 @@ from ._records import by_value, same
 from .contacts import Contact, first, pairs, table
 from .meshes import Mesh
 from .pages import Page, line
-from .steps import FreeStep, FreeSteps, PairCounts, StepReport
+from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 
 Progress = Callable[[int], object]
 """A function that is called with the number of steps done since its last call, as ``tqdm.update``."""
@@ -214,6 +214,79 @@ class Detector(Searcher):
             The contacts, the earliest first, with the fields of :data:`CONTACT`.
         """
         return table(self._native.collisions(*self._ends(x0, x1), number("until", until)))
+
+    def first_contacts(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> FirstContacts:
+        """Find all contacts of the step, and the first one of each vertex.
+
+        Parameters
+        ----------
+        x0, x1 : array of shape (V, 3)
+            As for :meth:`collides`.
+        until : float
+            As for :meth:`collides`.
+
+        Returns
+        -------
+        FirstContacts
+            The contacts, and an index and a time for each vertex.
+
+        Examples
+        --------
+        A vertex falls through a triangle, and another one passes by.
+
+        >>> import numpy as np
+        >>> from exact_ccd import Detector, Mesh
+        >>> x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1], [5, 0, 1]])
+        >>> x1 = x0.copy()
+        >>> x1[3:, 2] = -1.0
+        >>> first = Detector(Mesh(5, [[0, 1, 2]])).first_contacts(x0, x1)
+        >>> first.times.tolist()
+        [0.5, 0.5, 0.5, 0.5, inf]
+        >>> first.contacts["second"][first.of_vertices[3]]  # the face
+        np.uint32(0)
+        """
+        contacts = self.collisions(x0, x1, until=until)
+        count = len(contacts)
+        vertices = contacts["vertices"]
+        rows, _ = np.nonzero(vertices >= 0)
+        of_vertices = np.full(self._mesh.vertex_count, count)
+        np.minimum.at(of_vertices, vertices[vertices >= 0], rows)
+        times = np.append(contacts["time"], np.inf)[of_vertices]
+        of_vertices[of_vertices == count] = -1
+        return FirstContacts(contacts, of_vertices, times)
+
+    def clearances(self, x: ArrayLike, cut_off: float) -> NDArray[np.float64]:
+        """Compute the distance of each vertex to the rest of the mesh, with the primitives that it belongs to.
+
+        Displacements of all vertices by less than half of their clearances are free of contact, on whatever
+        path (docs/steps.md). The minimum distance of the detector has no part in them.
+
+        Parameters
+        ----------
+        x : array of shape (V, 3)
+            The positions of the vertices.
+        cut_off : float
+            The largest distance that is of interest, finite and at least 0: pairs farther apart are not examined.
+
+        Returns
+        -------
+        float64 array of shape (V,)
+            The least distance of a pair of primitives of which one has the vertex, rounded down, and at most
+            `cut_off`.
+
+        Raises
+        ------
+        ValueError
+            If `cut_off` is negative or not finite.
+
+        Examples
+        --------
+        >>> from exact_ccd import Detector, Mesh
+        >>> x = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 0.5], [5, 0, 1]]
+        >>> Detector(Mesh(5, [[0, 1, 2]])).clearances(x, 2.0).tolist()
+        [0.5, 0.5, 0.5, 0.5, 2.0]
+        """
+        return self._native.clearances(self._world("x", x), number("cut_off", cut_off))
 
     def free_step(self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9) -> FreeStep:
         """Compute a step towards `x1` that is certified to be free of contact.

@@ -75,6 +75,25 @@ class FreeStep(NamedTuple):
 
 
 @by_value
+class FirstContacts(NamedTuple):
+    """The contacts of a step, and the first one of each vertex: for methods with a rule of their own.
+
+    Attributes
+    ----------
+    contacts : structured array of shape (M,)
+        The contacts, the earliest first, with the fields of :data:`CONTACT`.
+    of_vertices : int64 array of shape (V,)
+        The index in `contacts` of the first one of a pair to which the vertex belongs; -1 without contact.
+    times : float64 array of shape (V,)
+        The time of that contact, rounded down; infinity without contact.
+    """
+
+    contacts: NDArray[np.void]
+    of_vertices: NDArray[np.int64]
+    times: NDArray[np.float64]
+
+
+@by_value
 class FreeSteps(NamedTuple):
     """A step for each vertex, such that together they are certified to be free of contact.
 
