@@ -1,4 +1,5 @@
-(** Boxes that an axis separates have primitives that are apart: [Extent::of] and [is_separate] of [tree.rs]. *)
+(** Boxes that an axis separates have primitives that are apart: [Extent::of] and [is_separate] of
+    [tree.rs]. *)
 
 From Coq Require Import Reals ZArith List Bool Lra Lia.
 Require Import Vectors Motion Lists Separation Grid Tree.

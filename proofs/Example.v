@@ -1,4 +1,5 @@
-(** The example by hand of docs/certificates.md, computed with the restated functions: a vertex that falls on a slope. *)
+(** The example by hand of docs/certificates.md, computed with the restated functions: a vertex that falls
+    on a slope. *)
 
 From Coq Require Import ZArith List.
 Require Import Vectors Motion Floats Separation Near InContact Grid Moving Mesh.
