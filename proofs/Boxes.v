@@ -1,4 +1,5 @@
-(** Boxes that an axis separates have primitives that are apart: [Extent::of] and [is_separate] of [tree.rs]. *)
+(** Boxes that an axis separates have primitives that are apart: [Extent::of] and [is_separate] of
+    [tree.rs]. *)
 
 From Coq Require Import Reals ZArith List Bool Lra Lia.
 Require Import Vectors Motion Lists Separation Grid Tree.
@@ -41,6 +42,17 @@ Definition extent_of (at_end : bool -> bool) (a b c : V) : extent :=
 Lemma extent_below at_end a b c v e k side : In v [a; b; c] ->
   (extent_of at_end a b c e k side <= vertex_extent at_end v e k side)%Z.
 Proof. intros [<-|[<-|[<-|[]]]]; unfold extent_of, union; lia. Qed.
+
+(** The numbers of boxes, so also the sums and differences of two, fit into 64 bits. *)
+Theorem extent_fits at_end a b c e k side : In a all -> In b all -> In c all ->
+  (Z.abs (extent_of at_end a b c e k side) <= 2 ^ 60)%Z.
+Proof.
+  intros a_here b_here c_here; unfold extent_of, union, vertex_extent.
+  pose proof (point_bound V m all until (at_end e) a k a_here).
+  pose proof (point_bound V m all until (at_end e) b k b_here).
+  pose proof (point_bound V m all until (at_end e) c k c_here).
+  destruct side; lia.
+Qed.
 
 Lemma separate_between at_end d p (a b c a' b' c' : V) t :
   (0 <= d)%Z ->

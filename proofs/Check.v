@@ -1,4 +1,4 @@
-(** The statements of one step: [check_table] and [check_step] of the file [check.rs], [pairs] of [tree.rs]. *)
+(** The statements of one step: [check_table] and [check_step] of [check.rs], [pairs] of [tree.rs]. *)
 
 From Coq Require Import Reals ZArith List Bool Lra Lia Permutation.
 Require Import Vectors Motion Separation Rest Grid Tree Boxes Polynomial Moving InContact Mesh.
@@ -40,7 +40,8 @@ Definition counts (k : kind) (ids : id * id) : bool := match pair_of k ids with 
 Definition in_order (k : kind) (ids : id * id) : id * id :=
   if is_one_set k then (Nat.min (fst ids) (snd ids), Nat.max (fst ids) (snd ids)) else ids.
 
-(** [pairs]. The code ends early when there are more pairs than rows, and then refuses, as [check_table] below does. *)
+(** [pairs]. The code ends early when there are more pairs than rows, and then refuses, as [check_table]
+    below does. *)
 Definition pairs (k : kind) : list (id * id) :=
   let p := tree_of k false in
   let q := tree_of k true in
@@ -210,7 +211,8 @@ Proof.
       pierces_within, piercing.
 Qed.
 
-(** Contact: with the tables of all kinds, the named pair is the first within the distance, after T and not after T⁺. *)
+(** Contact: with the tables of all kinds, the named pair is the first within the distance, after T and not
+    after T⁺. *)
 Theorem first_contact rows k ids p after witness : moment until < moment after ->
   (forall k, k <> EdgeFace -> check_table k (rows k) = true) ->
   k <> EdgeFace -> pair_of k ids = Some p -> is_contact V m k p until after witness = true ->

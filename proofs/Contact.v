@@ -22,7 +22,8 @@ Proof.
   assert (/ n <> 0) by (apply Rinv_neq_0_compat; exact other); nra.
 Qed.
 
-(** A point in the plane of a triangle whose sides have the sign of a component of the normal is in the triangle. *)
+(** A point in the plane of a triangle whose sides have the sign of a component of the normal is in the
+    triangle. *)
 Lemma point_in_face p a b d k :
   let n := cross (minus b a) (minus d a) in
   dot n (minus p a) = 0 -> n k <> 0 ->

@@ -1,5 +1,5 @@
-(** The numbers of files as integers times powers of two, and adjacent f64: [dyadic] and [Time::new] of [motion.rs],
-    [Head::read] of [certificate.rs].
+(** The numbers of files as integers times powers of two, and adjacent f64: [dyadic] and [Time::new] of
+    [motion.rs], [Head::read] of [certificate.rs].
 
     Flocq has the meaning of the bits of an f64: [B2R (b64_of_bits b)]. *)
 

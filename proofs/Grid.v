@@ -122,6 +122,34 @@ Definition separates (p : pair V) (g : integer_point) (at_ends : list bool) : bo
   && (Z.abs (g X) <? 2 ^ 48)%Z && (Z.abs (g Y) <? 2 ^ 48)%Z && (Z.abs (g Z3) <? 2 ^ 48)%Z
   && forallb (fun e => (needed <=? gap V p (fun v => integer_dot g (point e v)))%Z) at_ends.
 
+(** No sum of [separates] overflows: they all fit into 128 bits. *)
+Theorem sums_fit g e v : (forall k, Z.abs (g k) < 2 ^ 48)%Z -> In v all ->
+  ((forall k, Z.abs (g k * point e v k) <= 2 ^ 108)
+  /\ Z.abs (integer_dot g (point e v)) <= 3 * 2 ^ 108
+  /\ 0 <= integer_dot g g < 3 * 2 ^ 96
+  /\ 0 <= Z.abs (g X) + Z.abs (g Y) + Z.abs (g Z3) + grid_distance * (Z.sqrt (integer_dot g g) + 1) < 2 ^ 113)%Z.
+Proof.
+  intros small here.
+  assert (forall k, Z.abs (g k * point e v k) <= 2 ^ 108)%Z as products.
+  { intros k; rewrite Z.abs_mul; pose proof (point_bound e v k here); specialize (small k).
+    change (2 ^ 108)%Z with (2 ^ 48 * 2 ^ 60)%Z; apply Z.mul_le_mono_nonneg; lia. }
+  split; [exact products|split].
+  - pose proof (products X); pose proof (products Y); pose proof (products Z3); unfold integer_dot; lia.
+  - assert (forall k, 0 <= g k * g k < 2 ^ 96)%Z as squares.
+    { intros k; rewrite <- Z.abs_square; specialize (small k); split; [lia|].
+      apply Z.le_lt_trans with ((2 ^ 48 - 1) * (2 ^ 48 - 1))%Z; [apply Z.mul_le_mono_nonneg; lia|lia]. }
+    assert (0 <= integer_dot g g < 3 * 2 ^ 96)%Z as square
+      by (pose proof (squares X); pose proof (squares Y); pose proof (squares Z3); unfold integer_dot; lia).
+    split; [exact square|].
+    assert (Z.sqrt (integer_dot g g) <= 2 ^ 49)%Z as root
+      by (change (2 ^ 49)%Z with (Z.sqrt (2 ^ 98)); apply Z.sqrt_le_mono; lia).
+    pose proof (Z.sqrt_nonneg (integer_dot g g)); pose proof grid_distance_least.
+    assert (grid_distance <= 2 ^ 62)%Z by (unfold grid_distance; lia).
+    assert (grid_distance * (Z.sqrt (integer_dot g g) + 1) <= 2 ^ 62 * (2 ^ 49 + 1))%Z by (apply Z.mul_le_mono_nonneg; lia).
+    assert (0 <= grid_distance * (Z.sqrt (integer_dot g g) + 1))%Z by (apply Z.mul_nonneg_nonneg; lia).
+    pose proof (small X); pose proof (small Y); pose proof (small Z3); lia.
+Qed.
+
 (** What rounding takes away from a difference along one axis. *)
 Lemma component_rounded g a b (x y : Z) : b < 1 -> -1 < b -> a = IZR x - IZR y + b -> IZR g * (IZR x - IZR y) - IZR (Z.abs g) <= IZR g * a
   /\ (g <> 0%Z -> IZR g * (IZR x - IZR y) - IZR (Z.abs g) < IZR g * a).

@@ -1,4 +1,4 @@
-(** The statement that a pair is in contact, or within the distance, after T and not after T⁺: [is_contact]. *)
+(** A pair is in contact, or within the distance, after T and not after T⁺: [is_contact]. *)
 
 From Coq Require Import Reals ZArith List Bool Lra Lia Psatz.
 Require Import Vectors Motion Separation Polynomial Moving Near.

@@ -125,8 +125,8 @@ Qed.
 
 (** ** Division *)
 
-(** One step: the dividend without its highest coefficient [top], times [leading], minus [top] times the divisor. The
-    highest coefficients come first, and [divisor] is without [leading]. *)
+(** One step: the dividend without its highest coefficient [top], times [leading], minus [top] times the
+    divisor. The highest coefficients come first, and [divisor] is without [leading]. *)
 Fixpoint reduce (leading top : Z) (rest divisor : polynomial) : polynomial :=
   match rest, divisor with
   | [], _ => []

@@ -149,7 +149,8 @@ Proof.
   apply IH; [discriminate|exact after].
 Qed.
 
-(** The rows of edges and faces: the stretches from t = 0 to t = 0 prove that the edge does not pierce the face. *)
+(** The rows of edges and faces: the stretches from t = 0 to t = 0 prove that the edge does not pierce the
+    face. *)
 Theorem is_apart_rest p start stretches : stretches <> [] -> is_apart V m EdgeFace p start stretches = true ->
   moment (last_end start stretches) = moment start -> ~ pierces p (moment start).
 Proof.

@@ -67,7 +67,8 @@ Definition holds (k : kind) (p : pair V) (start : time) (s : stretch) : bool :=
            (shift_left (first_square + last_square) 1)
      end.
 
-(** [is_apart]. Times are compared as integers over one denominator: f64 from 0 to 1 are ordered like their values. *)
+(** [is_apart]. Times are compared as integers over one denominator: f64 from 0 to 1 are ordered like their
+    values. *)
 Definition is_before (a b : time) := (shift_left (numerator a) (power b) <? shift_left (numerator b) (power a))%Z.
 Definition is_same (a b : time) := (shift_left (numerator a) (power b) =? shift_left (numerator b) (power a))%Z.
 

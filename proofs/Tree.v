@@ -69,8 +69,9 @@ Proof.
   unfold all_of; fold join; destruct (fold rest (snd first)) as (less & all); intros [->|here]; auto.
 Qed.
 
-(** [build] puts the box of all leaves first, then the nodes of the first half of them, in an order that it chooses, then
-    those of the others. The order is any permutation: [select_nth_unstable] only exchanges leaves. *)
+(** [build] puts the box of all leaves first, then the nodes of the first half of them, in an order that it
+    chooses, then those of the others. The order is any permutation: [select_nth_unstable] only exchanges
+    leaves. *)
 Inductive build : list leaf -> list leaf -> list extent -> Prop :=
   | build_one l : build [l] [l] [snd l]
   | build_more first rest order left right left_leaves right_leaves left_nodes right_nodes :

@@ -5,6 +5,7 @@
 
 mod audit;
 mod bench;
+mod certificates;
 mod convert;
 mod distances;
 mod examples;

@@ -36,7 +36,7 @@ fn rod_through_box(shift: f64) -> Frame {
     Frame::new(positions, faces).unwrap()
 }
 
-fn moving_rod_through_box() -> Folder {
+pub(crate) fn moving_rod_through_box() -> Folder {
     let folder = Folder::new();
     folder.write("start.ply", ply(&rod_through_box(0.0)));
     folder.write("end.ply", ply(&rod_through_box(1.0)));
