@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p exact-ccd-scene --example line_search -- MESHES [SCENE STEPS]`
 //!
-//! MESHES is the folder of the mesh files. Both simulations take their time steps in turns. The increments of both
-//! are audited: every pair of primitives, and every half space.
+//! MESHES is the folder of the mesh files. Both simulations take their time steps in turns. The increments
+//! of both are audited: every pair of primitives, and every half space.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
