@@ -21,8 +21,8 @@ const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// The scenes with the numbers of their time steps.
 const SCENES: [(&str, u64); 5] = [
-    ("octocats", 40),
-    ("mat-twist", 120),
+    ("octocats", 12),
+    ("mat-twist", 60),
     ("cloth-on-sphere", 50),
     ("cloth-knot-particles", 60),
     ("pressed-balloon", 75),
