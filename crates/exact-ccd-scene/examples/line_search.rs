@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p exact-ccd-scene --example line_search -- MESHES [SCENE STEPS]`
 //!
-//! MESHES is the folder of the mesh files. Both simulations take their time steps in turns. The increments of both
-//! are audited: every pair of primitives, and every half space.
+//! MESHES is the folder of the mesh files. Both simulations take their time steps in turns. The increments
+//! of both are audited: every pair of primitives, and every half space.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -21,8 +21,8 @@ const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// The scenes with the numbers of their time steps.
 const SCENES: [(&str, u64); 5] = [
-    ("octocats", 40),
-    ("mat-twist", 120),
+    ("octocats", 12),
+    ("mat-twist", 60),
     ("cloth-on-sphere", 50),
     ("cloth-knot-particles", 60),
     ("pressed-balloon", 75),

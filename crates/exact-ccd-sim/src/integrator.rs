@@ -25,14 +25,14 @@ pub enum Integrator {
     /// The backward differentiation formula of second order, with less numerical damping. The first step
     /// of a simulation is one of implicit Euler.
     Bdf2,
-    /// Equilibria: each time step ends where all forces balance, whatever its duration. A body that nothing holds
-    /// falls until it rests on others; one that falls without end does not converge.
+    /// Equilibria: each time step ends where all forces balance, whatever its duration. A body that nothing
+    /// holds falls until it rests on others; one that falls without end does not converge.
     QuasiStatic,
 }
 
 /// The duration in s of a step from rest that ends in equilibrium. Without any inertia, the system would be
-/// singular for a body that nothing holds. That of a step of this duration changes an equilibrium by 1 / (ω · 100 s)²
-/// of its displacement, for the least angular frequency ω of the body.
+/// singular for a body that nothing holds. That of a step of this duration changes an equilibrium by 1 / (ω
+/// · 100 s)² of its displacement, for the least angular frequency ω of the body.
 const LONG: f64 = 100.0;
 
 /// The equations of one time step: v = (x − origin) / duration, and the inertia of each vertex.

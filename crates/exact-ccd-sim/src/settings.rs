@@ -161,8 +161,8 @@ pub enum LineSearch {
     /// All vertices take the same part of the direction.
     #[default]
     Common,
-    /// Each vertex takes a part of its own, so that only vertices near a contact are held back; or all the same
-    /// part, where this does not decrease the potential enough. The CCD method must be exact.
+    /// Each vertex takes a part of its own, so that only vertices near a contact are held back; or all the
+    /// same part, where this does not decrease the potential enough. The CCD method must be exact.
     Vertex,
 }
 
@@ -199,9 +199,9 @@ pub struct Friction {
     pub pairs: Vec<FrictionPair>,
     /// The slip velocity below which friction is static.
     pub static_velocity: Length,
-    /// The greatest number of friction lags: updates of normal forces and tangent planes in a time step. At least
-    /// 1. They end with the first update after which Newton's method converges in one iteration: with a large
-    /// number, the forces of friction are those of the end of the time step, within the tolerance.
+    /// The greatest number of friction lags: updates of normal forces and tangent planes in a time step. At
+    /// least 1. They end with the first update after which Newton's method converges in one iteration: with
+    /// a large number, the forces of friction are those of the end of the time step, within the tolerance.
     pub lags: usize,
 }
 

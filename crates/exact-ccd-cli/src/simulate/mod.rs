@@ -81,7 +81,8 @@ pub(crate) struct Arguments {
     meshes: Option<PathBuf>,
     #[arg(long, value_name = "NAME", alias = "ccd", help = method_help())]
     method: Option<String>,
-    /// The line search, in place of that of the scene: one step size for all vertices, or one for each vertex.
+    /// The line search, in place of that of the scene: one step size for all vertices, or one for each
+    /// vertex.
     #[arg(long, value_name = "NAME", value_parser = ["common", "vertex"])]
     line_search: Option<String>,
     /// The number of the last time step, in place of the scene's duration. It counts from the start, also

@@ -225,8 +225,8 @@ fn check_numbers(state: &State) -> Result<(), OutOfRange> {
     check_not_negative("stiffness", state.stiffness.unwrap_or(0.0))
 }
 
-/// Checks that the method of a filter takes the offsets of the bodies into account, and that it can decide the
-/// steps of vertices.
+/// Checks that the method of a filter takes the offsets of the bodies into account, and that it can decide
+/// the steps of vertices.
 fn check_filter(system: &System, settings: &Settings, filter: &StepFilter) -> Result<(), SimulationError> {
     if filter.is_exact() {
         return Ok(());

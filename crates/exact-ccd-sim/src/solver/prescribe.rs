@@ -20,9 +20,9 @@ const TOGETHER: f64 = 0.1;
 
 impl Newton<'_> {
     /// Moves the bodies with scripts: all of them together with the Newton direction of all other vertices,
-    /// or else alone, or else each body alone, by the parts of their motions that are free. With a line search
-    /// by vertex, all of them first go all the way, if it suffices that the other vertices stay behind.
-    /// Returns true if a body moves.
+    /// or else alone, or else each body alone, by the parts of their motions that are free. With a line
+    /// search by vertex, all of them first go all the way, if it suffices that the other vertices stay
+    /// behind. Returns true if a body moves.
     pub(super) fn prescribe(
         &self,
         steps: &mut VertexSteps,

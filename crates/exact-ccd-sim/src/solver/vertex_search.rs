@@ -1,11 +1,12 @@
 //! The line search along a direction of which each vertex takes a part of its own.
 //!
-//! The Newton direction d decreases the potential: with the gradient g, the projected Hessian H and δ = −g · d =
-//! dᵀ H d > 0, the quadratic model of the potential falls by m(α) = α (1 − α/2) δ in the common step α. For parts
-//! αᵥ of its own for each vertex, p = (αᵥ dᵥ) can increase the potential, because Σ αᵥ gᵥ · dᵥ has terms of both
-//! signs. A step β p is therefore taken only if the potential falls by at least m(α), for the free common step α:
-//! by what the common step promises. So the sum of m(α) over all iterations is bounded, as in the common line
-//! search with a condition of descent, and parts of vertices cost no convergence.
+//! The Newton direction d decreases the potential: with the gradient g, the projected Hessian H and δ = −g
+//! · d = dᵀ H d > 0, the quadratic model of the potential falls by m(α) = α (1 − α/2) δ in the common step
+//! α. For parts αᵥ of its own for each vertex, p = (αᵥ dᵥ) can increase the potential, because Σ αᵥ gᵥ · dᵥ
+//! has terms of both signs. A step β p is therefore taken only if the potential falls by at least m(α), for
+//! the free common step α: by what the common step promises. So the sum of m(α) over all iterations is
+//! bounded, as in the common line search with a condition of descent, and parts of vertices cost no
+//! convergence.
 //!
 //! The model is convex. Along p it falls by at most −β g · p, so that no β with −β g · p < m(α) is tried.
 
@@ -20,9 +21,9 @@ use super::potential::Potential;
 use crate::statistics::Statistics;
 
 impl Newton<'_> {
-    /// A step towards positions, each of which is on the straight way of its vertex, that is free of contact and
-    /// decreases the potential by at least what the model promises for the size `common`. `None` if there is
-    /// none.
+    /// A step towards positions, each of which is on the straight way of its vertex, that is free of
+    /// contact and decreases the potential by at least what the model promises for the size `common`.
+    /// `None` if there is none.
     pub(super) fn search_to(
         &self,
         now: &Iterate<'_>,

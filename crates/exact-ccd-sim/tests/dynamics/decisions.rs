@@ -113,8 +113,8 @@ impl Ccd for Stuck {
     }
 }
 
-/// The result of a time step with at most 8 parts, with the number of blocked attempts, of which the method blocks
-/// this many.
+/// The result of a time step with at most 8 parts, with the number of blocked attempts, of which the method
+/// blocks this many.
 fn blocked_step(most: usize) -> (Result<Statistics, SimulationError>, usize, [State; 2]) {
     let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 5e-4, z + 0.2]);
     let system = System::new(&[cube, shapes::floor([1, 1], [1.1, 1.2])], &[]).unwrap();
@@ -139,8 +139,8 @@ fn blocked_step(most: usize) -> (Result<Statistics, SimulationError>, usize, [St
     (result, attempts, [before, simulation.state().clone()])
 }
 
-/// A blocked time step is repeated in 2, 4 and 8 parts. If all of them are blocked, the error leaves the state as it
-/// was, and no increment is visited.
+/// A blocked time step is repeated in 2, 4 and 8 parts. If all of them are blocked, the error leaves the
+/// state as it was, and no increment is visited.
 #[test]
 fn a_blocked_step_is_repeated_in_parts() {
     for most in 0..4 {

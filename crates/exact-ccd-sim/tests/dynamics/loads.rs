@@ -34,8 +34,8 @@ fn on(body: &Body, force: Force, is_loaded: impl Fn([f64; 3]) -> bool) -> Load {
     }
 }
 
-/// A quasi-static step ends in equilibrium, whatever its duration: a soft cantilever hangs as far after a step of 1 ms
-/// as after one of 1000 s.
+/// A quasi-static step ends in equilibrium, whatever its duration: a soft cantilever hangs as far after a
+/// step of 1 ms as after one of 1000 s.
 #[test]
 fn quasi_static_steps_end_in_equilibrium() {
     let deflection = |time_step: f64| {

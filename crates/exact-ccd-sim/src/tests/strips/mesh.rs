@@ -55,16 +55,18 @@ impl Strip {
         (0..=nz).flat_map(row).collect()
     }
 
-    /// The points of a grid, of which those inside are shifted at random, by less than a third of a cell.
+    /// The points of a grid, of which those inside are shifted at random, by less than a third of a cell
+    /// along each axis.
     fn shifted(&self, random: &mut Rng) -> Vec<Point> {
-        let cell = self.cell();
+        let cell = [0, 1].map(|axis: usize| self.size[axis] / f64::from(self.cells[axis]));
         let mut points = self.points();
         for point in &mut points {
-            let is_inside = |x: f64, lower: f64, size: f64| lower < x && x < size - 0.1 * cell;
-            if is_inside(point[0], 1.5 * cell, self.size[0]) && is_inside(point[2], 0.1 * cell, self.size[1])
-            {
-                point[0] += 0.6 * (random.f64() - 0.5) * cell;
-                point[2] += 0.6 * (random.f64() - 0.5) * cell;
+            let is_inside = |x: f64, lower: f64, axis: usize| {
+                lower * cell[axis] < x && x < self.size[axis] - 0.1 * cell[axis]
+            };
+            if is_inside(point[0], 1.5, 0) && is_inside(point[2], 0.1, 1) {
+                point[0] += 0.6 * (random.f64() - 0.5) * cell[0];
+                point[2] += 0.6 * (random.f64() - 0.5) * cell[1];
             }
         }
         points

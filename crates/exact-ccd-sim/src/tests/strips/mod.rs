@@ -9,10 +9,10 @@ use mesh::{Mesh, Strip};
 /// The figures of the documentation are rounded to this.
 const ROUNDED: f64 = 1e-3;
 
-/// The deflection of the middle of the free end of a plate with ν = 0.3, divided by q L⁴ / (8 D): of 1 m × 0.2 m and
-/// of 1 m × 3 m. They are those of a finite element of rectangles, of A. Adini and R. Clough, *Analysis of plate
-/// bending by the finite element method*, 1960, on 60 × 12 and 16 × 40 cells. The next coarser mesh gives the same
-/// four digits.
+/// The deflection of the middle of the free end of a plate with ν = 0.3, divided by q L⁴ / (8 D): of 1 m ×
+/// 0.2 m and of 1 m × 3 m. They are those of a finite element of rectangles, of A. Adini and R. Clough,
+/// *Analysis of plate bending by the finite element method*, 1960, on 60 × 12 and 16 × 40 cells. The next
+/// coarser mesh gives the same four digits.
 const NARROW_PLATE: f64 = 0.9752 / (1.0 - 0.3 * 0.3);
 const WIDE_PLATE: f64 = 1.0135;
 
@@ -57,7 +57,9 @@ impl Strip {
         let clamped: Vec<u32> = (0..mesh.points.len() as u32)
             .filter(|&vertex| self.is_clamped(mesh.points[vertex as usize]))
             .collect();
-        let gravity = 1e-5;
+        // The deflection is a tenth of the thickness. A larger one stretches a strip that curves across its
+        // length too.
+        let gravity = 2e-8;
         let faces = mesh.faces.clone();
         let body = Body::new(mesh.points.clone(), BodyKind::Shell { faces, material });
         let system = System::new(&[body], &[Script::Fixed.on(clamped)]).unwrap();
@@ -88,32 +90,26 @@ impl Strip {
 }
 
 /// The rows of the table of the documentation that begins with this header: their meshes and numbers.
-fn table(header: &str) -> Vec<(&'static str, Vec<f64>)> {
-    let documentation = include_str!("../../../../../docs/simulation.md");
+fn table(header: &str) -> Vec<(String, Vec<f64>)> {
+    let documentation = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/simulation.md");
+    let documentation = std::fs::read_to_string(documentation).unwrap();
     let (_, rows) = documentation.split_once(header).unwrap();
+    let row = |row: &str| {
+        let mut cells = row.trim_matches('|').split(['|', ',']).map(str::trim);
+        let mesh = [cells.next().unwrap(), cells.next().unwrap()].join(", ");
+        (mesh, cells.map(|number| number.parse().unwrap()).collect())
+    };
     let rows = rows.lines().skip(2).take_while(|line| line.starts_with('|'));
-    let cells = |row: &'static str| row.trim_matches('|').split(" | ");
-    rows.map(|row| {
-        let numbers = cells(row).skip(1).flat_map(|cell| cell.split(','));
-        let numbers = numbers.map(|number| number.trim().parse().unwrap());
-        (cells(row).next().unwrap().trim(), numbers.collect())
-    })
-    .collect()
+    rows.map(row).collect()
 }
 
-/// Compares figures with those of a row of the documentation, and with the theory to 3 % where all of them are
-/// `precise`.
-#[track_caller]
-fn assert_row(name: &str, found: &[f64], expected: &[f64], precise: &[f64]) {
-    let rounded = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < ROUNDED);
-    assert!(
-        rounded && found.len() == expected.len(),
-        "{name}: {found:.3?}, {expected:?}"
-    );
-    assert!(
-        precise.iter().all(|ratio| (ratio - 1.0).abs() < 0.03),
-        "{name}: {precise:.3?}"
-    );
+/// Compares figures with those of a row of the documentation, and the `precise` ones with the theory to 3
+/// %. The text of a row that differs is returned.
+fn difference(name: &str, found: &[f64], expected: &[f64], precise: &[f64]) -> Option<String> {
+    let is_rounded = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < ROUNDED);
+    let is_precise = precise.iter().all(|ratio| (ratio - 1.0).abs() < 0.03);
+    let is_right = is_rounded && is_precise && found.len() == expected.len();
+    (!is_right).then(|| format!("{name}: {found:.3?}, expected {expected:?}, and {precise:.3?} within 3 %"))
 }
 
 /// With ν = 0, a strip bends as a beam, as wide as it is.
@@ -121,12 +117,13 @@ fn assert_row(name: &str, found: &[f64], expected: &[f64], precise: &[f64]) {
 fn strips_without_contraction_deflect_as_plates() {
     let rows = table("| mesh, ν = 0 | hinges alone, 20 × 4, 40 × 8 | bending energy, 20 × 4, 40 × 8 |");
     assert_eq!(rows.len(), 5);
-    for (name, expected) in rows {
+    let rows = rows.into_iter().filter_map(|(name, expected)| {
         let strips = [[20, 4], [40, 8]].map(narrow);
-        let hinged = strips.map(|strip| strip.hinged(&strip.mesh(name)));
-        let found = strips.map(|strip| strip.simulated(&strip.mesh(name), 0.0));
-        assert_row(name, &[hinged, found].concat(), &expected, &found);
-    }
+        let hinged = strips.map(|strip| strip.hinged(&strip.mesh(&name)));
+        let found = strips.map(|strip| strip.simulated(&strip.mesh(&name), 0.0));
+        difference(&name, &[hinged, found].concat(), &expected, &found)
+    });
+    assert_eq!(rows.collect::<Vec<_>>(), [] as [String; 0]);
 }
 
 /// With ν = 0.3, a narrow strip bends as a beam far from its clamped edge: it curves across its length too.
@@ -134,17 +131,12 @@ fn strips_without_contraction_deflect_as_plates() {
 fn narrow_strips_deflect_as_plates() {
     let rows = table("| mesh, ν = 0.3, 1 m × 0.2 m | 20 × 4 | 40 × 8 | 20 × 8 | 40 × 4 |");
     assert_eq!(rows.len(), 5);
-    for (name, expected) in rows {
+    let rows = rows.into_iter().filter_map(|(name, expected)| {
         let strips = [[20, 4], [40, 8], [20, 8], [40, 4]].map(narrow);
-        let found = strips.map(|strip| strip.simulated(&strip.mesh(name), 0.3) / NARROW_PLATE);
-        // Points that are shifted by more than half of the width of a cell make triangles that are nearly flat.
-        let precise = if name.starts_with("shifted") {
-            &found[..2]
-        } else {
-            &found
-        };
-        assert_row(name, &found, &expected, precise);
-    }
+        let found = strips.map(|strip| strip.simulated(&strip.mesh(&name), 0.3) / NARROW_PLATE);
+        difference(&name, &found, &expected, &found)
+    });
+    assert_eq!(rows.collect::<Vec<_>>(), [] as [String; 0]);
 }
 
 /// With ν = 0.3, the middle of a wide strip bends as a cylinder, of which D = E h³ / (12 (1 − ν²)) is the
@@ -153,9 +145,10 @@ fn narrow_strips_deflect_as_plates() {
 fn wide_strips_deflect_as_plates() {
     let rows = table("| mesh, ν = 0.3, 1 m × 3 m | 10 × 30 | 20 × 30 |");
     assert_eq!(rows.len(), 5);
-    for (name, expected) in rows {
+    let rows = rows.into_iter().filter_map(|(name, expected)| {
         let strips = [[10, 30], [20, 30]].map(wide);
-        let found = strips.map(|strip| strip.simulated(&strip.mesh(name), 0.3) / WIDE_PLATE);
-        assert_row(name, &found, &expected, &found);
-    }
+        let found = strips.map(|strip| strip.simulated(&strip.mesh(&name), 0.3) / WIDE_PLATE);
+        difference(&name, &found, &expected, &found)
+    });
+    assert_eq!(rows.collect::<Vec<_>>(), [] as [String; 0]);
 }
