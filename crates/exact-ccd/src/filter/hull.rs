@@ -3,6 +3,7 @@
 //! origin.
 
 use core::f64::consts::SQRT_2;
+use core::ops::Add;
 
 use super::coplanarity::length_bound;
 use super::gap::{Gap, Touching};
@@ -131,7 +132,7 @@ impl<T: Lanes> Hull<T> {
 /// roundings of |x| + |y|. `SQRT_2` is above √2. The other part has four roundings, and the product may be
 /// subnormal. The limit is infinite if a component is, so that a sum that is not a number proves nothing.
 #[inline(always)]
-pub(crate) fn diagonal_limit<T: Lanes>(d: T, reaches: T) -> T {
+pub(crate) fn diagonal_limit<D: Lanes, T: Lanes + Add<D, Output = T>>(d: D, reaches: T) -> T {
     reaches * (margin(2) * UNIT) + (d * (SQRT_2 * (1.0 + margin(4) * UNIT)) + f64::MIN_POSITIVE)
 }
 

@@ -38,7 +38,7 @@ pub(super) fn are_beyond<S: Simd, K: Kind, G: Gap<f64>>(simd: S, rows: [&Row; 4]
     }
     let [a, b, c, e] = corners;
     let reach = a.abs().max(b.abs()).max(c.abs().max(e.abs()));
-    let least = diagonal_limit(f64x8::splat(simd, d), reach + reach.slide::<1>(reach));
+    let least = diagonal_limit(d, reach + reach.slide::<1>(reach));
     on_one_side(
         corners,
         #[inline(always)]
