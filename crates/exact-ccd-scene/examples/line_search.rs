@@ -21,7 +21,7 @@ const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// The scenes with the numbers of their time steps.
 const SCENES: [(&str, u64); 5] = [
-    ("octocats", 12),
+    ("octocats", 6),
     ("mat-twist", 60),
     ("cloth-on-sphere", 50),
     ("cloth-knot-particles", 60),
