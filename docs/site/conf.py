@@ -22,6 +22,7 @@ include_patterns = [
     "*.md",
     "docs/*.md",
     "docs/benchmark/*.md",
+    "docs/proof/*.md",
     "docs/site/*.md",
     "bindings/python/README.md",
     "fuzz/README.md",
