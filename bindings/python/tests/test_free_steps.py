@@ -101,3 +101,28 @@ def test_wrong_arguments() -> None:
             detector.free_steps(x, x, keep=keep)
     with pytest.raises(ValueError, match="x1 has the shape"):
         detector.free_steps(x, x[:3])
+
+
+def test_the_bits_are_those_of_rust() -> None:
+    """The number is that of the same test in Rust, `sizes_and_positions_have_the_bits_of_other_languages`."""
+    state = 1
+
+    def following(count: int) -> np.ndarray:
+        nonlocal state
+        numbers = []
+        for _ in range(count):
+            state = (state * 6364136223846793005 + 1442695040888963407) % 2**64
+            numbers.append((state >> 11) / 2**53)
+        return np.array(numbers)
+
+    x0, x1 = np.empty((2, 180, 3))
+    for vertex in range(180):
+        if vertex % 3 == 0:
+            centre = 1.5 * following(3)
+        x0[vertex] = centre + 0.5 * following(3)
+        x1[vertex] = x0[vertex] + (following(3) - 0.5)
+    steps = Detector(Mesh(180, np.arange(180).reshape(-1, 3))).free_steps(x0, x1)
+    fnv_1a = 0xCBF29CE484222325
+    for word in np.concatenate([steps.sizes, steps.positions.ravel()]).view(np.uint64).tolist():
+        fnv_1a = (fnv_1a ^ word) * 0x100000001B3 % 2**64
+    assert (fnv_1a, steps.rounds) == (16825418621938942653, 4)

@@ -354,3 +354,35 @@ fn first_contacts_are_those_of_all_pairs() {
     }
     assert!(found > 30, "{found}");
 }
+
+/// The bits of a step for every vertex of 60 triangles; the Python tests have the same number.
+#[test]
+fn sizes_and_positions_have_the_bits_of_other_languages() {
+    let mut state: u64 = 1;
+    let mut next = || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let (mut x0, mut x1): (Vec<Point>, Vec<Point>) = Default::default();
+    for _ in 0..60 {
+        let centre: Point = [0; 3].map(|_| 1.5 * next());
+        for _ in 0..3 {
+            let start = centre.map(|coordinate| coordinate + 0.5 * next());
+            x0.push(start);
+            x1.push(start.map(|coordinate| coordinate + (next() - 0.5)));
+        }
+    }
+    let faces = (0..60)
+        .map(|face| [3 * face, 3 * face + 1, 3 * face + 2])
+        .collect();
+    let mesh = TriangleMesh::new(180, faces).unwrap();
+    let options = FreeStepOptions::default();
+    let steps = Detector::new(mesh).free_steps(&x0, &x1, &[], &options).unwrap();
+    let numbers = steps.sizes.iter().chain(steps.positions.as_flattened());
+    let fnv_1a = numbers.fold(0xcbf2_9ce4_8422_2325_u64, |hash, number| {
+        (hash ^ number.to_bits()).wrapping_mul(0x0100_0000_01b3)
+    });
+    assert_eq!((fnv_1a, steps.rounds), (16825418621938942653, 4));
+}
