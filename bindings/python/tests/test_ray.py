@@ -253,7 +253,7 @@ def test_hostile_arguments(cluster, tmp_path) -> None:
         faces = integers(random, 6, 3, 3)
         edges = [None, integers(random, 6, 2, 2)][random.integers(2)]
         options = {
-            "separation": [0.0, 0.0, 1.0, -1.0, np.nan, "a"][random.integers(6)],
+            "min_distance": [0.0, 0.0, 1.0, -1.0, np.nan, "a"][random.integers(6)],
             "steps": [1, 1, 2, 2**70, 0, -1, 1.5, None][random.integers(8)],
             "window": [None, None, 1, 2**70, 0][random.integers(5)],
             "results": [None, tmp_path][random.integers(2)],

@@ -3,6 +3,7 @@
 use core::array;
 
 use crate::distance::{Separation, TimeOutOfStep};
+use crate::filter::{cross, dot, minus};
 use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::options::Options;
@@ -26,7 +27,7 @@ pub enum NotDifferentiable {
     /// The primitives touch at t = 0, where the time of impact ends to depend on the points.
     #[error("the primitives touch at the start of the step, where the time of impact is no smooth function")]
     Start,
-    /// The first contact is at t = 1: a small change of the points removes it.
+    /// The first contact is at t = 1, or after the last f64 below: a small change of the points removes it.
     #[error(
         "the primitives first touch at the end of the step: a small change of the points removes the contact"
     )]
@@ -39,8 +40,8 @@ pub enum NotDifferentiable {
     /// The closest points pass from one feature to another, or are not unique, as those of parallel edges.
     #[error("the closest points are not unique, or on the boundary of a primitive in contact")]
     Features,
-    /// The distance is 0 at this time.
-    #[error("the distance is 0 at this time, where it is no smooth function")]
+    /// The distance is 0 at this time, or so small that rounding determines the direction.
+    #[error("the distance at this time is 0, where it is no smooth function, or too small for f64")]
     Touching,
     /// A derivative overflows.
     #[error("a derivative is not a finite number")]
@@ -54,9 +55,15 @@ pub enum NotDifferentiable {
 /// within 2⁻³¹.
 const NEAR_BOUNDARY: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// A relative velocity below this fraction of those of the points may vanish. It has an error of 2⁻³² for the
-/// normal and as much for each weight.
+/// A velocity along the normal below this fraction of the velocities relative to one point may vanish.
+///
+/// The weights are off by at most 2⁻³¹ and the normal by 2⁻³², so that the velocity is off by less than 2⁻²⁹ of
+/// the sum of these velocities.
 const NEAR_TANGENT: f64 = 1.0 / (1u64 << 28) as f64;
+
+/// Distances of at most this fraction of the extent of a query are too small for a direction: see
+/// [`Query::distance_gradient`].
+const NEAR_CONTACT: f64 = 1.0 / (1u64 << 25) as f64;
 
 /// Edges are nearly parallel, or a face nearly flat, if the square of the sine of their angle is below this.
 const NEAR_PARALLEL: f64 = 1.0 / (1u64 << 40) as f64;
@@ -97,14 +104,19 @@ impl<K: Kind> Query<K> {
         }
         let normal = self.unique_normal(&impact, options.separation)?;
         let weights = impact.weights::<K>();
-        let [x0, x1] = self.points();
-        let (mut velocity, mut largest) = (0.0, 0.0);
-        for ((a, b), weight) in x0.as_ref().iter().zip(x1.as_ref()).zip(weights) {
+        let [x0, x1] = self.points().each_ref().map(AsRef::as_ref);
+        let (mut velocity, mut largest) = (0.0, 0.0_f64);
+        for (place, weight) in weights.into_iter().enumerate().take(x0.len()) {
             for axis in 0..3 {
-                let summand = weight * normal[axis] * (b[axis] - a[axis]);
-                velocity += summand;
-                largest += summand.abs().max(weight.abs() * (b[axis] - a[axis]).abs());
+                // The weights add up to 0: a common velocity changes nothing.
+                let [start, end] = [x0, x1].map(|x| x[place][axis] - x[0][axis]);
+                velocity += weight * normal[axis] * (end - start);
+                // The difference is off by 2⁻⁵³ of its terms, below 2⁻²⁸ · 2⁻²⁴ of them.
+                largest += (end - start).abs() + (start.abs() + end.abs()) / (1 << 24) as f64;
             }
+        }
+        if !largest.is_finite() {
+            return Err(NotDifferentiable::Overflow);
         }
         if velocity.abs() <= NEAR_TANGENT * largest {
             return Err(NotDifferentiable::Tangent);
@@ -116,19 +128,33 @@ impl<K: Kind> Query<K> {
     /// The derivatives of the distance of the primitives at time `t` with respect to the points at both ends
     /// of the step: wᵢ (1 − t) n and wᵢ t n, as in [`time_gradient`](Self::time_gradient).
     ///
-    /// The closest points are those of the points at t, rounded.
+    /// The points at t, relative to the first one, are rounded: off by less than 4 u m each, for the extent m of
+    /// the points at both ends. The set of differences of the primitives then is off by ε < 16 u m. Its point
+    /// p next to 0, at the distance D, is off by at most √(4 ε D + ε²): an exact nearest point q and a rounded
+    /// one r satisfy r · q ≥ D² − ε D and |r| ≤ D + ε. A distance of at most 2⁻²⁵ m is an error, so that ε <
+    /// 2⁻²⁴ D, and the direction is within 2⁻¹⁰ at worst; it is within about 2⁻²³ where the features do not
+    /// change.
     ///
     /// # Errors
-    /// [`NotDifferentiable`], also where rounding leaves it open.
+    /// [`NotDifferentiable`], also where the distance is too small for the rounding of the points.
     pub fn distance_gradient(&self, t: f64) -> Result<Gradient<K>, NotDifferentiable> {
         TimeOutOfStep::check(t)?;
         let [mut now, end] = *self.points();
+        let origins = [now.as_ref()[0], end.as_ref()[0]];
+        let mut extent: f64 = 0.0;
         for (now, end) in now.as_mut().iter_mut().zip(end.as_ref()) {
-            *now = array::from_fn(|axis| (1.0 - t) * now[axis] + t * end[axis]);
+            *now = array::from_fn(|axis| {
+                let [a, b] = [now[axis] - origins[0][axis], end[axis] - origins[1][axis]];
+                extent = extent.max(a.abs()).max(b.abs());
+                (1.0 - t) * a + t * b
+            });
+        }
+        if !extent.is_finite() {
+            return Err(NotDifferentiable::Overflow);
         }
         let resting = Self::from_finite([now, now]);
         let distance = resting.distance_at(0.0)?.upper;
-        if distance == 0.0 {
+        if distance <= NEAR_CONTACT * extent {
             return Err(NotDifferentiable::Touching);
         }
         let within = Separation::new(distance).map_err(|_| NotDifferentiable::Overflow)?;
@@ -157,15 +183,21 @@ impl<K: Kind> Query<K> {
         }
         let t = impact.time.lower();
         let four = self.four();
+        // Differences first: the error is relative to the edge, not to its place.
         let [e1, e2] = [K::SPAN[1], K::SPAN[2]].map(|(i, j)| {
-            array::from_fn(|axis| {
-                let at = |k: usize| (1.0 - t) * four[0][k][axis] + t * four[1][k][axis];
-                at(i) - at(j)
-            })
+            let [start, end] = four.each_ref().map(|x| minus(x[i], x[j]));
+            let edge: Point = array::from_fn(|axis| (1.0 - t) * start[axis] + t * end[axis]);
+            let longest = edge
+                .iter()
+                .fold(f64::MIN_POSITIVE, |longest, x| x.abs().max(longest));
+            edge.map(|x| x / longest)
         });
-        let [length1, length2] = [e1, e2].map(squared);
+        let [length1, length2] = [e1, e2].map(|e| dot(e, e));
         let is_unique = match K::FEATURES.inner {
-            Some(_) => squared(cross(e1, e2)) > NEAR_PARALLEL * length1 * length2,
+            Some(_) => {
+                let normal = cross(e1, e2);
+                dot(normal, normal) > NEAR_PARALLEL * length1 * length2
+            }
             // An edge, or two vertices.
             None => length2 > 0.0 || K::FEATURES.sides.is_empty(),
         };
@@ -196,12 +228,4 @@ fn gradient<K: Kind>(
     } else {
         Err(NotDifferentiable::Overflow)
     }
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [[1, 2], [2, 0], [0, 1]].map(|[i, j]: [usize; 2]| a[i] * b[j] - a[j] * b[i])
-}
-
-fn squared(a: Point) -> f64 {
-    a[0] * a[0] + a[1] * a[1] + a[2] * a[2]
 }

@@ -41,4 +41,4 @@ pub(crate) use nearness::{
 pub(crate) use number::{Lanes, Points};
 pub(crate) use roundoff::{UNIT, certain_sign, margin};
 pub(crate) use screening::{Decision, Proved, Screened, decide, decide_near_plane, screen_planes};
-pub(crate) use vector::{cross, cross_magnitude, dot};
+pub(crate) use vector::{cross, cross_magnitude, dot, minus};
