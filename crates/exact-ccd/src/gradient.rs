@@ -57,8 +57,8 @@ const NEAR_BOUNDARY: f64 = 1.0 / (1u64 << 30) as f64;
 
 /// A velocity along the normal below this fraction of the velocities relative to one point may vanish.
 ///
-/// The weights are off by at most 2⁻³¹ and the normal by 2⁻³², so that the velocity is off by less than 2⁻²⁹ of
-/// the sum of these velocities.
+/// The weights are off by at most 2⁻³¹ and the normal by 2⁻³², so that the velocity is off by less than
+/// 2⁻²⁹ of the sum of these velocities.
 const NEAR_TANGENT: f64 = 1.0 / (1u64 << 28) as f64;
 
 /// Distances of at most this fraction of the extent of a query are too small for a direction: see
@@ -128,12 +128,12 @@ impl<K: Kind> Query<K> {
     /// The derivatives of the distance of the primitives at time `t` with respect to the points at both ends
     /// of the step: wᵢ (1 − t) n and wᵢ t n, as in [`time_gradient`](Self::time_gradient).
     ///
-    /// The points at t, relative to the first one, are rounded: off by less than 4 u m each, for the extent m of
-    /// the points at both ends. The set of differences of the primitives then is off by ε < 16 u m. Its point
-    /// p next to 0, at the distance D, is off by at most √(4 ε D + ε²): an exact nearest point q and a rounded
-    /// one r satisfy r · q ≥ D² − ε D and |r| ≤ D + ε. A distance of at most 2⁻²⁵ m is an error, so that ε <
-    /// 2⁻²⁴ D, and the direction is within 2⁻¹⁰ at worst; it is within about 2⁻²³ where the features do not
-    /// change.
+    /// The points at t, relative to the first one, are rounded: off by less than 4 u m each, for the extent
+    /// m of the points at both ends. The set of differences of the primitives then is off by ε < 16 u m.
+    /// Its point p next to 0, at the distance D, is off by at most √(4 ε D + ε²): an exact nearest point q
+    /// and a rounded one r satisfy r · q ≥ D² − ε D and |r| ≤ D + ε. A distance of at most 2⁻²⁵ m is an
+    /// error, so that ε < 2⁻²⁴ D, and the direction is within 2⁻¹⁰ at worst; it is within about 2⁻²³ where
+    /// the features do not change.
     ///
     /// # Errors
     /// [`NotDifferentiable`], also where the distance is too small for the rounding of the points.

@@ -45,7 +45,7 @@ fn errors_name_the_files() {
     let turned = file("turned.off", "OFF\n3 1 0\n0 0 1\n1 0 1\n0 1 1\n3 1 2 0\n");
     let bad = file("bad.off", "OFF\n3 1 0\n0 0 1\n1 0 nan\n0 1 1\n3 0 1 2\n");
     let missing = good.with_file_name("missing.ply");
-    let unknown = good.with_file_name("mesh.xyz");
+    let unknown = good.with_file_name("mesh.unknown");
     let message = |start: &Path, end: &Path| read_motion(start, end).unwrap_err().to_string();
 
     let (good_name, turned_name) = (good.display(), turned.display());

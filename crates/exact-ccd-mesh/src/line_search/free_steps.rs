@@ -25,7 +25,7 @@ pub struct FreeSteps {
     /// The pairs that touch, whatever the sizes of the vertices that are not pinned: those that touch at the
     /// start, and those whose other vertices stay at the start. Sorted.
     pub blocked: Vec<Pair>,
-    /// The number of searches for contact.
+    /// The number of rounds, without the searches that certify the common step, where it is needed.
     pub rounds: usize,
 }
 

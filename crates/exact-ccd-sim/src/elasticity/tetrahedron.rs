@@ -10,7 +10,7 @@ use super::neo_hookean::NeoHookean;
 use super::stable_neo_hookean::StableNeoHookean;
 use crate::energy::{Energy, Projection, gather};
 
-/// The hyperelastic energy of a solid.
+/// The hyperelastic energy of a solid. A new one is the last: fingerprints of checkpoints have the number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolidMaterial {

@@ -4,9 +4,8 @@
 //! · d = dᵀ H d > 0, the quadratic model of the potential falls by m(α) = α (1 − α/2) δ in the common step
 //! α. For parts αᵥ of its own for each vertex, p = (αᵥ dᵥ) can increase the potential, because Σ αᵥ gᵥ · dᵥ
 //! has terms of both signs. A step β p is therefore taken only if the potential falls by at least m(α), for
-//! the free common step α: by what the common step promises. So the sum of m(α) over all iterations is
-//! bounded, as in the common line search with a condition of descent, and parts of vertices cost no
-//! convergence.
+//! the free common step α: by what the common step promises. So the sum of m(α) over all such steps with the
+//! same stiffness is bounded, up to rounding, as for the common step with a condition of descent.
 //!
 //! The model is convex. Along p it falls by at most −β g · p, so that no β with −β g · p < m(α) is tried.
 

@@ -57,6 +57,8 @@ impl Polynomial {
     }
 
     /// A polynomial with the same roots, all simple, for a polynomial that is [reduced](Self::reduced).
+    ///
+    /// A grazing contact is at a root where the sign does not change: here it becomes one where it does.
     pub(super) fn square_free(&self) -> Self {
         let slope = self.slope();
         if are_coprime(self.coefficients(), slope.coefficients()) {

@@ -35,9 +35,8 @@ pub(in crate::filter) fn record() -> Rc<[Operation]> {
 /// An f64, and a bound of its error.
 ///
 /// The number is a sum of products of inputs, each term times at most `roundings` factors from 1 − u to 1 +
-/// u;
-/// `permanent` is the sum of their magnitudes. So its error is at most γₙ times the permanent, apart from
-/// underflow (Higham, Accuracy and Stability of Numerical Algorithms, chapter 3).
+/// u; `permanent` is the sum of their magnitudes. So its error is at most γₙ times the permanent, apart
+/// from underflow (Higham, Accuracy and Stability of Numerical Algorithms, chapter 3).
 #[derive(Clone, Copy, Debug)]
 pub(in crate::filter) struct Symbol {
     pub(in crate::filter) value: f64,
