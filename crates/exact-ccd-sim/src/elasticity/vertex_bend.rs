@@ -34,13 +34,15 @@ const LEAST: f64 = 0.01;
 ///
 /// ½ A D ((1 − ν) H : H + ν (tr H)²) + ½ Σ ½ s D (l² / a) r²,
 ///
-/// with the flexural rigidity D, Poisson's ratio ν and the area a of both faces of an edge, of which either
-/// end has half. The rest of constant curvature is 0: the energy is that of a plate then, about each vertex
-/// whose edges show all three components of the curvature. Where they do not, as at a vertex with one inner
-/// edge, the energy has the components that they show; a vertex of one face has none. This is the principle of the virtual element method, a consistent part and a stable rest: L. Beirão da Veiga,
-/// F. Brezzi, A. Cangiani, G. Manzini, L. Marini, A. Russo, *Basic principles of virtual element methods*,
-/// 2013. The mean is that of O. Stein, E. Grinspun, M. Wardetzky, A. Jacobson, *Natural boundary conditions
-/// for smoothing in geometry processing*, 2018, with terms of the vertices on the boundary too.
+/// with the flexural rigidity D, Poisson's ratio ν and the area a of both faces of an edge, of which
+/// either end has half. The rest of constant curvature is 0: the energy is that of a plate then, about
+/// each vertex whose edges show all three components of the curvature. Where they do not, as at a vertex
+/// with one inner edge, the energy has the components that they show; a vertex of one face has none. This
+/// is the principle of the virtual element method, a consistent part and a stable rest: L. Beirão da
+/// Veiga, F. Brezzi, A. Cangiani, G. Manzini, L. Marini, A. Russo, *Basic principles of virtual element
+/// methods*, 2013. The mean is that of O. Stein, E. Grinspun, M. Wardetzky, A. Jacobson, *Natural
+/// boundary conditions for smoothing in geometry processing*, 2018, with terms of the vertices on the
+/// boundary too.
 #[derive(Debug)]
 pub(crate) struct VertexBend {
     vertices: Vec<u32>,

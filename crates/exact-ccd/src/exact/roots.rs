@@ -1,9 +1,10 @@
 //! The roots of polynomials in an interval.
 //!
-//! Between two neighbouring roots of its derivative, a polynomial is monotone: it has one root there if it
-//! has different signs at the two, and otherwise none. So roots are found from the roots of the derivative,
-//! these from those of the second one, and so on. Repeated roots (grazing) are made simple before. All of them are simple roots of some derivative, to which
-//! secants lead in few steps, however near to each other they are.
+//! Between two neighbouring roots of its derivative, a polynomial is monotone: it has one root there if
+//! it has different signs at the two, and otherwise none. So roots are found from the roots of the
+//! derivative, these from those of the second one, and so on. Repeated roots (grazing) are made simple
+//! before. All of them are simple roots of some derivative, to which secants lead in few steps, however
+//! near to each other they are.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;

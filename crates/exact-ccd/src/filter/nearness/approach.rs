@@ -240,9 +240,9 @@ pub(super) fn minor<T: Lanes>([a, b]: [T; 2], [c, d]: [T; 2]) -> T {
 /// The steps along a and b to the foot of the perpendicular, if these certainly are not parallel.
 ///
 /// By Cramer's rule, for [aa, ab; ab, bb] δ = −[ax, bx]. The determinant results from two more roundings
-/// of terms that add up to aa bb + ab² ≤ 2 aa bb: the first is relative to each term, the last to the result,
-/// so that both together are at most u (aa bb + ab² + det) = 2 u aa bb. So do the numerators, of their terms. The error of a
-/// quotient is that of [`along`]; the factors of 2 cover its roundings.
+/// of terms that add up to aa bb + ab² ≤ 2 aa bb: the first is relative to each term, the last to the
+/// result, so that both together are at most u (aa bb + ab² + det) = 2 u aa bb. So do the numerators, of
+/// their terms. The error of a quotient is that of [`along`]; the factors of 2 cover its roundings.
 fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
     let [aa, of_aa] = product(a, a);
     let [bb, of_bb] = product(b, b);
