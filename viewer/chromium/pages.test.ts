@@ -149,10 +149,11 @@ describe("the page of an audit", () => {
   it("opens at the violation", async () => {
     const file = join(folder, "audit.html");
     const report = JSON.parse(run(["audit", START, START, END, "--json", "--view", file])) as {
-      violation: { frame: number; contact: { ids: number[]; time: { lower: number } } };
+      contact: { frame: number; ids: number[]; time: { lower: number } };
     };
     const { page, problems } = await open(browser, file, "dark");
-    const { frame, contact } = report.violation;
+    const { contact } = report;
+    const { frame } = contact;
     const toi = contact.time.lower;
     expect(frame).toBe(1);
     expect(await value(page)).toBeCloseTo(frame + toi, 12);
