@@ -80,13 +80,11 @@ fn through_rust(x0: &[Point], x1: &[Point], pinned: &[u32], keep: f64, distance:
         .expect("a step of the mesh")
 }
 
-fn through_c(x0: &[Point], x1: &[Point], pinned: &[u32], keep: f64, distance: &Distance) -> FreeSteps {
+/// A detector of the mesh, which outlives the handle of the mesh.
+fn new_detector() -> *mut exact_ccd_c::Detector {
     let (faces, edges) = connectivity();
-    let (mut mesh, mut detector, mut list) = (ptr::null_mut(), ptr::null_mut(), ptr::null_mut());
-    let (mut data, mut count, mut rounds) = (ptr::null(), 0, 0);
-    let mut sizes = vec![0.0; VERTICES];
-    let mut positions = vec![[0.0; 3]; VERTICES];
-    // SAFETY: the arrays have the lengths that are passed on, and handles are freed once.
+    let (mut mesh, mut detector) = (ptr::null_mut(), ptr::null_mut());
+    // SAFETY: the arrays have the lengths that are passed on, and the handle is freed once.
     unsafe {
         let statuses = [
             exact_ccd_mesh_new(
@@ -98,6 +96,22 @@ fn through_c(x0: &[Point], x1: &[Point], pinned: &[u32], keep: f64, distance: &D
                 &raw mut mesh,
             ),
             exact_ccd_detector_new(mesh, &raw mut detector),
+        ];
+        assert_eq!(statuses, [Status::Ok; 2]);
+        exact_ccd_mesh_free(mesh);
+    }
+    detector
+}
+
+fn through_c(x0: &[Point], x1: &[Point], pinned: &[u32], keep: f64, distance: &Distance) -> FreeSteps {
+    let detector = new_detector();
+    let mut list = ptr::null_mut();
+    let (mut data, mut count, mut rounds) = (ptr::null(), 0, 0);
+    let mut sizes = vec![0.0; VERTICES];
+    let mut positions = vec![[0.0; 3]; VERTICES];
+    // SAFETY: the arrays have the lengths that are passed on, and handles are freed once.
+    unsafe {
+        let statuses = [
             match distance {
                 Distance::Uniform(d) => exact_ccd_detector_set_min_distance(detector, *d),
                 Distance::OfVertices(values) => {
@@ -119,7 +133,7 @@ fn through_c(x0: &[Point], x1: &[Point], pinned: &[u32], keep: f64, distance: &D
             ),
             exact_ccd_pairs_data(list, &raw mut data, &raw mut count),
         ];
-        assert_eq!(statuses, [Status::Ok; 5]);
+        assert_eq!(statuses, [Status::Ok; 3]);
         let pairs = slice::from_raw_parts(data, count);
         let blocked = pairs
             .iter()
@@ -127,7 +141,6 @@ fn through_c(x0: &[Point], x1: &[Point], pinned: &[u32], keep: f64, distance: &D
         let blocked = blocked.collect();
         exact_ccd_pairs_free(list);
         exact_ccd_detector_free(detector);
-        exact_ccd_mesh_free(mesh);
         FreeSteps {
             sizes,
             positions,
@@ -160,23 +173,14 @@ fn vertices_through_rust(x0: &[Point], x1: &[Point], cut_off: f64) -> OfVertices
 }
 
 fn vertices_through_c(x0: &[Point], x1: &[Point], cut_off: f64) -> OfVertices {
-    let (faces, edges) = connectivity();
-    let (mut mesh, mut detector, mut list) = (ptr::null_mut(), ptr::null_mut(), ptr::null_mut());
+    let detector = new_detector();
+    let mut list = ptr::null_mut();
     let (mut data, mut count) = (ptr::null(), 0);
     let mut first = vec![0; VERTICES];
     let (mut times, mut clearances) = (vec![0.0; VERTICES], vec![0.0; VERTICES]);
     // SAFETY: the arrays have the lengths that are passed on, and handles are freed once.
     unsafe {
         let statuses = [
-            exact_ccd_mesh_new(
-                VERTICES,
-                faces.as_ptr().cast(),
-                faces.len(),
-                edges.as_ptr().cast(),
-                edges.len(),
-                &raw mut mesh,
-            ),
-            exact_ccd_detector_new(mesh, &raw mut detector),
             exact_ccd_detector_first_contacts(
                 detector,
                 x0.as_ptr().cast(),
@@ -196,10 +200,9 @@ fn vertices_through_c(x0: &[Point], x1: &[Point], cut_off: f64) -> OfVertices {
                 clearances.as_mut_ptr(),
             ),
         ];
-        assert_eq!(statuses, [Status::Ok; 5]);
+        assert_eq!(statuses, [Status::Ok; 3]);
         exact_ccd_contacts_free(list);
         exact_ccd_detector_free(detector);
-        exact_ccd_mesh_free(mesh);
     }
     let bits = |values: Vec<f64>| values.into_iter().map(f64::to_bits).collect();
     (count, first, bits(times), bits(clearances))

@@ -23,8 +23,8 @@ impl<B: BroadPhase> Detector<B> {
     /// free of contact: no point of a primitive moves farther than one of its vertices, which is less than
     /// half of the distance of any of its pairs.
     ///
-    /// The time is that of the pairs within the cut-off: about the largest displacement that is of interest,
-    /// twice.
+    /// The cost grows with the number of pairs within the cut-off, which should be about twice the largest
+    /// displacement of interest.
     ///
     /// ```
     /// use exact_ccd::Separation;
