@@ -14,6 +14,8 @@ from pathlib import Path
 import ipctk
 import numpy as np
 
+from ply import read_ply
+
 BROAD_PHASES = {
     "LBVH": ipctk.LBVH,
     "HashGrid": ipctk.HashGrid,
@@ -24,32 +26,6 @@ NARROW_PHASES = {
     "AdditiveCCD": ipctk.AdditiveCCD,
 }
 FREE_FRACTION = 0.9
-
-
-def read_ply(path):
-    """Positions and faces of a binary PLY file whose faces are triangles."""
-    numbers = {"float": "f4", "double": "f8", "float32": "f4", "float64": "f8"}
-    with open(path, "rb") as file:
-        header = []
-        while not header or header[-1] != "end_header":
-            line = file.readline()
-            if not line:
-                raise SystemExit(f"{path}: no end_header")
-            header.append(line.decode("ascii").strip())
-        orders = {"format binary_little_endian 1.0": "<", "format binary_big_endian 1.0": ">"}
-        order = next((orders[line] for line in header if line in orders), None)
-        if order is None:
-            raise SystemExit(f"{path}: expected a binary PLY file")
-        counts = {e: int(n) for e, n in re.findall(r"element (\w+) (\d+)", "\n".join(header))}
-        kinds = [line.split()[1] for line in header if re.fullmatch(r"property \w+ [xyz]", line)]
-        vertex = np.dtype([(axis, order + numbers[kind]) for axis, kind in zip("xyz", kinds)])
-        face = np.dtype([("count", "u1"), ("corners", order + "i4", 3)])
-        vertices = np.fromfile(file, vertex, counts["vertex"])
-        faces = np.fromfile(file, face, counts["face"])
-    if not (faces["count"] == 3).all():
-        raise SystemExit(f"{path}: expected triangles")
-    positions = np.stack([vertices[axis].astype(np.float64) for axis in "xyz"], axis=1)
-    return np.asfortranarray(positions), np.asfortranarray(faces["corners"].astype(np.int32))
 
 
 def write_ply(path, positions, faces):
@@ -140,8 +116,28 @@ def print_table(title, contestants, seconds, answers):
     sys.stdout.flush()
 
 
-def compare(scene, options, threads):
+class Summary:
+    """One row for each scene and number of threads, with the times of all contestants in ms."""
+
+    def __init__(self, title):
+        self.title, self.header, self.rows = title, None, []
+
+    def add(self, row, contestants, seconds):
+        self.header = [contestant.name for contestant in contestants]
+        self.rows.append([row, *(f"{1e3 * taken:.1f}" for taken in seconds)])
+
+    def print(self):
+        if self.rows:
+            print(f"\n### {self.title}, in ms\n\n| scene, threads | {' | '.join(self.header)} |")
+            print("|---|" + "---:|" * len(self.header))
+            for row in self.rows:
+                print(f"| {' | '.join(row)} |")
+
+
+def compare(scene, options, threads, summaries):
     """All questions about one scene."""
+    row = f"{scene.name}, {threads}"
+    steps, decisions, free_decisions = summaries
     ipctk.set_num_threads(threads)
     frames = sorted((scene / "frames").glob("*.ply"), key=frame_number)[:2]
     (x0, faces), (x1, _) = map(read_ply, frames)
@@ -164,6 +160,7 @@ def compare(scene, options, threads):
     contestants = [ours("--toi"), ours(), *theirs("step", *options.broad)]
     seconds, answers = medians(contestants, options, x0, x1, files)
     print_table(f"{title}: the collision-free step", contestants, seconds, answers)
+    steps.add(row, contestants, seconds)
     ours_is_largest = answers[0] >= max(answers[2:])
     print(f"\nOur step is {'' if ours_is_largest else 'NOT '}at least as large as theirs.")
     if options.only_step:
@@ -173,6 +170,7 @@ def compare(scene, options, threads):
     contestants = [ours("--any"), *theirs("any", *options.broad)]
     result = medians(contestants, options, x0, x1, files)
     print_table(f"{title}: yes or no", contestants, *result)
+    decisions.add(row, contestants, result[0])
 
     if size == 0:
         print("\nNo step is free: a pair is within the minimum distance at the start.")
@@ -183,6 +181,7 @@ def compare(scene, options, threads):
         write_ply(end, free, faces)
         result = medians(contestants, options, x0, free, [files[0], end])
         print_table(f"{title}: yes or no, on a step that is free", contestants, *result)
+        free_decisions.add(row, contestants, result[0])
 
 
 def frame_number(path):
@@ -207,10 +206,14 @@ def main():
     options = parser.parse_args()
     # A warning for each pair that starts within the minimum distance would take longer than the answer.
     ipctk.set_logger_level(ipctk.LoggerLevel.error)
+    titles = ("The collision-free step", "Yes or no", "Yes or no, on a step that is free")
+    summaries = [Summary(title) for title in titles]
     for threads in options.threads:
         for scene in sorted(options.scenes.iterdir()):
             if (scene / "frames").is_dir() and options.only in (None, scene.name):
-                compare(scene, options, threads)
+                compare(scene, options, threads, summaries)
+    for summary in summaries:
+        summary.print()
 
 
 if __name__ == "__main__":
