@@ -22,7 +22,7 @@ pub enum ReadError {
         source: io::Error,
     },
     /// The extension belongs to no format.
-    #[error("{}: unknown extension, expected {}", path.display(), Format::extensions())]
+    #[error("{}: unknown extension, expected {}, also with .gz", path.display(), Format::extensions())]
     Extension {
         /// The file.
         path: PathBuf,
