@@ -1,8 +1,7 @@
 //! Errors in mesh files: the file, the place in it, and what was expected there.
 
-use std::fmt;
-use std::io;
 use std::path::PathBuf;
+use std::{fmt, io};
 
 use exact_ccd_mesh::{FrameError, TetMeshError};
 

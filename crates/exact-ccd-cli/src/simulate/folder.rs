@@ -9,8 +9,6 @@ use exact_ccd_files::{write_ply_with_parts, write_pvd};
 use exact_ccd_scene::Scene;
 use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 
-use super::bodies;
-use super::contact_points;
 use super::grid::Grid;
 use super::layout::{
     BODIES, CHECKPOINT, COLLECTION, CONTACT_COLLECTION, CONTACTS, FRAMES, GRIDS, PATH, STATISTICS, files,
@@ -20,6 +18,7 @@ use super::log::Log;
 use super::path::{Path as PathWriter, named_parts};
 use super::statistics::Row;
 use super::steps;
+use super::{bodies, contact_points};
 use crate::failure::Failure;
 use crate::output::{make_folder, write_file, write_file_soon};
 
