@@ -8,7 +8,6 @@ fn main() {
     const VARIABLE: &str = "EXACT_CCD_DATA";
     let default = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
     let folder = env::var_os(VARIABLE).map_or(default, PathBuf::from);
-    println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rustc-check-cfg=cfg(no_data)");
     println!("cargo::rerun-if-env-changed={VARIABLE}");
     if folder.is_dir() {

@@ -9,7 +9,7 @@ use crate::border::call;
 use crate::contact::Contact;
 use crate::error::Status;
 use crate::mesh::Mesh;
-use crate::pointers::{Out, positions, reference, reference_mut};
+use crate::pointers::{Out, free, positions, reference, reference_mut};
 use crate::threads::Threads;
 
 /// Examines the frames of a mesh one after the other, between which vertices move in straight lines.
@@ -43,11 +43,11 @@ pub unsafe extern "C" fn exact_ccd_audit_new(
         let min_distance = MinDistance::uniform(Separation::new(min_distance)?);
         // SAFETY: the documentation of the function states the promise.
         let (Mesh(mesh), audit) = unsafe { (reference("mesh", mesh)?, Out::new("audit", audit)?) };
-        audit.write(Box::into_raw(Box::new(Audit {
+        audit.give(Audit {
             mesh: mesh.clone(),
             audit: exact_ccd_mesh::Audit::with_min_distance(min_distance),
             threads: Threads::default(),
-        })));
+        });
         Ok(())
     })
 }
@@ -115,8 +115,6 @@ pub unsafe extern "C" fn exact_ccd_audit_examine(
 /// Frees an audit. Null is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_audit_free(audit: *mut Audit) {
-    if !audit.is_null() {
-        // SAFETY: made by `exact_ccd_audit_new`, and freed once: the caller's promise.
-        drop(unsafe { Box::from_raw(audit) });
-    }
+    // SAFETY: the caller's promise.
+    unsafe { free(audit) }
 }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::border::call;
 use crate::error::{Error, Status};
 use crate::kind::with_kind;
-use crate::pointers::{array, places, positions};
+use crate::pointers::{array, ends, places};
 use crate::query::options;
 use crate::threads::Threads;
 
@@ -85,10 +85,10 @@ pub unsafe extern "C" fn exact_ccd_batch_time_of_impact_thick(
 }
 
 /// # Safety
-/// As for [`positions`].
+/// As for [`ends`].
 unsafe fn trajectories(x0: *const f64, x1: *const f64, count: usize) -> Result<Trajectories, Error> {
     // SAFETY: the caller's promise.
-    let (x0, x1) = unsafe { (positions("x0", x0, count)?, positions("x1", x1, count)?) };
+    let [x0, x1] = unsafe { ends(x0, x1, count)? };
     Ok(Trajectories::new(x0, x1)?)
 }
 

@@ -1,12 +1,12 @@
 //! Detectors: contact in the steps of one mesh.
 
-use exact_ccd::Options;
+use exact_ccd::{Options, Point};
 use exact_ccd_mesh::{FreeStepOptions, MinDistance};
 
 use crate::border::call;
 use crate::error::{Error, Status};
 use crate::mesh::Mesh;
-use crate::pointers::{Out, reference};
+use crate::pointers::{Out, ends, free, reference, reference_mut};
 use crate::threads::Threads;
 
 /// Finds contact in successive steps of one mesh. It keeps memory from step to step, and no answer
@@ -47,18 +47,31 @@ impl Detector {
     }
 }
 
+/// A detector, and the positions at both ends of a step.
+///
+/// # Safety
+/// As for [`reference_mut`] and [`ends`].
+pub(crate) unsafe fn with_ends<'a>(
+    detector: *mut Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+) -> Result<(&'a mut Detector, [&'a [Point]; 2]), Error> {
+    // SAFETY: the caller's promise.
+    Ok(unsafe { (reference_mut("detector", detector)?, ends(x0, x1, vertex_count)?) })
+}
+
 /// The detector for steps of a mesh, to be freed with `exact_ccd_detector_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_new(mesh: *const Mesh, detector: *mut *mut Detector) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
         let (Mesh(mesh), detector) = unsafe { (reference("mesh", mesh)?, Out::new("detector", detector)?) };
-        let new = Detector {
+        detector.give(Detector {
             inner: exact_ccd_mesh::Detector::new(mesh.clone()),
             min_distance: MinDistance::default(),
             threads: Threads::default(),
-        };
-        detector.write(Box::into_raw(Box::new(new)));
+        });
         Ok(())
     })
 }
@@ -66,8 +79,6 @@ pub unsafe extern "C" fn exact_ccd_detector_new(mesh: *const Mesh, detector: *mu
 /// Frees a detector. Null is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_free(detector: *mut Detector) {
-    if !detector.is_null() {
-        // SAFETY: made by `exact_ccd_detector_new`, and freed once: the caller's promise.
-        drop(unsafe { Box::from_raw(detector) });
-    }
+    // SAFETY: the caller's promise.
+    unsafe { free(detector) }
 }

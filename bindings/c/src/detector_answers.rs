@@ -2,10 +2,10 @@
 
 use crate::border::call;
 use crate::contact::Contact;
-use crate::contacts::Contacts;
-use crate::detector::Detector;
+use crate::detector::{Detector, with_ends};
 use crate::error::Status;
-use crate::pointers::{Out, positions, reference_mut};
+use crate::lists::Contacts;
+use crate::pointers::Out;
 
 /// Decides if any two primitives touch in a step. `x0` and `x1` are the positions of the `vertex_count`
 /// vertices at t = 0 and t = 1. `until`, from 0 to 1, is the last time that counts, 1 for the whole step:
@@ -25,15 +25,9 @@ pub unsafe extern "C" fn exact_ccd_detector_collides(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, x0, x1, collides) = unsafe {
-            let detector = reference_mut("detector", detector)?;
-            let collides = Out::new("collides", collides)?;
-            (
-                detector,
-                positions("x0", x0, vertex_count)?,
-                positions("x1", x1, vertex_count)?,
-                collides,
-            )
+        let (detector, [x0, x1], collides) = unsafe {
+            let (detector, ends) = with_ends(detector, x0, x1, vertex_count)?;
+            (detector, ends, Out::new("collides", collides)?)
         };
         let options = detector.options().until(until);
         collides.write(detector.run(|detector| Ok(detector.collides(x0, x1, options)?))?);
@@ -55,14 +49,10 @@ pub unsafe extern "C" fn exact_ccd_detector_collision(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, x0, x1, collides, contact) = unsafe {
-            let detector = reference_mut("detector", detector)?;
-            let (x0, x1) = (
-                positions("x0", x0, vertex_count)?,
-                positions("x1", x1, vertex_count)?,
-            );
+        let (detector, [x0, x1], collides, contact) = unsafe {
+            let (detector, ends) = with_ends(detector, x0, x1, vertex_count)?;
             let collides = Out::new("collides", collides)?;
-            (detector, x0, x1, collides, Out::new("contact", contact)?)
+            (detector, ends, collides, Out::new("contact", contact)?)
         };
         let options = detector.options().until(until);
         let earliest = detector.run(|detector| Ok(detector.collision(x0, x1, options)?))?;
@@ -87,21 +77,13 @@ pub unsafe extern "C" fn exact_ccd_detector_collisions(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, x0, x1, contacts) = unsafe {
-            let detector = reference_mut("detector", detector)?;
-            let contacts = Out::new("contacts", contacts)?;
-            (
-                detector,
-                positions("x0", x0, vertex_count)?,
-                positions("x1", x1, vertex_count)?,
-                contacts,
-            )
+        let (detector, [x0, x1], contacts) = unsafe {
+            let (detector, ends) = with_ends(detector, x0, x1, vertex_count)?;
+            (detector, ends, Out::new("contacts", contacts)?)
         };
         let options = detector.options().until(until);
         let found = detector.run(|detector| Ok(detector.collisions(x0, x1, options)?))?;
-        let of = |contact| Contact::of(detector.inner.mesh(), [x0, x1], contact);
-        let list = found.iter().map(of).collect();
-        contacts.write(Box::into_raw(Box::new(Contacts(list))));
+        contacts.give(Contacts::of(detector.inner.mesh(), [x0, x1], &found));
         Ok(())
     })
 }

@@ -3,11 +3,11 @@
 use exact_ccd::Point;
 
 use crate::border::call;
-use crate::detector::Detector;
+use crate::detector::{Detector, with_ends};
 use crate::error::Status;
+use crate::lists::Pairs;
 use crate::pair::Pair;
-use crate::pairs::Pairs;
-use crate::pointers::{Out, array, fill, places, reference_mut};
+use crate::pointers::{Out, array, fill, places};
 
 /// A step that is certified to be free of contact: its size, from 0 to 1, and the positions at its
 /// end, which are written to `positions`.
@@ -34,14 +34,10 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
         // SAFETY: the documentation of the function states the promise. The result is written after
         // the last use of the positions, which may be the same memory.
         unsafe {
-            let detector = reference_mut("detector", detector)?;
+            let (detector, [x0, x1]) = with_ends(detector, x0, x1, vertex_count)?;
             let size = Out::new("size", size)?;
-            let step = {
-                let x0 = crate::pointers::positions("x0", x0, vertex_count)?;
-                let x1 = crate::pointers::positions("x1", x1, vertex_count)?;
-                let options = detector.free_step_options(keep);
-                detector.run(|detector| Ok(detector.free_step(x0, x1, &options)?))?
-            };
+            let options = detector.free_step_options(keep);
+            let step = detector.run(|detector| Ok(detector.free_step(x0, x1, &options)?))?;
             let places = places("positions", positions.cast::<Point>(), vertex_count)?;
             fill(places, step.positions);
             size.write(step.size);
@@ -82,22 +78,18 @@ pub unsafe extern "C" fn exact_ccd_detector_free_steps(
         // SAFETY: the documentation of the function states the promise. The results are written after
         // the last use of the positions, which may be the same memory.
         unsafe {
-            let detector = reference_mut("detector", detector)?;
+            let (detector, [x0, x1]) = with_ends(detector, x0, x1, vertex_count)?;
             let (rounds, blocked) = (Out::new("rounds", rounds)?, Out::new("blocked", blocked)?);
-            let steps = {
-                let x0 = crate::pointers::positions("x0", x0, vertex_count)?;
-                let x1 = crate::pointers::positions("x1", x1, vertex_count)?;
-                let pinned = array("pinned", pinned, pinned_count)?;
-                let options = detector.free_step_options(keep);
-                detector.run(|detector| Ok(detector.free_steps(x0, x1, pinned, &options)?))?
-            };
+            let pinned = array("pinned", pinned, pinned_count)?;
+            let options = detector.free_step_options(keep);
+            let steps = detector.run(|detector| Ok(detector.free_steps(x0, x1, pinned, &options)?))?;
             let points = places("positions", positions.cast::<Point>(), vertex_count)?;
             fill(places("sizes", sizes, vertex_count)?, steps.sizes);
             fill(points, steps.positions);
             rounds.write(steps.rounds);
             let mesh = detector.inner.mesh();
             let list = steps.blocked.iter().map(|&pair| Pair::of(mesh, pair)).collect();
-            blocked.write(Box::into_raw(Box::new(Pairs(list))));
+            blocked.give(Pairs(list));
         }
         Ok(())
     })

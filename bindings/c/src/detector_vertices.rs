@@ -3,10 +3,9 @@
 use exact_ccd::Separation;
 
 use crate::border::call;
-use crate::contact::Contact;
-use crate::contacts::Contacts;
-use crate::detector::Detector;
+use crate::detector::{Detector, with_ends};
 use crate::error::{Error, Status};
+use crate::lists::Contacts;
 use crate::pointers::{Out, fill, places, positions, reference_mut};
 
 /// All contacts of a step, the earliest first, and the first one of each vertex: for methods that limit the
@@ -29,37 +28,20 @@ pub unsafe extern "C" fn exact_ccd_detector_first_contacts(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, x0, x1, first, times, contacts) = unsafe {
-            let detector = reference_mut("detector", detector)?;
-            let (x0, x1) = (
-                positions("x0", x0, vertex_count)?,
-                positions("x1", x1, vertex_count)?,
-            );
+        let (detector, [x0, x1], first, times, contacts) = unsafe {
+            let (detector, ends) = with_ends(detector, x0, x1, vertex_count)?;
             let contacts = Out::new("contacts", contacts)?;
             let first = places("first", first, vertex_count)?;
-            (
-                detector,
-                x0,
-                x1,
-                first,
-                places("times", times, vertex_count)?,
-                contacts,
-            )
+            let times = places("times", times, vertex_count)?;
+            (detector, ends, first, times, contacts)
         };
         let options = detector.options().until(until);
         let found = detector.run(|detector| Ok(detector.first_contacts(x0, x1, options)?))?;
         let count = found.contacts.len();
         fill(times, found.times());
-        fill(
-            first,
-            found
-                .of_vertices
-                .iter()
-                .map(|of_vertex| of_vertex.unwrap_or(count)),
-        );
-        let of = |contact| Contact::of(detector.inner.mesh(), [x0, x1], contact);
-        let list = found.contacts.iter().map(of).collect();
-        contacts.write(Box::into_raw(Box::new(Contacts(list))));
+        let of_vertices = found.of_vertices.iter();
+        fill(first, of_vertices.map(|of_vertex| of_vertex.unwrap_or(count)));
+        contacts.give(Contacts::of(detector.inner.mesh(), [x0, x1], &found.contacts));
         Ok(())
     })
 }

@@ -6,7 +6,7 @@ use exact_ccd_mesh::TriangleMesh;
 
 use crate::border::call;
 use crate::error::{Error, Status};
-use crate::pointers::{Out, array, fill, places, reference};
+use crate::pointers::{Out, array, fill, free, places, reference};
 
 /// The connectivity of a mesh: faces, edges and vertices. It never changes.
 pub struct Mesh(pub(crate) Arc<TriangleMesh>);
@@ -35,7 +35,7 @@ pub unsafe extern "C" fn exact_ccd_mesh_new(
             (mesh, faces, edges)
         };
         let new = TriangleMesh::with_edges(vertex_count, faces.to_vec(), edges)?;
-        mesh.write(Box::into_raw(Box::new(Mesh(Arc::new(new)))));
+        mesh.give(Mesh(Arc::new(new)));
         Ok(())
     })
 }
@@ -96,8 +96,6 @@ pub unsafe extern "C" fn exact_ccd_mesh_edges(
 /// Frees a mesh. Detectors of the mesh keep what they need. Null is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_mesh_free(mesh: *mut Mesh) {
-    if !mesh.is_null() {
-        // SAFETY: made by `exact_ccd_mesh_new`, and freed once: the caller's promise.
-        drop(unsafe { Box::from_raw(mesh) });
-    }
+    // SAFETY: the caller's promise.
+    unsafe { free(mesh) }
 }

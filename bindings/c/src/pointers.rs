@@ -39,6 +39,24 @@ impl<T> Out<T> {
     }
 }
 
+impl<T> Out<*mut T> {
+    /// Hands a value over to the caller, who frees it by [`free`].
+    pub(crate) fn give(&self, value: T) {
+        self.write(Box::into_raw(Box::new(value)));
+    }
+}
+
+/// Frees a value of [`Out::give`]. Null is allowed.
+///
+/// # Safety
+/// `handle` is null, or was given by this library and is freed once.
+pub(crate) unsafe fn free<T>(handle: *mut T) {
+    if !handle.is_null() {
+        // SAFETY: the caller's promise.
+        drop(unsafe { Box::from_raw(handle) });
+    }
+}
+
 /// The array of `count` elements at `pointer`. With `count` = 0, the pointer may be null.
 ///
 /// # Safety
@@ -89,6 +107,19 @@ pub(crate) unsafe fn positions<'a>(
 ) -> Result<&'a [Point], Error> {
     // SAFETY: a point is an array of three `double`.
     unsafe { array(name, pointer.cast::<Point>(), count) }
+}
+
+/// The positions of vertices at both ends of a step.
+///
+/// # Safety
+/// As for [`positions`].
+pub(crate) unsafe fn ends<'a>(
+    x0: *const f64,
+    x1: *const f64,
+    count: usize,
+) -> Result<[&'a [Point]; 2], Error> {
+    // SAFETY: the caller's promise.
+    Ok(unsafe { [positions("x0", x0, count)?, positions("x1", x1, count)?] })
 }
 
 /// The value at `pointer`.

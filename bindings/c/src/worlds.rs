@@ -5,13 +5,14 @@ use rayon::prelude::*;
 
 use crate::border::call;
 use crate::contact::Contact;
-use crate::contacts::Contacts;
 use crate::detector::Detector;
 use crate::error::{Error, Status};
-use crate::pointers::{Out, array, fill, places, reference};
+use crate::lists::Contacts;
+use crate::pointers::{Out, ends, fill, places, reference};
 
-/// The positions of worlds: as many for each as there are vertices.
+/// A detector, and the positions of worlds: as many for each as there are vertices.
 struct Worlds<'a> {
+    detector: &'a Detector,
     x0: &'a [Point],
     x1: &'a [Point],
     vertex_count: usize,
@@ -20,8 +21,9 @@ struct Worlds<'a> {
 
 impl<'a> Worlds<'a> {
     /// # Safety
-    /// As for [`array`], with `vertex_count` times `world_count` points in both arrays.
+    /// As for [`reference`] and [`ends`], with `vertex_count` times `world_count` points in both arrays.
     unsafe fn new(
+        detector: *const Detector,
         x0: *const f64,
         x1: *const f64,
         vertex_count: usize,
@@ -29,8 +31,9 @@ impl<'a> Worlds<'a> {
     ) -> Result<Self, Error> {
         let count = vertex_count.saturating_mul(world_count);
         // SAFETY: the caller's promise.
-        let (x0, x1) = unsafe { (array("x0", x0.cast(), count)?, array("x1", x1.cast(), count)?) };
+        let (detector, [x0, x1]) = unsafe { (reference("detector", detector)?, ends(x0, x1, count)?) };
         Ok(Self {
+            detector,
             x0,
             x1,
             vertex_count,
@@ -42,16 +45,15 @@ impl<'a> Worlds<'a> {
     /// one. A thread keeps a detector from world to world.
     fn each<T: Send>(
         &self,
-        detector: &Detector,
         work: impl Fn(&mut exact_ccd_mesh::Detector, &'a [Point], &'a [Point]) -> Result<T, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
-        let own = || detector.inner.clone();
+        let own = || self.detector.inner.clone();
         let answer = |detector: &mut exact_ccd_mesh::Detector, world: usize| {
             let of_world = |x: &'a [Point]| &x[world * self.vertex_count..][..self.vertex_count];
             let answer = work(detector, of_world(self.x0), of_world(self.x1));
             answer.map_err(|error| error.of_world(world))
         };
-        detector.threads.run(|| {
+        self.detector.threads.run(|| {
             let worlds = (0..self.world_count).into_par_iter();
             let answers: Vec<_> = worlds.map_init(own, answer).collect();
             answers.into_iter().collect()
@@ -77,15 +79,12 @@ pub unsafe extern "C" fn exact_ccd_worlds_collides(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, worlds, collides) = unsafe {
-            let detector = reference("detector", detector)?;
-            let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
-            (detector, worlds, places("collides", collides, world_count)?)
+        let (worlds, collides) = unsafe {
+            let worlds = Worlds::new(detector, x0, x1, vertex_count, world_count)?;
+            (worlds, places("collides", collides, world_count)?)
         };
-        let options = detector.options().until(until);
-        let found = worlds.each(detector, |detector, x0, x1| {
-            Ok(detector.collides(x0, x1, options.clone())?)
-        })?;
+        let options = worlds.detector.options().until(until);
+        let found = worlds.each(|detector, x0, x1| Ok(detector.collides(x0, x1, options.clone())?))?;
         fill(collides, found);
         Ok(())
     })
@@ -107,19 +106,13 @@ pub unsafe extern "C" fn exact_ccd_worlds_collision(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, worlds, collides, contacts) = unsafe {
-            let detector = reference("detector", detector)?;
-            let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
+        let (worlds, collides, contacts) = unsafe {
+            let worlds = Worlds::new(detector, x0, x1, vertex_count, world_count)?;
             let collides = places("collides", collides, world_count)?;
-            (
-                detector,
-                worlds,
-                collides,
-                places("contacts", contacts, world_count)?,
-            )
+            (worlds, collides, places("contacts", contacts, world_count)?)
         };
-        let options = detector.options().until(until);
-        let found = worlds.each(detector, |detector, x0, x1| {
+        let options = worlds.detector.options().until(until);
+        let found = worlds.each(|detector, x0, x1| {
             let earliest = detector.collision(x0, x1, options.clone())?;
             Ok(earliest.map(|earliest| Contact::of(detector.mesh(), [x0, x1], &earliest)))
         })?;
@@ -149,21 +142,18 @@ pub unsafe extern "C" fn exact_ccd_worlds_collisions(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, worlds, counts, contacts) = unsafe {
-            let detector = reference("detector", detector)?;
-            let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
+        let (worlds, counts, contacts) = unsafe {
+            let worlds = Worlds::new(detector, x0, x1, vertex_count, world_count)?;
             let counts = places("counts", counts, world_count)?;
-            (detector, worlds, counts, Out::new("contacts", contacts)?)
+            (worlds, counts, Out::new("contacts", contacts)?)
         };
-        let options = detector.options().until(until);
-        let found = worlds.each(detector, |detector, x0, x1| {
+        let options = worlds.detector.options().until(until);
+        let found = worlds.each(|detector, x0, x1| {
             let found = detector.collisions(x0, x1, options.clone())?;
-            let of = |contact| Contact::of(detector.mesh(), [x0, x1], contact);
-            Ok(found.iter().map(of).collect::<Vec<_>>())
+            Ok(Contacts::of(detector.mesh(), [x0, x1], &found).0)
         })?;
         fill(counts, found.iter().map(Vec::len));
-        let list = found.into_iter().flatten().collect();
-        contacts.write(Box::into_raw(Box::new(Contacts(list))));
+        contacts.give(Contacts(found.concat()));
         Ok(())
     })
 }
@@ -186,14 +176,9 @@ pub unsafe extern "C" fn exact_ccd_worlds_free_step(
         // SAFETY: the documentation of the function states the promise. The results are written after
         // the last use of the positions, which may be the same memory.
         unsafe {
-            let detector = reference("detector", detector)?;
-            let options = detector.free_step_options(keep);
-            let steps = {
-                let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
-                worlds.each(detector, |detector, x0, x1| {
-                    Ok(detector.free_step(x0, x1, &options)?)
-                })?
-            };
+            let worlds = Worlds::new(detector, x0, x1, vertex_count, world_count)?;
+            let options = worlds.detector.free_step_options(keep);
+            let steps = worlds.each(|detector, x0, x1| Ok(detector.free_step(x0, x1, &options)?))?;
             let points = places("positions", positions.cast::<Point>(), vertex_count * world_count)?;
             let sizes = places("sizes", sizes, world_count)?;
             fill(sizes, steps.iter().map(|step| step.size));

@@ -1,7 +1,6 @@
 //! Threads.
 
-use std::mem;
-use std::process;
+use std::{mem, process};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use pyo3::exceptions::{PyRuntimeError, PyValueError};

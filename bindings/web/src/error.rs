@@ -1,7 +1,7 @@
 //! Errors of the page.
 
 use exact_ccd::{InvalidSeparation, NonFinite};
-use exact_ccd_files::ParseError;
+use exact_ccd_files::{Format, ParseError};
 use exact_ccd_mesh::{CandidateError, MotionError, StepError};
 use exact_ccd_view::PageError;
 
@@ -16,9 +16,7 @@ pub(crate) enum Error {
     NonFinite(#[from] NonFinite),
     #[error(transparent)]
     Distance(#[from] InvalidSeparation),
-    #[error(
-        "{0}: not the name of a mesh file, expected .ply, .obj, .stl, .off, .msh, .vtu, .vtp, .vtk, .glb, .npz or .npy"
-    )]
+    #[error("{0}: not the name of a mesh file, expected {}", Format::extensions())]
     Extension(String),
     #[error("{name}: {source}")]
     Parse { name: String, source: ParseError },

@@ -11,34 +11,27 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
+mod published;
+mod times;
+
 use std::hint::black_box;
-use std::path::Path;
 use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace, exact};
-use exact_ccd_data::{DataError, DataFolder, DataKind};
+use exact_ccd_data::{DataError, DataKind};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion, Step};
 
-const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+use times::{mean, nanoseconds, quantile};
+
 const ROUNDS: usize = 7;
-const ATTEMPTS: usize = 5;
 /// The number of queries in a batch that is timed as a whole.
 const LARGE: usize = 400_000;
 /// The number of colliding queries that the exact path answers.
 const AUDITED: usize = 1000;
 
 fn main() -> Result<(), DataError> {
-    let wanted: Vec<String> = std::env::args()
-        .skip(1)
-        .filter(|argument| !argument.starts_with('-'))
-        .collect();
-    let mut motions = Vec::new();
-    for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
-        if wanted.is_empty() || wanted.contains(&scene.name()) {
-            motions.push((scene.name(), scene.motion()?));
-        }
-    }
+    let motions = published::motions()?;
     let mut batches: Vec<Batch<'_>> = motions.iter().flat_map(batches).collect();
     for round in 1..=ROUNDS {
         eprintln!("round {round} of {ROUNDS}");
@@ -209,15 +202,6 @@ impl Colliding {
     }
 }
 
-fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
-    let attempt = |_| {
-        let clock = Instant::now();
-        black_box(task());
-        clock.elapsed().as_secs_f64() * 1e9
-    };
-    (0..ATTEMPTS).map(attempt).fold(f64::INFINITY, f64::min)
-}
-
 fn print_candidates(batches: &[Batch<'_>]) {
     println!("All candidates in order, mean ns of the decision.\n");
     println!("| scene and kind | candidates | batch | batch with count and times | one by one |");
@@ -290,18 +274,4 @@ fn print_colliding(batches: &[Batch<'_>]) {
             quantile(exact, 0.5),
         );
     }
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
-}
-
-fn quantile(values: &[f64], fraction: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let last = sorted.len().saturating_sub(1) as f64;
-    sorted
-        .get((fraction * last).round() as usize)
-        .copied()
-        .unwrap_or(f64::NAN)
 }

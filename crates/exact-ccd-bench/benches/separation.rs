@@ -9,18 +9,20 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
+mod published;
+mod times;
+
 use std::hint::black_box;
-use std::path::Path;
 use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{CONTACT, EdgeEdge, Query, Separation, Stage, VertexFace};
-use exact_ccd_data::{DataError, DataFolder, DataKind};
+use exact_ccd_data::{DataError, DataKind};
 use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, Motion, Step};
 
-const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+use times::{mean, nanoseconds, quantile};
+
 const ROUNDS: usize = 7;
-const ATTEMPTS: usize = 5;
 /// d as fractions of the mean length of an edge.
 const FRACTIONS: [f64; 2] = [1e-3, 1e-1];
 /// The largest number of candidates of a row: every so many, if there are more.
@@ -31,18 +33,14 @@ const LARGE: usize = 400_000;
 const SAMPLE: usize = 20_000;
 
 fn main() -> Result<(), DataError> {
-    let wanted: Vec<String> = std::env::args()
-        .skip(1)
-        .filter(|argument| !argument.starts_with('-'))
-        .collect();
     let mut rows: Vec<Row> = Vec::new();
-    for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
-        if wanted.is_empty() || wanted.contains(&scene.name()) {
-            let motion = scene.motion()?;
-            for fraction in FRACTIONS {
-                rows.extend(rows_of(&scene.name(), &motion, fraction));
-            }
-        }
+    for (scene, motion) in published::motions()? {
+        rows.extend(
+            FRACTIONS
+                .map(|fraction| rows_of(&scene, &motion, fraction))
+                .into_iter()
+                .flatten(),
+        );
     }
     for round in 1..=ROUNDS {
         eprintln!("round {round} of {ROUNDS}");
@@ -88,19 +86,10 @@ fn rows_of(scene: &str, motion: &Motion, fraction: f64) -> [Row; 2] {
     let options = CandidateOptions::default().with_distance(d);
     let candidates = Candidates::with_options(step, &Bvh, &options).expect("the distance is positive");
     let d = Separation::new(d).expect("a length is finite");
+    let name = |kind: &str| format!("{scene} {kind}, {fraction:e}");
     [
-        row::<VertexFace>(
-            format!("{scene} vf, {fraction:e}"),
-            step,
-            candidates.vertex_face(),
-            d,
-        ),
-        row::<EdgeEdge>(
-            format!("{scene} ee, {fraction:e}"),
-            step,
-            candidates.edge_edge(),
-            d,
-        ),
+        row::<VertexFace>(name("vf"), step, candidates.vertex_face(), d),
+        row::<EdgeEdge>(name("ee"), step, candidates.edge_edge(), d),
     ]
 }
 
@@ -180,15 +169,6 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
     }
 }
 
-fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
-    let attempt = |_| {
-        let clock = Instant::now();
-        black_box(task());
-        clock.elapsed().as_secs_f64() * 1e9
-    };
-    (0..ATTEMPTS).map(attempt).fold(f64::INFINITY, f64::min)
-}
-
 fn print_decisions(rows: &[Row]) {
     println!(
         "Candidates that do not come within d, mean ns: contact, and the distance d; one by one, and in"
@@ -200,7 +180,7 @@ fn print_decisions(rows: &[Row]) {
     println!("|---|{}", "---:|".repeat(8));
     for Row { name, measured, .. } in rows {
         let figures = |contact: &[f64], outside: &[f64]| {
-            let (contact, outside) = (median(contact), median(outside));
+            let (contact, outside) = (quantile(contact, 0.5), quantile(outside, 0.5));
             format!("{contact:.1} | {outside:.1} | {:.2}", outside / contact)
         };
         println!(
@@ -223,9 +203,9 @@ fn print_times(rows: &[Row]) {
         println!(
             "| {name} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} |",
             mean(&measured.first),
-            median(&measured.first),
-            worst(&measured.first),
-            worst(&measured.first_filtered),
+            quantile(&measured.first, 0.5),
+            quantile(&measured.first, 1.0),
+            quantile(&measured.first_filtered, 1.0),
             mean(&measured.intervals),
             mean(&measured.impacts),
         );
@@ -242,18 +222,4 @@ fn print_stages(rows: &[Row]) {
         let shares: Vec<String> = measured.settled.iter().map(share).collect();
         println!("| {name} | {} |", shares.join(" | "));
     }
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
-}
-
-fn worst(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |a, &b| a.max(b))
-}
-
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
 }

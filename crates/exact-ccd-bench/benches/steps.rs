@@ -8,30 +8,24 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
+mod published;
+
 use std::hint::black_box;
-use std::path::Path;
 use std::time::Instant;
 
 use exact_ccd::CONTACT;
-use exact_ccd_data::{DataError, DataFolder};
+use exact_ccd_data::DataError;
 use exact_ccd_mesh::{BroadPhase, Bvh, Detector, Motion, Point, Step, StepReport, Sweep, advance};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROUNDS: usize = 9;
 const FREE_FRACTION: f64 = 0.9;
 
 fn main() -> Result<(), DataError> {
-    let names: Vec<String> = std::env::args()
-        .skip(1)
-        .filter(|argument| !argument.starts_with('-'))
-        .collect();
     println!("| scene | question | Bvh, 1 thread | Bvh, 2 threads | Sweep, 1 thread | Sweep, 2 threads |");
     println!("|---|---|---:|---:|---:|---:|");
-    for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
-        if names.is_empty() || names.contains(&scene.name()) {
-            print_rows(&scene.name(), &scene.motion()?);
-        }
+    for (scene, motion) in published::motions()? {
+        print_rows(&scene, &motion);
     }
     println!("\nCopying memory: {:.1} GB/s read and written", bandwidth() / 1e9);
     Ok(())

@@ -11,14 +11,13 @@ use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 use crate::contacts::{ContactList, ContactRecord};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
-use crate::impact_files;
 use crate::mesh_arguments::MeshArguments;
 use crate::notes::Notes;
 use crate::progress::{self, during};
 use crate::report::{Report, Violations};
 use crate::scene::{Scene, note_split_vertices};
 use crate::seconds::Seconds;
-use crate::view;
+use crate::{impact_files, view};
 use every::EveryViolation;
 
 /// Certify that a mesh never touches itself in a sequence of frames.

@@ -27,6 +27,7 @@ pub(crate) struct CertificateOption {
 }
 
 /// A certificate in the making, if one is asked for.
+#[derive(Default)]
 pub(crate) struct Certificate<'a> {
     making: Option<(&'a Path, Maker)>,
     /// True if an edge pierces a face at the start, or primitives touch in the first frame: there is
@@ -42,11 +43,7 @@ impl CertificateOption {
     /// For files that `exact-ccd-check` does not read, and a place where no file can be written.
     pub(crate) fn begin(&self, files: &[PathBuf], distance: Separation) -> Result<Certificate<'_>, Failure> {
         let Some(place) = self.certificate.as_deref() else {
-            return Ok(Certificate {
-                making: None,
-                is_broken: false,
-                steps: 0,
-            });
+            return Ok(Certificate::default());
         };
         check_place(place)?;
         if let Some(file) = files
@@ -57,11 +54,9 @@ impl CertificateOption {
                 "a certificate is about PLY files, which exact-ccd-check reads: convert the mesh to PLY";
             return Err(Failure::of(file, reason));
         }
-        let making = Some((place, Maker::new(distance)));
         Ok(Certificate {
-            making,
-            is_broken: false,
-            steps: 0,
+            making: Some((place, Maker::new(distance))),
+            ..Certificate::default()
         })
     }
 }
@@ -80,12 +75,8 @@ impl Certificate<'_> {
         starts_apart: Option<bool>,
     ) -> Result<(), Failure> {
         self.is_broken |= starts_apart == Some(false);
-        self.add(
-            &motion.mesh,
-            [&motion.x0, &motion.x1],
-            starts_apart.is_some(),
-            earliest,
-        )
+        let ends: [&[Point]; 2] = [&motion.x0, &motion.x1];
+        self.add(&motion.mesh, ends, starts_apart.is_some(), earliest)
     }
 
     /// Adds the step that leads to a frame of an audit, or the first frame.

@@ -81,11 +81,14 @@ fn remedy(error: io::ErrorKind) -> &'static str {
     }
 }
 
-/// The number of names that a message lists.
-const LISTED: usize = 20;
-
-/// The first names, as a list.
-pub(crate) fn listed(names: &[String]) -> String {
-    let more = if names.len() > LISTED { ", and others" } else { "" };
-    names[..names.len().min(LISTED)].join(", ") + more
+/// The first names, at most this number, as a list.
+pub(crate) fn listed(names: impl Iterator<Item = String>, most: usize) -> String {
+    let mut names = names.fuse();
+    let first: Vec<_> = names.by_ref().take(most).collect();
+    let more = if names.next().is_some() {
+        ", and others"
+    } else {
+        ""
+    };
+    first.join(", ") + more
 }

@@ -1,7 +1,6 @@
 //! Half spaces that no vertex may enter.
 
 use std::ops::Range;
-use std::str::FromStr;
 
 use exact_ccd::Separation;
 use exact_ccd_mesh::{Frame, HalfSpace, Motion, Point};
@@ -16,30 +15,22 @@ use crate::shortest::numbers;
 pub(crate) struct HalfSpaceOption {
     /// A half space that no vertex of a part that moves may touch, nor come within the minimum distance
     /// of; may be repeated: a point of its boundary, then its outward normal, of any length.
-    #[arg(long, value_name = "X,Y,Z,NX,NY,NZ", allow_hyphen_values = true)]
-    half_space: Vec<HalfSpaceArgument>,
+    #[arg(long, value_name = "X,Y,Z,NX,NY,NZ", value_parser = parse, allow_hyphen_values = true)]
+    half_space: Vec<HalfSpace>,
 }
 
 /// A half space on the command line: a point of its boundary, then the normal, which points outward.
-#[derive(Clone, Debug)]
-struct HalfSpaceArgument(HalfSpace);
-
-impl FromStr for HalfSpaceArgument {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let Some([x, y, z, nx, ny, nz]) = numbers(text) else {
-            return Err("expected six numbers: a point of the boundary, then the outward normal".to_owned());
-        };
-        let (point, normal) = ([x, y, z], [nx, ny, nz]);
-        let half_space = HalfSpace::new(point, normal);
-        match half_space.check(0) {
-            Ok(()) => Ok(Self(half_space)),
-            Err(error) => Err(format!(
-                "the {} is {:?}, expected {}",
-                error.what, error.value, error.expected
-            )),
-        }
+fn parse(text: &str) -> Result<HalfSpace, String> {
+    let Some([x, y, z, nx, ny, nz]) = numbers(text) else {
+        return Err("expected six numbers: a point of the boundary, then the outward normal".to_owned());
+    };
+    let half_space = HalfSpace::new([x, y, z], [nx, ny, nz]);
+    match half_space.check(0) {
+        Ok(()) => Ok(half_space),
+        Err(error) => Err(format!(
+            "the {} is {:?}, expected {}",
+            error.what, error.value, error.expected
+        )),
     }
 }
 
@@ -73,9 +64,8 @@ impl HalfSpaceOption {
         min_distance: Separation,
         inner_distance: Option<Separation>,
     ) -> HalfSpaces {
-        let half_spaces = self.half_space.iter();
         HalfSpaces {
-            half_spaces: half_spaces.map(|HalfSpaceArgument(it)| it.clone()).collect(),
+            half_spaces: self.half_space.clone(),
             min_distance: min_distance.get(),
             inner_distance: inner_distance.unwrap_or(min_distance).get(),
             vertices,

@@ -1,8 +1,7 @@
 //! The durations of the phases of a command.
 
-use std::fmt;
-use std::mem;
 use std::time::{Duration, Instant};
+use std::{fmt, mem};
 
 use serde::{Serialize, Serializer};
 

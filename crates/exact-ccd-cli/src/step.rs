@@ -252,34 +252,24 @@ impl Arguments {
     fn answer(&self, problem: &Problem, detector: &mut Detector<&Timed<Bvh>>) -> Result<Answer, Failure> {
         let Motion { x0, x1, .. } = &problem.motion;
         let stage = progress::stage("searching for contact");
+        let mut answer = Answer::default();
         if self.any {
-            let touches = during(stage, |_| detector.collides(x0, x1, problem.options()))?;
-            return Ok(Answer {
-                touches,
-                ..Answer::default()
-            });
+            answer.touches = during(stage, |_| detector.collides(x0, x1, problem.options()))?;
+        } else if self.toi {
+            answer.earliest = during(stage, |_| detector.collision(x0, x1, problem.options()))?;
+        } else {
+            let options = CandidateOptions::default()
+                .with_min_distance(problem.distance.clone())
+                .with_can_collide(problem.can_collide.clone());
+            let report = during(progress::count("pairs"), |progress| {
+                let step = problem.motion.step()?;
+                let report = StepReport::with_options(step, &problem.broad_phase, &options, progress);
+                report.map_err(Failure::from)
+            })?;
+            answer.pairs = Some(Pairs::from(&report));
+            answer.earliest = report.earliest;
         }
-        if self.toi {
-            let earliest = during(stage, |_| detector.collision(x0, x1, problem.options()))?;
-            return Ok(Answer {
-                earliest,
-                ..Answer::default()
-            });
-        }
-        let options = CandidateOptions::default()
-            .with_min_distance(problem.distance.clone())
-            .with_can_collide(problem.can_collide.clone());
-        let report = during(progress::count("pairs"), |progress| {
-            let step = problem.motion.step()?;
-            let report = StepReport::with_options(step, &problem.broad_phase, &options, progress);
-            report.map_err(Failure::from)
-        })?;
-        let pairs = Some(Pairs::from(&report));
-        Ok(Answer {
-            earliest: report.earliest,
-            pairs,
-            ..Answer::default()
-        })
+        Ok(answer)
     }
 
     /// Writes the files that have all contacts.

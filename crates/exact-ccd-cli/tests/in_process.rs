@@ -2,10 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
-use std::thread;
+use std::{fs, thread};
 
 use tempfile::TempDir;
 

@@ -46,12 +46,7 @@ fn symbol_style(index: usize) -> ShapeStyle {
 }
 
 fn title(table: &Table) -> String {
-    let kind = if table.kind == "vf" {
-        "vertex-face"
-    } else {
-        "edge-edge"
-    };
-    format!("{}, {kind}", table.data_set)
+    format!("{}, {}", table.data_set, table.kind_in_words())
 }
 
 /// A time in microseconds.

@@ -95,12 +95,13 @@ struct Description {
     name: String,
     false_negatives: bool,
     false_positives: bool,
-    time: TimeName,
+    #[serde(with = "TimeName")]
+    time: TimeGuarantee,
     call_ns: f64,
 }
 
 #[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(remote = "TimeGuarantee", rename_all = "lowercase")]
 enum TimeName {
     Absent,
     Approximate,
@@ -146,12 +147,7 @@ impl Peer {
             guarantees: Guarantees {
                 false_negatives: description.false_negatives,
                 false_positives: description.false_positives,
-                time: match description.time {
-                    TimeName::Absent => TimeGuarantee::Absent,
-                    TimeName::Approximate => TimeGuarantee::Approximate,
-                    TimeName::Conservative => TimeGuarantee::Conservative,
-                    TimeName::Exact => TimeGuarantee::Exact,
-                },
+                time: description.time,
             },
             call_nanoseconds: description.call_ns,
             program: Rc::clone(&program),

@@ -1,14 +1,14 @@
 //! The tables of a comparison as Markdown, CSV and JSON, and its plots.
 
 use std::fmt::Write as _;
-use std::fs;
-use std::io;
 use std::path::Path;
+use std::{fs, io};
 
 use serde::Serialize;
 
 use crate::charts;
 use crate::contestant::Contestant;
+use crate::peer::Peer;
 use crate::setting::Setting;
 use crate::table::{Row, Sizes, Table};
 
@@ -34,16 +34,7 @@ impl Report {
         });
         Self {
             setting: Setting::here(),
-            notes: peers
-                .map(|peer| {
-                    let microseconds = peer.call_nanoseconds() / 1e3;
-                    let name = peer.name();
-                    format!(
-                        "{name} runs in another process; each of its times includes {microseconds:.2} µs \
-                         for the call."
-                    )
-                })
-                .collect(),
+            notes: peers.map(note).collect(),
             tables: Vec::new(),
         }
     }
@@ -94,58 +85,11 @@ impl Report {
 
     fn csv(&self) -> io::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record([
-            "data_set",
-            "kind",
-            "queries",
-            "colliding",
-            "method",
-            "answered_colliding",
-            "answered_free",
-            "mean_us",
-            "mean_colliding_us",
-            "mean_free_us",
-            "median_us",
-            "percentile_99_us",
-            "worst_us",
-            "false_positives",
-            "false_negatives",
-            "time_error_median",
-            "time_error_worst",
-            "late",
-        ])?;
-        for (table, row) in self
-            .tables
-            .iter()
-            .flat_map(|table| table.rows.iter().map(move |row| (table, row)))
-        {
-            let mut record = vec![
-                table.data_set.clone(),
-                table.kind.to_owned(),
-                table.queries.to_string(),
-                table.colliding.to_string(),
-                row.method.clone(),
-                row.answered.colliding.to_string(),
-                row.answered.free.to_string(),
-            ];
-            let times = [
-                row.mean,
-                row.mean_colliding,
-                row.mean_free,
-                row.median,
-                row.percentile_99,
-                row.worst,
-            ];
-            record.extend(times.map(|time| time.map_or(String::new(), |time| format!("{time:.3}"))));
-            record.extend([row.false_positives, row.false_negatives].map(|count| count.to_string()));
-            record.extend(row.time_error.map_or([const { String::new() }; 3], |error| {
-                [
-                    error.median.to_string(),
-                    error.worst.to_string(),
-                    error.late.to_string(),
-                ]
-            }));
-            writer.write_record(record)?;
+        writer.write_record(COLUMNS.map(|(name, _)| name))?;
+        for table in &self.tables {
+            for row in &table.rows {
+                writer.write_record(COLUMNS.map(|(_, value)| value(table, row)))?;
+            }
         }
         let bytes = writer
             .into_inner()
@@ -154,15 +98,61 @@ impl Report {
     }
 }
 
+fn note(peer: &Peer) -> String {
+    let (name, microseconds) = (peer.name(), peer.call_nanoseconds() / 1e3);
+    format!("{name} runs in another process; each of its times includes {microseconds:.2} µs for the call.")
+}
+
+/// A column of the CSV file: its name, and its value in the row of a table.
+type Column = (&'static str, fn(&Table, &Row) -> String);
+
+const COLUMNS: [Column; 18] = [
+    ("data_set", |table, _| table.data_set.clone()),
+    ("kind", |table, _| table.kind.to_owned()),
+    ("queries", |table, _| table.queries.to_string()),
+    ("colliding", |table, _| table.colliding.to_string()),
+    ("method", |_, row| row.method.clone()),
+    ("answered_colliding", |_, row| row.answered.colliding.to_string()),
+    ("answered_free", |_, row| row.answered.free.to_string()),
+    ("mean_us", |_, row| decimal(row.mean)),
+    ("mean_colliding_us", |_, row| decimal(row.mean_colliding)),
+    ("mean_free_us", |_, row| decimal(row.mean_free)),
+    ("median_us", |_, row| decimal(row.median)),
+    ("percentile_99_us", |_, row| decimal(row.percentile_99)),
+    ("worst_us", |_, row| decimal(row.worst)),
+    ("false_positives", |_, row| row.false_positives.to_string()),
+    ("false_negatives", |_, row| row.false_negatives.to_string()),
+    ("time_error_median", |_, row| {
+        text(row.time_error.map(|error| error.median))
+    }),
+    ("time_error_worst", |_, row| {
+        text(row.time_error.map(|error| error.worst))
+    }),
+    ("late", |_, row| text(row.time_error.map(|error| error.late))),
+];
+
+/// A time with three decimals; empty if there is none.
+fn decimal(time: Option<f64>) -> String {
+    text(time.map(|time| format!("{time:.3}")))
+}
+
+fn text(value: Option<impl ToString>) -> String {
+    value.map_or_else(String::new, |value| value.to_string())
+}
+
 impl Table {
+    pub(super) fn kind_in_words(&self) -> &'static str {
+        match self.kind {
+            "vf" => "vertex-face",
+            _ => "edge-edge",
+        }
+    }
+
     /// A table under a heading.
     #[must_use]
     pub fn markdown(&self) -> String {
         let table = self;
-        let kind = match table.kind {
-            "vf" => "vertex-face",
-            _ => "edge-edge",
-        };
+        let kind = table.kind_in_words();
         let Sizes { colliding, free } = table.sample;
         let mut text = format!(
             "### {}, {kind}\n\n{} queries, {} in contact",
@@ -200,12 +190,8 @@ fn markdown_row(row: &Row, sample: Sizes) -> String {
     ]
     .map(microseconds);
     let error = row.time_error.map_or(" |  | ".to_owned(), |error| {
-        format!(
-            "{} | {} | {}",
-            power(error.median),
-            power(error.worst),
-            error.late
-        )
+        let [median, worst] = [error.median, error.worst].map(power);
+        format!("{median} | {worst} | {}", error.late)
     });
     format!(
         "| {} | {answered} | {about}{mean} | {about}{colliding} | {about}{free} | {tail} | {worst} | {} | {} | {error} |\n",

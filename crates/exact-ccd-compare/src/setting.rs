@@ -1,7 +1,6 @@
 //! The machine and the build of a comparison.
 
-use std::fmt;
-use std::fs;
+use std::{fmt, fs};
 
 use serde::Serialize;
 

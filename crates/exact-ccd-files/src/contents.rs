@@ -3,6 +3,7 @@
 use std::fmt;
 
 use exact_ccd_mesh::{Frame, TriangleMesh};
+use serde::Serialize;
 
 /// The contents of a mesh file in numbers. Its text is one line for the top of a report.
 ///
@@ -18,7 +19,7 @@ use exact_ccd_mesh::{Frame, TriangleMesh};
 /// );
 /// # Ok::<(), exact_ccd_files::ParseError>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
 pub struct Contents {
     /// All vertices of the frame.

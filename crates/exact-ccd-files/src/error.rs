@@ -1,8 +1,7 @@
 //! Errors in mesh files: the file, the place in it, and what was expected there.
 
-use std::fmt;
-use std::io;
 use std::path::PathBuf;
+use std::{fmt, io};
 
 use exact_ccd_mesh::{FrameError, TetMeshError};
 
@@ -22,7 +21,7 @@ pub enum ReadError {
         source: io::Error,
     },
     /// The extension belongs to no format.
-    #[error("{}: unknown extension, expected {}", path.display(), Format::extensions())]
+    #[error("{}: unknown extension, expected {}, also with .gz", path.display(), Format::extensions())]
     Extension {
         /// The file.
         path: PathBuf,

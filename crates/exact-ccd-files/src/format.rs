@@ -47,7 +47,7 @@ impl Format {
     #[must_use]
     pub fn of_path(path: &Path) -> Option<Self> {
         let extension = extension(path)?;
-        let mut formats = Self::ALL.into_iter();
+        let mut formats = Self::ALL.iter().copied();
         formats.find(|format| format.names().1.contains(&extension.as_str()))
     }
 
@@ -62,20 +62,18 @@ impl Format {
         self.names().1[0]
     }
 
-    /// All extensions of [`Format::of_path`], for messages.
-    pub(crate) fn extensions() -> String {
+    /// All extensions of [`Format::of_path`] as a list in words, such as `.ply, .obj or .npz`.
+    #[must_use]
+    pub fn extensions() -> String {
         let all: Vec<_> = Self::ALL.iter().flat_map(|format| format.names().1).collect();
         let (last, others) = all.split_last().unwrap_or((&&"", &[]));
-        let others = others
-            .iter()
-            .map(|extension| format!(".{extension}"))
-            .collect::<Vec<_>>();
-        format!("{} or .{last}, also with .gz", others.join(", "))
+        let others: Vec<_> = others.iter().map(|extension| format!(".{extension}")).collect();
+        format!("{} or .{last}", others.join(", "))
     }
 
-    const ALL: [Self; 11] = {
+    const ALL: &[Self] = {
         use Format::{Gltf, Msh, Npy, Npz, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu};
-        [Ply, Obj, Stl, Off, Msh, Vtu, Vtp, Vtk, Gltf, Npy, Npz]
+        &[Ply, Obj, Stl, Off, Msh, Vtu, Vtp, Vtk, Gltf, Npy, Npz]
     };
 
     /// The name and the extensions.

@@ -156,7 +156,6 @@ impl Mul for Interval {
 mod tests {
     use dashu_ratio::RBig;
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
 
@@ -189,12 +188,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            cases: 20_000,
-            failure_persistence: None,
-            rng_seed: RngSeed::Fixed(0),
-            ..ProptestConfig::default()
-        })]
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
 
         /// Against exact arithmetic. Intervals of single numbers are the sharpest test.
         #[test]

@@ -2,18 +2,16 @@
 
 use std::path::PathBuf;
 
-use exact_ccd_mesh::Point;
+use exact_ccd_mesh::{HalfSpace, Point};
 use serde::{Deserialize, Serialize};
 
 use super::group::GroupKey;
 use super::half_spaces;
 use super::placement::{Placement, Rotation, Scale};
 use super::rendering::Rendering;
-use exact_ccd_mesh::HalfSpace;
-use exact_ccd_sim::Force;
-use exact_ccd_sim::Script;
-use exact_ccd_sim::Settings;
-use exact_ccd_sim::{ParticleProperties, RodProperties, ShellProperties, SolidProperties};
+use exact_ccd_sim::{
+    Force, ParticleProperties, RodProperties, Script, Settings, ShellProperties, SolidProperties,
+};
 
 /// A scene.
 #[derive(Clone, Debug, Serialize, Deserialize)]

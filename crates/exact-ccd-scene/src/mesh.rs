@@ -6,8 +6,7 @@ use exact_ccd_files::{Format, Group, MeshFile, Polygons, read_tet_groups};
 use exact_ccd_mesh::{Point, TetMesh};
 
 use super::description::Shape;
-use exact_ccd_sim::shapes;
-use exact_ccd_sim::{Body, BodyKind};
+use exact_ccd_sim::{Body, BodyKind, shapes};
 
 /// A mesh with its faces and, if it has any, its loose edges and its tetrahedra.
 #[derive(Default)]

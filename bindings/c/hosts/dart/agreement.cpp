@@ -62,7 +62,7 @@ void print(const char* name, const Counts& counts)
 
 }  // namespace
 
-// A function of this name as an argument: the adapter is a template.
+// A function of this name as an argument, which may be overloaded.
 #define QUERY(function) [](auto&&... a) { return function(std::forward<decltype(a)>(a)...); }
 
 int main()
@@ -70,8 +70,8 @@ int main()
     for (double min_separation : {0.0, 0.01}) {
         std::printf("minSeparation = %g\n", min_separation);
         print("point and triangle",
-              compare(QUERY(native::pointTriangleCcd), QUERY(exact_ccd::dart::pointTriangleCcd), min_separation));
-        print("two edges", compare(QUERY(native::edgeEdgeCcd), QUERY(exact_ccd::dart::edgeEdgeCcd), min_separation));
+              compare(QUERY(native::pointTriangleCcd), exact_ccd::dart::pointTriangleCcd, min_separation));
+        print("two edges", compare(QUERY(native::edgeEdgeCcd), exact_ccd::dart::edgeEdgeCcd, min_separation));
     }
     return 0;
 }

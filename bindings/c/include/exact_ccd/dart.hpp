@@ -42,65 +42,39 @@ auto set_status(Result& result, bool hit) -> decltype(result.status, void())
 
 inline void set_status(...) {}
 
-// The points are the starts and ends in turns.
-template <typename Option, typename Result>
-bool first_time(
-    Kind kind, const std::array<const Eigen::Vector3d*, 8>& points, const Option& option, Result& result)
-{
-    std::array<Point, 4> start, end;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Eigen::Vector3d &from = *points[2 * i], &to = *points[2 * i + 1];
-        start[i] = {from.x(), from.y(), from.z()};
-        end[i] = {to.x(), to.y(), to.z()};
-    }
-    const double min_separation = option.minSeparation < 0 ? 0.0 : option.minSeparation;
-    const auto time = time_of_impact(kind, start, end, min_separation);
-    result.clear();
-    result.hit = time.has_value();
-    result.timeOfImpact = time.value_or(1.0);
-    set_status(result, result.hit);
-    return result.hit;
-}
-
 }  // namespace detail
 
-/// A moving point and a moving triangle.
-template <typename Option, typename Result>
-bool pointTriangleCcd(const Eigen::Vector3d& pStart,
-                      const Eigen::Vector3d& pEnd,
-                      const Eigen::Vector3d& aStart,
-                      const Eigen::Vector3d& aEnd,
-                      const Eigen::Vector3d& bStart,
-                      const Eigen::Vector3d& bEnd,
-                      const Eigen::Vector3d& cStart,
-                      const Eigen::Vector3d& cEnd,
-                      const Option& option,
-                      Result& result)
-{
-    return detail::first_time(Kind::vertex_face,
-                              {&pStart, &pEnd, &aStart, &aEnd, &bStart, &bEnd, &cStart, &cEnd},
-                              option,
-                              result);
-}
+/// The contact of two moving primitives of a kind: `pointTriangleCcd` of a point, then the corners of a triangle;
+/// `edgeEdgeCcd` of edge a b, then edge c d.
+template <Kind kind>
+struct Function {
+    template <typename Option, typename Result>
+    bool operator()(const Eigen::Vector3d& aStart,
+                    const Eigen::Vector3d& aEnd,
+                    const Eigen::Vector3d& bStart,
+                    const Eigen::Vector3d& bEnd,
+                    const Eigen::Vector3d& cStart,
+                    const Eigen::Vector3d& cEnd,
+                    const Eigen::Vector3d& dStart,
+                    const Eigen::Vector3d& dEnd,
+                    const Option& option,
+                    Result& result) const
+    {
+        const auto point = [](const Eigen::Vector3d& x) { return Point{x.x(), x.y(), x.z()}; };
+        const std::array<Point, 4> start{point(aStart), point(bStart), point(cStart), point(dStart)};
+        const std::array<Point, 4> end{point(aEnd), point(bEnd), point(cEnd), point(dEnd)};
+        const double min_separation = option.minSeparation < 0 ? 0.0 : option.minSeparation;
+        const auto time = time_of_impact(kind, start, end, min_separation);
+        result.clear();
+        result.hit = time.has_value();
+        result.timeOfImpact = time.value_or(1.0);
+        detail::set_status(result, result.hit);
+        return result.hit;
+    }
+};
 
-/// Two moving edges, a b and c d.
-template <typename Option, typename Result>
-bool edgeEdgeCcd(const Eigen::Vector3d& aStart,
-                 const Eigen::Vector3d& aEnd,
-                 const Eigen::Vector3d& bStart,
-                 const Eigen::Vector3d& bEnd,
-                 const Eigen::Vector3d& cStart,
-                 const Eigen::Vector3d& cEnd,
-                 const Eigen::Vector3d& dStart,
-                 const Eigen::Vector3d& dEnd,
-                 const Option& option,
-                 Result& result)
-{
-    return detail::first_time(Kind::edge_edge,
-                              {&aStart, &aEnd, &bStart, &bEnd, &cStart, &cEnd, &dStart, &dEnd},
-                              option,
-                              result);
-}
+inline constexpr Function<Kind::vertex_face> pointTriangleCcd{};
+inline constexpr Function<Kind::edge_edge> edgeEdgeCcd{};
 
 }  // namespace exact_ccd::dart
 

@@ -11,13 +11,12 @@
 // `conservative_rescaling`, 0.9 unless it is set.
 //
 // `tmax` is compared with the exact time, before it is rounded and multiplied: a contact after `tmax` is
-// none. The step size
-// of the toolkit passes the least `toi` so far, which is multiplied, as `tmax` of the next pair. So it
-// depends on the order of the pairs, which the threads of the toolkit change from run to run. Let t be the
-// first contact of all pairs. If its pair comes first, the step is 0.9 t. If another pair comes first, with
-// contact at t' > t, the step is 0.9 t' unless t <= 0.9 t'. It is at least 0.9 t and less than t in any
-// order. With a rescaling of 1 it is t, and by CollisionDetector (ipc_collision_mesh.hpp) 0.9 t, or less by
-// some units in its last place, with which the rounded positions are certified.
+// none. The step size of the toolkit passes the least `toi` so far, which is multiplied, as `tmax` of the
+// next pair. So it depends on the order of the pairs, which the threads of the toolkit change from run to run.
+// Let t be the first contact of all pairs. If its pair comes first, the step is 0.9 t. If another pair comes
+// first, with contact at t' > t, the step is 0.9 t' unless t <= 0.9 t'. It is at least 0.9 t and less than t
+// in any order. With a rescaling of 1 it is t, and by CollisionDetector (ipc_collision_mesh.hpp) 0.9 t, or
+// less by some units in its last place, with which the rounded positions are certified.
 
 #ifndef EXACT_CCD_IPC_TOOLKIT_HPP
 #define EXACT_CCD_IPC_TOOLKIT_HPP
@@ -52,12 +51,7 @@ public:
                          const double min_distance = 0.0,
                          const double tmax = 1.0) const override
     {
-        return ccd<2>(Kind::vertex_vertex,
-                      {point(p0_t0), point(p1_t0)},
-                      {point(p0_t1), point(p1_t1)},
-                      toi,
-                      min_distance,
-                      tmax);
+        return ccd(Kind::vertex_vertex, toi, min_distance, tmax, p0_t0, p1_t0, p0_t1, p1_t1);
     }
 
     bool point_edge_ccd(Eigen::ConstRef<ipc::VectorMax3d> p_t0,
@@ -70,12 +64,7 @@ public:
                         const double min_distance = 0.0,
                         const double tmax = 1.0) const override
     {
-        return ccd<3>(Kind::vertex_edge,
-                      {point(p_t0), point(e0_t0), point(e1_t0)},
-                      {point(p_t1), point(e0_t1), point(e1_t1)},
-                      toi,
-                      min_distance,
-                      tmax);
+        return ccd(Kind::vertex_edge, toi, min_distance, tmax, p_t0, e0_t0, e1_t0, p_t1, e0_t1, e1_t1);
     }
 
     bool point_triangle_ccd(Eigen::ConstRef<Eigen::Vector3d> p_t0,
@@ -90,12 +79,8 @@ public:
                             const double min_distance = 0.0,
                             const double tmax = 1.0) const override
     {
-        return ccd<4>(Kind::vertex_face,
-                      {point(p_t0), point(t0_t0), point(t1_t0), point(t2_t0)},
-                      {point(p_t1), point(t0_t1), point(t1_t1), point(t2_t1)},
-                      toi,
-                      min_distance,
-                      tmax);
+        return ccd(
+            Kind::vertex_face, toi, min_distance, tmax, p_t0, t0_t0, t1_t0, t2_t0, p_t1, t0_t1, t1_t1, t2_t1);
     }
 
     bool edge_edge_ccd(Eigen::ConstRef<Eigen::Vector3d> ea0_t0,
@@ -110,30 +95,19 @@ public:
                        const double min_distance = 0.0,
                        const double tmax = 1.0) const override
     {
-        return ccd<4>(Kind::edge_edge,
-                      {point(ea0_t0), point(ea1_t0), point(eb0_t0), point(eb1_t0)},
-                      {point(ea0_t1), point(ea1_t1), point(eb0_t1), point(eb1_t1)},
-                      toi,
-                      min_distance,
-                      tmax);
+        return ccd(
+            Kind::edge_edge, toi, min_distance, tmax, ea0_t0, ea1_t0, eb0_t0, eb1_t0, ea0_t1, ea1_t1, eb0_t1, eb1_t1);
     }
 
 private:
-    template <typename Vector>
-    static Point point(const Vector& vector)
+    // The points at t = 0, then those at t = 1.
+    template <typename... Vectors>
+    bool ccd(Kind kind, double& toi, double min_distance, double tmax, const Vectors&... x) const
     {
-        return {vector[0], vector[1], vector.size() > 2 ? vector[2] : 0.0};
-    }
-
-    template <std::size_t N>
-    bool ccd(Kind kind,
-             const std::array<Point, N>& t0,
-             const std::array<Point, N>& t1,
-             double& toi,
-             double min_distance,
-             double tmax) const
-    {
-        const auto time = time_of_impact(kind, t0, t1, min_distance, tmax);
+        constexpr std::size_t n = sizeof...(x) / 2;
+        const std::array<Point, 2 * n> points{Point{x[0], x[1], x.size() > 2 ? x[2] : 0.0}...};
+        const auto time =
+            time_of_impact(kind, Points(points[0].data(), n), Points(points[n].data(), n), min_distance, tmax);
         toi = time ? conservative_rescaling * *time : std::numeric_limits<double>::infinity();
         return time.has_value();
     }

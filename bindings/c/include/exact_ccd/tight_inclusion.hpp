@@ -33,84 +33,42 @@ using Array3 = Eigen::Array<Scalar, 3, 1>;
 
 enum class CCDRootFindingMethod { DEPTH_FIRST_SEARCH, BREADTH_FIRST_SEARCH };
 
-namespace detail {
-
-inline bool first_time(Kind kind,
-                       const std::array<const Vector3*, 8>& points,
-                       Scalar ms,
-                       Scalar t_max,
-                       Scalar& toi,
-                       Scalar& output_tolerance)
-{
-    std::array<Point, 8> copies;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        copies[i] = {points[i]->x(), points[i]->y(), points[i]->z()};
+/// The contact of two primitives of a kind, given by their points p to s at t = 0 and at t = 1: `edgeEdgeCCD` of
+/// the ends of edge a, then those of edge b; `vertexFaceCCD` of the vertex, then the corners of the face. Returns
+/// true if their distance is at most `ms` at a time until `t_max`, exactly. `toi` is the first such time, rounded
+/// down, or infinite.
+template <Kind kind>
+struct Function {
+    bool operator()(const Vector3& p_t0,
+                    const Vector3& q_t0,
+                    const Vector3& r_t0,
+                    const Vector3& s_t0,
+                    const Vector3& p_t1,
+                    const Vector3& q_t1,
+                    const Vector3& r_t1,
+                    const Vector3& s_t1,
+                    const Array3& /* err */,
+                    const Scalar ms,
+                    Scalar& toi,
+                    const Scalar /* tolerance */,
+                    const Scalar t_max,
+                    const long /* max_itr */,
+                    Scalar& output_tolerance,
+                    bool /* no_zero_toi */ = false,
+                    const CCDRootFindingMethod = CCDRootFindingMethod::BREADTH_FIRST_SEARCH) const
+    {
+        const auto point = [](const Vector3& x) { return Point{x.x(), x.y(), x.z()}; };
+        const std::array<Point, 4> x0{point(p_t0), point(q_t0), point(r_t0), point(s_t0)};
+        const std::array<Point, 4> x1{point(p_t1), point(q_t1), point(r_t1), point(s_t1)};
+        const auto time = time_of_impact(kind, x0, x1, ms, t_max);
+        output_tolerance = 0;
+        toi = time.value_or(std::numeric_limits<Scalar>::infinity());
+        return time.has_value();
     }
-    const auto time =
-        time_of_impact(kind, Points(copies[0].data(), 4), Points(copies[4].data(), 4), ms, t_max);
-    output_tolerance = 0;
-    toi = time.value_or(std::numeric_limits<Scalar>::infinity());
-    return time.has_value();
-}
+};
 
-}  // namespace detail
-
-/// Two edges, a and b. Returns true if their distance is at most `ms` at a time until `t_max`, exactly. `toi`
-/// is the first such time, rounded down, or infinite.
-inline bool edgeEdgeCCD(const Vector3& ea0_t0,
-                        const Vector3& ea1_t0,
-                        const Vector3& eb0_t0,
-                        const Vector3& eb1_t0,
-                        const Vector3& ea0_t1,
-                        const Vector3& ea1_t1,
-                        const Vector3& eb0_t1,
-                        const Vector3& eb1_t1,
-                        const Array3& /* err */,
-                        const Scalar ms,
-                        Scalar& toi,
-                        const Scalar /* tolerance */,
-                        const Scalar t_max,
-                        const long /* max_itr */,
-                        Scalar& output_tolerance,
-                        bool /* no_zero_toi */ = false,
-                        const CCDRootFindingMethod = CCDRootFindingMethod::BREADTH_FIRST_SEARCH)
-{
-    return detail::first_time(
-        Kind::edge_edge,
-        {&ea0_t0, &ea1_t0, &eb0_t0, &eb1_t0, &ea0_t1, &ea1_t1, &eb0_t1, &eb1_t1},
-        ms,
-        t_max,
-        toi,
-        output_tolerance);
-}
-
-/// A vertex and a face. Returns and `toi` as in `edgeEdgeCCD`.
-inline bool vertexFaceCCD(const Vector3& v_t0,
-                          const Vector3& f0_t0,
-                          const Vector3& f1_t0,
-                          const Vector3& f2_t0,
-                          const Vector3& v_t1,
-                          const Vector3& f0_t1,
-                          const Vector3& f1_t1,
-                          const Vector3& f2_t1,
-                          const Array3& /* err */,
-                          const Scalar ms,
-                          Scalar& toi,
-                          const Scalar /* tolerance */,
-                          const Scalar t_max,
-                          const long /* max_itr */,
-                          Scalar& output_tolerance,
-                          bool /* no_zero_toi */ = false,
-                          const CCDRootFindingMethod = CCDRootFindingMethod::BREADTH_FIRST_SEARCH)
-{
-    return detail::first_time(
-        Kind::vertex_face,
-        {&v_t0, &f0_t0, &f1_t0, &f2_t0, &v_t1, &f0_t1, &f1_t1, &f2_t1},
-        ms,
-        t_max,
-        toi,
-        output_tolerance);
-}
+inline constexpr Function<Kind::edge_edge> edgeEdgeCCD{};
+inline constexpr Function<Kind::vertex_face> vertexFaceCCD{};
 
 }  // namespace exact_ccd::ticcd
 

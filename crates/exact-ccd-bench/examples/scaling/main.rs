@@ -23,9 +23,8 @@ mod plot;
 mod question;
 mod table;
 
-use std::env;
 use std::error::Error;
-use std::fs;
+use std::{env, fs};
 
 use exact_ccd_mesh::{Bvh, StepReport};
 

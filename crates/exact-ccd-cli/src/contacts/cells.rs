@@ -10,77 +10,37 @@ pub(super) enum Cell {
     Real(Option<f64>),
 }
 
-/// The names of the columns.
-pub(super) const COLUMNS: [&str; 21] = [
-    "frame",
-    "kind",
-    "id_a",
-    "id_b",
-    "v0",
-    "v1",
-    "v2",
-    "v3",
-    "v4",
-    "time_lower",
-    "time_upper",
-    "x",
-    "y",
-    "z",
-    "nx",
-    "ny",
-    "nz",
-    "u",
-    "v",
-    "distance_lower",
-    "distance_upper",
-];
-
-/// A row: the values of a record in the order of the columns.
-pub(super) fn row(record: &ContactRecord) -> [Cell; 21] {
-    let ContactRecord {
-        ids,
-        vertices,
-        time,
-        point,
-        normal,
-        parameters,
-        distance,
-        ..
-    } = record;
+/// A row: the values of a record by the names of the columns, in their order.
+pub(super) fn row(record: &ContactRecord) -> [(&'static str, Cell); 21] {
     let integer = |value: Option<u32>| Cell::Integer(value.map(i64::from));
     let real = |value: f64| Cell::Real(Some(value));
-    let vertex = |index: usize| {
-        let [first, second] = vertices;
-        let vertex = first
-            .get(index)
-            .or_else(|| second.get(index.checked_sub(first.len())?));
-        Cell::Integer(vertex.copied().map(i64::from))
-    };
-    let place = |axis: usize| Cell::Real(point.map(|point| point[axis]));
-    let direction = |axis: usize| Cell::Real(normal.map(|normal| normal[axis]));
-    let parameter = |index: usize| Cell::Real(parameters.map(|parameters| parameters[index]));
+    let vertex = |index: usize| integer(record.vertices.iter().flatten().nth(index).copied());
+    let of = |numbers: Option<&[f64]>, index: usize| Cell::Real(numbers.map(|numbers| numbers[index]));
+    let place = |axis: usize| of(record.point.as_ref().map(|point| &point[..]), axis);
+    let direction = |axis: usize| of(record.normal.as_ref().map(|normal| &normal[..]), axis);
+    let parameter = |index: usize| of(record.parameters.as_ref().map(|both| &both[..]), index);
     [
-        Cell::Integer(Some(record.frame as i64)),
-        Cell::Text(record.kind.name()),
-        integer(ids[0]),
-        integer(ids[1]),
-        vertex(0),
-        vertex(1),
-        vertex(2),
-        vertex(3),
-        vertex(4),
-        real(time.lower),
-        real(time.upper),
-        place(0),
-        place(1),
-        place(2),
-        direction(0),
-        direction(1),
-        direction(2),
-        parameter(0),
-        parameter(1),
-        real(distance.lower),
-        real(distance.upper),
+        ("frame", Cell::Integer(Some(record.frame as i64))),
+        ("kind", Cell::Text(record.kind.name())),
+        ("id_a", integer(record.ids[0])),
+        ("id_b", integer(record.ids[1])),
+        ("v0", vertex(0)),
+        ("v1", vertex(1)),
+        ("v2", vertex(2)),
+        ("v3", vertex(3)),
+        ("v4", vertex(4)),
+        ("time_lower", real(record.time.lower)),
+        ("time_upper", real(record.time.upper)),
+        ("x", place(0)),
+        ("y", place(1)),
+        ("z", place(2)),
+        ("nx", direction(0)),
+        ("ny", direction(1)),
+        ("nz", direction(2)),
+        ("u", parameter(0)),
+        ("v", parameter(1)),
+        ("distance_lower", real(record.distance.lower)),
+        ("distance_upper", real(record.distance.upper)),
     ]
 }
 

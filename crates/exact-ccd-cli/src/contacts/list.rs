@@ -9,7 +9,7 @@ use exact_ccd_data::TableColumn;
 
 #[cfg(feature = "queries")]
 use super::cells::Cell;
-use super::cells::{COLUMNS, row};
+use super::cells::row;
 use super::record::ContactRecord;
 use crate::failure::Failure;
 #[cfg(not(feature = "queries"))]
@@ -72,26 +72,25 @@ impl ContactList {
     }
 
     fn csv(&self, writer: &mut BufWriter<impl Write>) -> io::Result<()> {
-        writeln!(writer, "{}", COLUMNS.join(","))?;
+        let header = row(&ContactRecord::default()).map(|(name, _)| name);
+        writeln!(writer, "{}", header.join(","))?;
         for record in &self.0 {
-            writeln!(writer, "{}", row(record).map(|cell| cell.to_string()).join(","))?;
+            let cells = row(record).map(|(_, cell)| cell.to_string());
+            writeln!(writer, "{}", cells.join(","))?;
         }
         Ok(())
     }
 
     #[cfg(feature = "queries")]
     fn parquet(&self, writer: impl Write + Send) -> io::Result<()> {
-        let rows: Vec<_> = self.0.iter().map(row).collect();
-        // The columns of a list without rows have no types but these.
-        let mut columns = COLUMNS.map(|name| match name {
-            "kind" => (name, TableColumn::Text(Vec::new())),
-            "frame" | "id_a" | "id_b" | "v0" | "v1" | "v2" | "v3" | "v4" => {
-                (name, TableColumn::Integers(Vec::new()))
-            }
-            _ => (name, TableColumn::Reals(Vec::new())),
+        // The columns of a list without rows have their types, too.
+        let mut columns = row(&ContactRecord::default()).map(|(name, cell)| match cell {
+            Cell::Text(_) => (name, TableColumn::Text(Vec::new())),
+            Cell::Integer(_) => (name, TableColumn::Integers(Vec::new())),
+            Cell::Real(_) => (name, TableColumn::Reals(Vec::new())),
         });
-        for row in rows {
-            for ((_, column), cell) in columns.iter_mut().zip(row) {
+        for row in self.0.iter().map(row) {
+            for ((_, column), (_, cell)) in columns.iter_mut().zip(row) {
                 match (column, cell) {
                     (TableColumn::Text(values), Cell::Text(text)) => values.push(Some(text)),
                     (TableColumn::Integers(values), Cell::Integer(value)) => values.push(value),

@@ -12,7 +12,7 @@ use crate::shortest::shortest;
 
 /// Two primitives that touch, in the shape of the JSON object. All ids are those in the
 /// files, counted from 0.
-#[derive(Clone, Serialize)]
+#[derive(Clone, Default, Serialize)]
 pub(crate) struct ContactRecord {
     /// The number of the frame, or of that at which the step begins.
     pub(crate) frame: usize,
@@ -36,9 +36,10 @@ pub(crate) struct ContactRecord {
 
 /// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex in a
 /// half space at rest.
-#[derive(Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum RecordKind {
+    #[default]
     Vf,
     Ee,
     Ve,
@@ -197,11 +198,8 @@ impl ContactRecord {
             return String::new();
         };
         let list = |numbers: &[f64]| {
-            numbers
-                .iter()
-                .map(|&x| shortest(x))
-                .collect::<Vec<_>>()
-                .join(", ")
+            let numbers = numbers.iter().map(|&x| shortest(x));
+            numbers.collect::<Vec<_>>().join(", ")
         };
         let mut text = format!("\n  at ({})", list(&point));
         if let Some(normal) = self.normal {

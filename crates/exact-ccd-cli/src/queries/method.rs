@@ -119,9 +119,7 @@ impl Answer {
             toi: intervals.first_time().map(ContactTime::lower),
         }
     }
-}
 
-impl Answer {
     /// The count as a number, a parity as text, null from a method that does not count.
     pub(crate) fn json_count(&self) -> Value {
         match self.count.parse::<i64>() {

@@ -26,7 +26,7 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
     if let (Some(folder), 2..) = (&arguments.output, inputs.len()) {
         make_folder(folder)?;
     }
-    let mut report = Report::shared(displacement);
+    let mut report = Report::new(Some(displacement));
     for (index, input) in inputs.iter().enumerate() {
         let frame = read(input)?;
         report.add(displacement, &frame.positions);
@@ -45,7 +45,10 @@ fn read(file: &Path) -> Result<Frame, Failure> {
     if Format::of_path(file).is_none() {
         return Err(Failure::of(
             file,
-            "expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file",
+            format_args!(
+                "expected a mesh file, {}, or --kind for a query file",
+                Format::extensions()
+            ),
         ));
     }
     Ok(read_frame(file)?)

@@ -24,7 +24,7 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
         let points = records.flat_map(|record| record.sample.query.points().as_flattened());
         Some(shared_displacement(&points.copied().collect())?)
     };
-    let mut report = shared.map_or_else(Report::per_query, Report::shared);
+    let mut report = Report::new(shared);
     for (file, records) in arguments.inputs.iter().zip(&mut files) {
         for (number, record) in records.iter_mut().enumerate() {
             let query = &mut record.sample.query;

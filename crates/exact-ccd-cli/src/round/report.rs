@@ -20,20 +20,11 @@ pub(super) struct Report {
 }
 
 impl Report {
-    /// A report of no points yet, with one displacement for all.
-    pub(super) fn shared(displacement: Displacement) -> Self {
+    /// A report of no points yet, with one displacement for all, or else with one for each query.
+    pub(super) fn new(shared: Option<Displacement>) -> Self {
         Self {
-            displacement: displacement.along_axes(),
-            per_query: false,
-            errors: Histogram::default(),
-        }
-    }
-
-    /// A report of no points yet, with a displacement for each query.
-    pub(super) fn per_query() -> Self {
-        Self {
-            displacement: [0.0; 3],
-            per_query: true,
+            displacement: shared.unwrap_or_default().along_axes(),
+            per_query: shared.is_none(),
             errors: Histogram::default(),
         }
     }

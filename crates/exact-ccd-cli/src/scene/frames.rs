@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, ReadError, ReadOptions};
 
-use crate::failure::Failure;
+use crate::failure::{Failure, listed};
 use crate::inputs::{check_file, check_path};
 use crate::notes::Notes;
 
@@ -24,11 +24,8 @@ impl Frames {
         if sequence.is_empty() {
             return Err(no_frames(file));
         }
-        Ok(Self(
-            (0..sequence.len())
-                .map(|frame| (sequence.clone(), frame))
-                .collect(),
-        ))
+        let frames = (0..sequence.len()).map(|frame| (sequence.clone(), frame));
+        Ok(Self(frames.collect()))
     }
 
     /// The start and the end of a step, each the only frame in a file.
@@ -176,21 +173,12 @@ pub(super) fn frame_count(file: &Path, count: usize, expected: usize) -> Failure
     )
 }
 
-/// The number of gaps that a warning lists.
-const LISTED: usize = 5;
-
 fn warn_of_missing(order: &FrameOrder, notes: &mut Notes) {
     if order.missing.is_empty() {
         return;
     }
-    let gaps = order.missing.iter().take(LISTED).map(ToString::to_string);
-    let gaps = gaps.collect::<Vec<_>>().join(", ");
-    let more = if order.missing.len() > LISTED {
-        ", and others"
-    } else {
-        ""
-    };
+    let gaps = listed(order.missing.iter().map(ToString::to_string), 5);
     notes.warn(format!(
-        "numbers are missing in the names of the frames: {gaps}{more}; the frames around a gap are one step"
+        "numbers are missing in the names of the frames: {gaps}; the frames around a gap are one step"
     ));
 }

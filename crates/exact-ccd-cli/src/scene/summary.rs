@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use exact_ccd_files::Contents;
+use exact_ccd_files::{Contents, Group};
 use serde::Serialize;
 
 use super::part::Part;
@@ -12,7 +12,7 @@ use crate::failure::listed;
 /// The contents of a scene, as a part of a JSON object.
 #[derive(Serialize)]
 pub(crate) struct Summary {
-    read: Counts,
+    read: Contents,
     /// The parts, if there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     parts: Vec<PartSummary>,
@@ -28,8 +28,6 @@ pub(crate) struct Summary {
     /// The arrays that were read of each part from arrays, and those that were not.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     arrays: Vec<String>,
-    #[serde(skip)]
-    contents: Contents,
 }
 
 /// A named group: the part that has it, and the number of its vertices.
@@ -38,18 +36,6 @@ struct GroupSummary {
     part: String,
     name: String,
     vertex_count: usize,
-}
-
-#[derive(Serialize)]
-struct Counts {
-    vertices: usize,
-    edges: usize,
-    faces: usize,
-    loose_edges: usize,
-    loose_vertices: usize,
-    parts: usize,
-    polygons: usize,
-    solids: usize,
 }
 
 /// A part of the scene: its name and its vertices.
@@ -63,16 +49,15 @@ struct PartSummary {
 
 impl Summary {
     pub(super) fn new(contents: Contents, parts: &[Part], rules: &Rules) -> Self {
-        let groups: Vec<GroupSummary> = parts
-            .iter()
-            .flat_map(|part| {
-                part.groups.iter().map(|group| GroupSummary {
-                    part: part.name.clone(),
-                    name: group.name.clone(),
-                    vertex_count: group.vertices.len(),
-                })
-            })
-            .collect();
+        let of_part = |part: &Part| {
+            let group = |group: &Group| GroupSummary {
+                part: part.name.clone(),
+                name: group.name.clone(),
+                vertex_count: group.vertices.len(),
+            };
+            part.groups.iter().map(group).collect::<Vec<_>>()
+        };
+        let groups: Vec<GroupSummary> = parts.iter().flat_map(of_part).collect();
         let several = if parts.len() > 1 { parts } else { &[] };
         let mut first = 0;
         let part = |part: &Part| {
@@ -85,28 +70,14 @@ impl Summary {
                 is_obstacle: part.is_obstacle,
             }
         };
-        let with_arrays = |part: &Part| {
-            part.arrays
-                .as_ref()
-                .map(|arrays| format!("{}: {arrays}", part.name))
-        };
+        let with_arrays = |part: &Part| Some(format!("{}: {}", part.name, part.arrays.as_ref()?));
         Self {
-            read: Counts {
-                vertices: contents.vertices,
-                edges: contents.edges,
-                faces: contents.faces,
-                loose_edges: contents.loose_edges,
-                loose_vertices: contents.loose_vertices,
-                parts: contents.parts,
-                polygons: contents.polygons,
-                solids: contents.solids,
-            },
+            read: contents,
             parts: several.iter().map(part).collect(),
             groups: if groups.len() > 1 { groups } else { Vec::new() },
             only: rules.only.iter().map(PartPair::to_string).collect(),
             ignore: rules.ignore.iter().map(PartPair::to_string).collect(),
             arrays: parts.iter().filter_map(with_arrays).collect(),
-            contents,
         }
     }
 }
@@ -114,7 +85,7 @@ impl Summary {
 /// The first lines of a text.
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "read: {}", self.contents)?;
+        writeln!(f, "read: {}", self.read)?;
         for arrays in &self.arrays {
             writeln!(f, "read of {arrays}")?;
         }
@@ -130,8 +101,8 @@ impl fmt::Display for Summary {
             }
         }
         if !self.groups.is_empty() {
-            let names: Vec<_> = self.groups.iter().map(|group| group.name.clone()).collect();
-            writeln!(f, "groups: {}", listed(&names))?;
+            let names = self.groups.iter().map(|group| group.name.clone());
+            writeln!(f, "groups: {}", listed(names, 20))?;
         }
         for (rule, pairs) in [("only", &self.only), ("ignored", &self.ignore)] {
             if !pairs.is_empty() {

@@ -60,10 +60,10 @@ pub(super) fn named_set(parts: &[Part], name: &str) -> Result<VertexSet, Failure
         }
         (None, None, _) => {
             let names = groups().map(|(_, group)| group.name.clone());
-            let known: Vec<String> = parts.iter().map(|part| part.name.clone()).chain(names).collect();
+            let known = parts.iter().map(|part| part.name.clone()).chain(names);
             return Err(Failure::new(format_args!(
                 "there is no part or group {name}; there are {}",
-                listed(&known)
+                listed(known, 20)
             )));
         }
     };

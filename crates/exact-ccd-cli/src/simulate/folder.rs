@@ -9,17 +9,16 @@ use exact_ccd_files::{write_ply_with_parts, write_pvd};
 use exact_ccd_scene::Scene;
 use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 
-use super::bodies;
-use super::contact_points;
 use super::grid::Grid;
 use super::layout::{
-    BODIES, CHECKPOINT, COLLECTION, CONTACT_COLLECTION, CONTACTS, FRAMES, GRIDS, PATH, STATISTICS,
-    contact_file, frame_file, frames_until, grid_file, missing, remove_after, remove_index_files,
+    BODIES, CHECKPOINT, COLLECTION, CONTACT_COLLECTION, CONTACTS, FRAMES, GRIDS, PATH, STATISTICS, files,
+    frames_until, missing, remove_after, remove_index_files,
 };
 use super::log::Log;
 use super::path::{Path as PathWriter, named_parts};
 use super::statistics::Row;
 use super::steps;
+use super::{bodies, contact_points};
 use crate::failure::Failure;
 use crate::output::{make_folder, write_file, write_file_soon};
 
@@ -117,7 +116,7 @@ impl OutputFolder {
     /// its last checkpoint.
     pub(super) fn resume(folder: &Path, simulation: &Simulation, every: u64) -> Result<Self, Failure> {
         let last = simulation.state().step;
-        let grid = grid_file(folder, last);
+        let [_, grid, _] = files(folder, last);
         if !grid.is_file() {
             return Err(Failure::of(
                 &folder.join(CHECKPOINT),
@@ -128,7 +127,7 @@ impl OutputFolder {
                 ),
             ));
         }
-        let log = Log::<Row>::resume(folder.join(STATISTICS), last)?;
+        let log = Log::resume(folder.join(STATISTICS), last, |row: &Row| row.step)?;
         let frames = frames_until(folder, last);
         let missing = missing(folder, &frames, &log.rows()?, last);
         if let Some(missing) = missing {
@@ -202,11 +201,7 @@ impl OutputFolder {
         let state = simulation.state();
         let frame = simulation.system().surface_frame(&state.positions);
         let parts = named_parts(simulation.system());
-        let files = [
-            self.frame(state.step),
-            grid_file(&self.folder, state.step),
-            contact_file(&self.folder, state.step),
-        ];
+        let files = files(&self.folder, state.step);
         write_file_soon(&files[0], |writer| {
             write_ply_with_parts(writer, &frame.map_err(io::Error::other)?, &parts)
         })?;
@@ -253,7 +248,8 @@ impl OutputFolder {
 
     /// The file of the surface at the end of a time step.
     pub(super) fn frame(&self, step: u64) -> PathBuf {
-        frame_file(&self.folder, step)
+        let [frame, ..] = files(&self.folder, step);
+        frame
     }
 
     /// The path of a file in the folder.

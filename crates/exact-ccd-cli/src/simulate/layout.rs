@@ -67,13 +67,7 @@ pub(super) fn frames_until(folder: &Path, last: u64) -> Vec<u64> {
 
 /// The first result up to a time step that is missing.
 pub(super) fn missing(folder: &Path, frames: &[u64], rows: &[Row], last: u64) -> Option<String> {
-    let files = frames.iter().flat_map(|&step| {
-        [
-            frame_file(folder, step),
-            grid_file(folder, step),
-            contact_file(folder, step),
-        ]
-    });
+    let files = frames.iter().flat_map(|&step| files(folder, step));
     let file = files.into_iter().find(|file| !file.is_file());
     let row = (1..=last).zip(rows.iter().map(|row| row.step).chain(std::iter::repeat(0)));
     let row = row.into_iter().find(|(expected, found)| expected != found);
@@ -86,19 +80,10 @@ pub(super) fn missing(folder: &Path, frames: &[u64], rows: &[Row], last: u64) ->
     file.map(|file| format!("the file {}", file.display())).or(row)
 }
 
-/// The file of the surface at the end of a time step.
-pub(super) fn frame_file(folder: &Path, step: u64) -> PathBuf {
-    folder.join(FRAMES).join(steps::name(step, "ply"))
-}
-
-/// The file of all vertices at the end of a time step.
-pub(super) fn grid_file(folder: &Path, step: u64) -> PathBuf {
-    folder.join(GRIDS).join(steps::name(step, "vtu"))
-}
-
-/// The file of the contacts at the end of a time step.
-pub(super) fn contact_file(folder: &Path, step: u64) -> PathBuf {
-    folder.join(CONTACTS).join(steps::name(step, "vtp"))
+/// The files of the surface, of all vertices and of the contacts at the end of a time step.
+pub(super) fn files(folder: &Path, step: u64) -> [PathBuf; 3] {
+    [(FRAMES, "ply"), (GRIDS, "vtu"), (CONTACTS, "vtp")]
+        .map(|(inner, extension)| folder.join(inner).join(steps::name(step, extension)))
 }
 
 /// Removes the files of all time steps after `last`, or of all time steps for `None`, and unfinished files.

@@ -11,12 +11,6 @@ use serde::de::DeserializeOwned;
 use crate::failure::Failure;
 use crate::output::write_file;
 
-/// A row of a [`Log`]. Its first column is the number of the time step.
-pub(super) trait Row: Serialize + DeserializeOwned {
-    /// The number of the time step.
-    fn step(&self) -> u64;
-}
-
 /// A CSV file with a header and a row for each time step.
 pub(super) struct Log<R> {
     file: PathBuf,
@@ -24,15 +18,17 @@ pub(super) struct Log<R> {
     rows: PhantomData<R>,
 }
 
-impl<R: Row> Log<R> {
+impl<R: Serialize + DeserializeOwned> Log<R> {
     /// Replaces the file by an empty log.
     pub(super) fn begin(file: PathBuf) -> Result<Self, Failure> {
         Self::with(file, &[])
     }
 
-    /// The log in a file, without the rows after a time step. Empty if there is no file.
-    pub(super) fn resume(file: PathBuf, last: u64) -> Result<Self, Failure> {
-        let rows = read::<R>(&file, last)?;
+    /// The log in a file, without the rows after a time step, which is that of a row by `step`. Empty if there
+    /// is no file.
+    pub(super) fn resume(file: PathBuf, last: u64, step: impl Fn(&R) -> u64) -> Result<Self, Failure> {
+        let mut rows: Vec<R> = read(&file)?;
+        rows.retain(|row| step(row) <= last);
         Self::with(file, &rows)
     }
 
@@ -72,7 +68,7 @@ impl<R: Row> Log<R> {
 
     /// All rows.
     pub(super) fn rows(&self) -> Result<Vec<R>, Failure> {
-        read(&self.file, u64::MAX)
+        read(&self.file)
     }
 }
 
@@ -85,24 +81,15 @@ pub(super) fn write_rows(file: &Path, rows: &[impl Serialize]) -> Result<(), Fai
     })
 }
 
-/// The rows of a file up to a time step. Empty if there is no file. A last line without a line break is
-/// ignored: the program was ended in the middle of it.
-fn read<R: Row>(path: &Path, last: u64) -> Result<Vec<R>, Failure> {
+/// The rows of a file. Empty if there is no file. A last line without a line break is ignored: the program was
+/// ended in the middle of it.
+fn read<R: DeserializeOwned>(path: &Path) -> Result<Vec<R>, Failure> {
     let failed = |source: csv::Error| Failure::of(path, source);
     let bytes = match std::fs::read(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         bytes => bytes.map_err(|error| failed(error.into()))?,
     };
-    let end = bytes
-        .iter()
-        .rposition(|&byte| byte == b'\n')
-        .map_or(0, |end| end + 1);
-    let mut rows = Vec::new();
-    for row in csv::Reader::from_reader(&bytes[..end]).into_deserialize() {
-        let row: R = row.map_err(failed)?;
-        if row.step() <= last {
-            rows.push(row);
-        }
-    }
-    Ok(rows)
+    let end = bytes.iter().rposition(|&byte| byte == b'\n');
+    let rows = csv::Reader::from_reader(&bytes[..end.map_or(0, |end| end + 1)]).into_deserialize();
+    rows.collect::<Result<_, _>>().map_err(failed)
 }

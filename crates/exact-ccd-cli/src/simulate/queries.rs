@@ -8,7 +8,7 @@ use exact_ccd_data::{DataKind, Record, Sample, Seventh};
 use exact_ccd_sim::Simulation;
 use serde::{Deserialize, Serialize};
 
-use super::log::{self, Log};
+use super::log::Log;
 use super::recorder::Recording;
 use super::steps;
 use crate::failure::Failure;
@@ -58,12 +58,6 @@ struct Row {
     edge_edge_kept: usize,
 }
 
-impl log::Row for Row {
-    fn step(&self) -> u64 {
-        self.step
-    }
-}
-
 impl QueryFolder {
     /// Opens the folder for a simulation in its current state. Queries of later time steps are removed.
     pub(super) fn open(
@@ -76,7 +70,7 @@ impl QueryFolder {
             make_folder(&folder.join(kind))?;
             steps::remove_after(&folder.join(kind), Some(last))?;
         }
-        let log = Log::resume(folder.join("counts.csv"), last)?;
+        let log = Log::resume(folder.join("counts.csv"), last, |row: &Row| row.step)?;
         let (simulation, recording) = Recording::of(simulation, most)?;
         let this = Self {
             folder: folder.to_owned(),

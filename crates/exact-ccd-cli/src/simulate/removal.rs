@@ -1,8 +1,7 @@
 //! The removal of files in the folder of the results, and of drafts that an earlier run left there.
 
-use std::fs;
-use std::io;
 use std::path::Path;
+use std::{fs, io};
 
 /// The name of the file that a draft of [`replace_file`](crate::output::replace_file) belongs to, or none for
 /// other names.

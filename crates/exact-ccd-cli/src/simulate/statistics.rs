@@ -3,7 +3,6 @@
 use exact_ccd_sim::Statistics;
 use serde::{Deserialize, Serialize};
 
-use super::log;
 use crate::contacts::unsigned_zero;
 
 /// A row of `statistics.csv`. The names of the columns end with their units.
@@ -53,12 +52,6 @@ pub(super) struct Row {
     pub(super) line_search: f64,
     #[serde(rename = "total_s")]
     pub(super) total: f64,
-}
-
-impl log::Row for Row {
-    fn step(&self) -> u64 {
-        self.step
-    }
 }
 
 impl From<&Statistics> for Row {

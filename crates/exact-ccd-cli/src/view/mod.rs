@@ -21,7 +21,6 @@ use crate::scene::Scene;
 pub(crate) use query::{ChosenQuery, QueryView};
 use recording::Recording;
 use setup::Setup;
-use up::Up;
 
 /// The options `--view` and `--view-up`.
 #[derive(clap::Args)]
@@ -31,8 +30,8 @@ pub(crate) struct View {
     view: Option<PathBuf>,
     /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z; of a
     /// simulation, `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]
-    #[arg(long, value_name = "AXIS", requires = "view", allow_hyphen_values = true)]
-    view_up: Option<Up>,
+    #[arg(long, value_name = "AXIS", requires = "view", value_parser = up::parse, allow_hyphen_values = true)]
+    view_up: Option<Point>,
 }
 
 impl View {
@@ -48,7 +47,7 @@ impl View {
     }
 
     fn up(&self) -> Option<Point> {
-        self.view_up.map(|Up(up)| up)
+        self.view_up
     }
 }
 

@@ -2,10 +2,10 @@
 
 use exact_ccd::{Kind, Query, VertexEdge, VertexVertex};
 
+use crate::contact_lists::row_of;
 use crate::folder::Folder;
 use crate::queries::{HEADER, miss, pass, slide};
 use crate::query_rows::{file, rows};
-use crate::reports::row_of;
 
 /// Rows of one field for each coordinate.
 fn fields<K: Kind>(query: &Query<K>, number: impl Fn(f64) -> String) -> String {

@@ -24,7 +24,8 @@ fn files_that_are_not_meshes_without_a_kind() {
     assert_error(
         &folder,
         &["vf.csv"],
-        "vf.csv: expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file",
+        "vf.csv: expected a mesh file, .ply, .obj, .stl, .off, .msh, .vtu, .vtp, .vtk, .glb, .gltf, .npy or .npz, \
+         or --kind for a query file",
     );
 }
 

@@ -6,24 +6,23 @@ use serde_json::{Value, json};
 
 use crate::folder::{Folder, Run};
 use crate::meshes::{obj, ply, tip_above_square};
-use crate::schema::Schema;
 
 /// A triangle parallel to the floor, as an OBJ file.
-fn tile(x: f64, z: f64) -> String {
+pub(crate) fn tile(x: f64, z: f64) -> String {
     let positions = vec![[x, 0.0, z], [x + 1.0, 0.0, z], [x, 1.0, z]];
     obj(&Frame::new(positions, vec![[0, 1, 2]]).unwrap())
 }
 
-fn note(run: &Run) -> &str {
+pub(crate) fn note(run: &Run) -> &str {
     run.stderr.strip_suffix('\n').unwrap_or_default()
 }
 
-fn json_of(run: &Run) -> Value {
+pub(crate) fn json_of(run: &Run) -> Value {
     serde_json::from_str(&run.stdout).unwrap()
 }
 
 /// Files of a tile `a` that falls from 2 to −2, a tile `b` that rises from 1 to 3, and a `floor` at 0.
-fn tiles() -> Folder {
+pub(crate) fn tiles() -> Folder {
     let folder = Folder::new();
     folder.write("a.obj", tile(0.0, 2.0));
     folder.write("a-end.obj", tile(0.0, -2.0));
@@ -291,105 +290,6 @@ fn points_alone_are_an_error_that_says_what_was_read() {
     }
 }
 
-/// A flat square of two faces, split at the common edge, and a triangle that touches it in one corner.
-fn split(z: f64) -> String {
-    let [a, b, c, d] = [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z], [1.0, 1.0, z]];
-    obj(&Frame::new(vec![a, b, c, c, b, d], vec![[0, 1, 2], [3, 4, 5]]).unwrap())
-}
-
-#[test]
-fn split_vertices_are_noted_and_welded_on_request() {
-    let folder = Folder::new();
-    folder.write("start.obj", split(0.0));
-    folder.write("end.obj", split(1.0));
-    for command in [
-        &["step", "start.obj", "end.obj"][..],
-        &["step", "start.obj", "end.obj", "--toi"],
-        &["audit", "start.obj", "end.obj", "--as-given"],
-    ] {
-        let run = folder.run(command);
-        assert_eq!(run.status, 1, "{run:?}");
-        let note = note(&run);
-        assert!(
-            note.starts_with("exact-ccd: note: ") && note.contains("--weld"),
-            "{run:?}"
-        );
-        let run = folder.run(&[command, &["--weld"]].concat());
-        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
-        assert!(
-            run.stdout
-                .starts_with("read: 4 vertices, 5 edges, 2 faces, 1 part\n"),
-            "{run:?}"
-        );
-    }
-    // --any names no pair that the note could be about.
-    let run = folder.run(&["step", "start.obj", "end.obj", "--any"]);
-    assert_eq!((run.status, run.stderr.as_str()), (1, ""));
-    // A real contact at the start is not split vertices.
-    folder.write("touching.ply", ply(&tip_above_square(0.0)));
-    let run = folder.run(&["step", "touching.ply", "touching.ply"]);
-    assert_eq!((run.status, run.stderr.as_str()), (1, ""));
-}
-
-/// The note is about the pair that is reported, whatever else touches; and vertices that move apart are not
-/// split ones, which are in the same place in all frames.
-#[test]
-fn the_note_is_about_the_reported_pair() {
-    let folder = Folder::new();
-    // Two faces with a seam, and a triangle far away whose tip touches the second one of two others.
-    let mesh = |height: f64, apart: f64| {
-        let mut positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        positions.extend([
-            [0.0, 1.0 + apart, 0.0],
-            [1.0 + apart, 0.0, 0.0],
-            [1.0 + apart, 1.0 + apart, 0.0],
-        ]);
-        let far = tip_above_square(height);
-        positions.extend(far.positions.iter().map(|[x, y, z]| [x + 9.0, *y, *z]));
-        let mut faces = vec![[0, 1, 2], [4, 5, 3]];
-        faces.extend(far.mesh.faces().iter().map(|face| face.map(|vertex| vertex + 6)));
-        obj(&Frame::new(positions, faces).unwrap())
-    };
-    folder.write("start.obj", mesh(0.0, 0.0));
-    folder.write("end.obj", mesh(1.0, 0.0));
-    folder.write("apart.obj", mesh(1.0, 0.5));
-    for option in [&[][..], &["--toi"]] {
-        let run = folder.run(&[&["step", "start.obj", "end.obj"], option].concat());
-        assert!(
-            run.stdout.contains("contact at t = 0: vertex 1 and face 1 "),
-            "{run:?}"
-        );
-        assert!(note(&run).contains("--weld"), "{run:?}");
-        let run = folder.run(&[&["step", "start.obj", "apart.obj"], option].concat());
-        assert!(
-            run.stdout.contains("contact at t = 0: vertex 1 and face 1 "),
-            "{run:?}"
-        );
-        assert_eq!(run.stderr, "", "{run:?}");
-    }
-}
-
-#[test]
-fn welding_keeps_bodies_that_touch_in_a_point_apart() {
-    let folder = Folder::new();
-    let corner = |z: f64| {
-        let positions = vec![
-            [0.0, 0.0, z],
-            [1.0, 0.0, z],
-            [0.0, 1.0, z],
-            [0.0, 0.0, z],
-            [-1.0, 0.0, z],
-            [0.0, -1.0, z],
-        ];
-        obj(&Frame::new(positions, vec![[0, 1, 2], [3, 4, 5]]).unwrap())
-    };
-    folder.write("start.obj", corner(0.0));
-    folder.write("end.obj", corner(1.0));
-    let run = folder.run(&["step", "start.obj", "end.obj", "--weld"]);
-    assert_eq!(run.status, 1);
-    assert!(run.stdout.starts_with("read: 6 vertices"), "{run:?}");
-}
-
 #[test]
 fn a_file_of_two_frames_is_a_step() {
     let folder = Folder::new();
@@ -444,106 +344,4 @@ fn several_series_are_parts_of_one_audit() {
         folder.run(&scene).error(),
         "body: 2 frames, expected 3 as of cloth, or 1 of a mesh at rest"
     );
-}
-
-/// Two tiles as the objects of one file, `ground` below and `roof` above it. They share no vertices.
-fn house(height: f64) -> String {
-    let corners = |z: f64| format!("v 0 0 {z}\nv 1 0 {z}\nv 0 1 {z}\n");
-    format!(
-        "o ground\n{}o roof\n{}g ground\nf 1 2 3\ng roof\nf 4 5 6\n",
-        corners(0.0),
-        corners(height)
-    )
-}
-
-#[test]
-fn groups_of_a_file_are_left_out_by_name() {
-    let folder = Folder::new();
-    folder.write("start.obj", house(1.0));
-    folder.write("end.obj", house(-1.0));
-    folder.write("roof.obj", house(3.0));
-    let scene = ["step", "start.obj", "end.obj", "--json"];
-    let run = |rules: &[&str]| folder.run(&[&scene[..], rules].concat());
-    let report = json_of(&run(&[]));
-    assert_eq!(report["toi"], json!(0.5));
-    assert_eq!(
-        report["groups"],
-        json!([
-            {"part": "start", "name": "ground", "vertex_count": 3},
-            {"part": "start", "name": "roof", "vertex_count": 3},
-        ])
-    );
-    Schema::of_reports().assert("motion", &report);
-    let toi = |rules: &[&str]| json_of(&run(rules))["toi"].clone();
-    assert_eq!(toi(&["--ignore", "roof:ground"]), Value::Null);
-    assert_eq!(toi(&["--ignore", "start/roof:start/ground"]), Value::Null);
-    assert_eq!(toi(&["--ignore", "roof:roof"]), json!(0.5));
-    assert_eq!(toi(&["--only", "start:roof"]), json!(0.5));
-    assert_eq!(toi(&["--only", "roof:roof"]), Value::Null);
-    // Welding keeps the names.
-    assert_eq!(toi(&["--weld", "--ignore", "roof:ground"]), Value::Null);
-    assert_eq!(
-        run(&["--ignore", "roof:attic"]).error(),
-        "there is no part or group attic; there are start, ground, roof"
-    );
-    let text = folder.run(&["step", "start.obj", "end.obj"]);
-    assert!(text.stdout.contains("\ngroups: ground, roof\n"), "{text:?}");
-
-    // A part before a group of this name, and a group that two parts have.
-    let with = |rules: &[&str]| run(&[&["--with", "roof.obj"], rules].concat());
-    assert_eq!(
-        json_of(&with(&["--only", "roof:start/ground"]))["toi"],
-        json!(0.0)
-    );
-    assert_eq!(
-        with(&["--only", "roof:ground"]).error(),
-        "several parts have a group ground: its names are start/ground, roof/ground and so on"
-    );
-}
-
-#[test]
-fn groups_of_gmsh_have_the_names_of_physical_groups() {
-    let folder = Folder::new();
-    let house = |height: f64| {
-        format!(
-            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 5 \"the ground\"\n2 6 \"roof\"\n\
-             $EndPhysicalNames\n$Nodes\n6\n1 0 0 0\n2 4 0 0\n3 0 0 4\n4 1 {height} 1\n5 2 {height} 1\n\
-             6 1 {height} 2\n$EndNodes\n$Elements\n2\n1 2 2 5 1 1 2 3\n2 2 2 6 1 4 5 6\n$EndElements\n"
-        )
-    };
-    folder.write("start.msh", house(1.0));
-    folder.write("end.msh", house(-1.0));
-    let run = |rules: &[&str]| folder.run(&[&["step", "start.msh", "end.msh", "--json"], rules].concat());
-    let toi = |rules: &[&str]| json_of(&run(rules))["toi"].clone();
-    assert_eq!(toi(&[]), json!(0.5));
-    assert_eq!(toi(&["--ignore", "roof:the ground"]), Value::Null);
-    assert_eq!(toi(&["--only", "roof:start/the ground"]), json!(0.5));
-    assert_eq!(
-        run(&["--only", "roof:6"]).error(),
-        "there is no part or group 6; there are start, the ground, roof"
-    );
-}
-
-/// Groups with common vertices: primitives of both are in both.
-#[test]
-fn groups_may_share_vertices() {
-    let folder = Folder::new();
-    // Two triangles of one strip as groups, and a triangle that falls through the second one.
-    let strip = |z: f64| {
-        format!(
-            "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 0\nv 3 3 {z}\nv 3.5 3 {}\nv 3 3.5 {}\n\
-             g left\nf 1 2 3\ng right\nf 3 2 4\ng tip\nf 5 6 7\n",
-            z + 1.0,
-            z + 1.0
-        )
-    };
-    folder.write("start.obj", strip(1.0));
-    folder.write("end.obj", strip(-1.0));
-    let toi = |rules: &[&str]| {
-        let run = folder.run(&[&["step", "start.obj", "end.obj", "--json"], rules].concat());
-        json_of(&run)["toi"].clone()
-    };
-    assert_eq!(toi(&["--ignore", "tip:left"]), json!(0.5));
-    assert_eq!(toi(&["--ignore", "tip:right"]), Value::Null);
-    assert_eq!(toi(&["--only", "tip:right"]), json!(0.5));
 }

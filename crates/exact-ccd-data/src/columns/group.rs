@@ -6,7 +6,7 @@ use parquet::data_type::{BoolType, ByteArrayType, DoubleType, Int64Type};
 use parquet::file::metadata::{ParquetMetaData, RowGroupMetaData};
 
 use super::guard::GuardedFile;
-use super::leaf::{Column, Expected, Leaf};
+use super::leaf::{Column, Leaf};
 use super::problem::ColumnProblem;
 use super::row::Row;
 
@@ -39,18 +39,13 @@ pub(super) struct Group {
 impl Leaves {
     pub(super) fn find(metadata: &ParquetMetaData) -> Result<Self, ColumnProblem> {
         let columns = metadata.file_metadata().schema_descr().columns();
-        let expected = |name, type_name, is_list| Expected {
-            name,
-            type_name,
-            is_list,
-        };
-        let text = |name| Leaf::find::<ByteArrayType>(columns, &expected(name, "strings", false));
-        let double = |name| Leaf::find::<DoubleType>(columns, &expected(name, "DOUBLE", false));
-        let integer = |name| Leaf::find::<Int64Type>(columns, &expected(name, "INT64", false));
+        let text = |name| Leaf::find::<ByteArrayType>(columns, name, "strings");
+        let double = |name| Leaf::find::<DoubleType>(columns, name, "DOUBLE");
+        let integer = |name| Leaf::find::<Int64Type>(columns, name, "INT64");
         Ok(Self {
             kind: text("kind")?,
-            points: Leaf::find::<DoubleType>(columns, &expected("points", "lists of DOUBLE", true))?,
-            truth: Leaf::find::<BoolType>(columns, &expected("truth", "BOOLEAN", false))?,
+            points: Leaf::find::<DoubleType>(columns, "points", "lists of DOUBLE")?,
+            truth: Leaf::find::<BoolType>(columns, "truth", "BOOLEAN")?,
             count: integer("count")?,
             toi: double("toi")?,
             scene: text("scene")?,
@@ -112,14 +107,13 @@ impl Group {
 
     pub(super) fn end(&mut self) -> Result<(), ColumnProblem> {
         let [a, b] = &mut self.ids;
-        self.kind
-            .end()
-            .and_then(|()| self.points.end())
-            .and_then(|()| self.truth.end())
-            .and_then(|()| self.count.end())
-            .and_then(|()| self.toi.end())
-            .and_then(|()| self.scene.end())
-            .and_then(|()| a.end())
-            .and_then(|()| b.end())
+        self.kind.end()?;
+        self.points.end()?;
+        self.truth.end()?;
+        self.count.end()?;
+        self.toi.end()?;
+        self.scene.end()?;
+        a.end()?;
+        b.end()
     }
 }

@@ -19,36 +19,31 @@ pub(super) struct Leaf {
     name: &'static str,
 }
 
-/// The requirements on a column.
-pub(super) struct Expected {
-    pub(super) name: &'static str,
-    /// In words.
-    pub(super) type_name: &'static str,
-    pub(super) is_list: bool,
-}
-
 impl Leaf {
-    /// The column of this name among all columns.
+    /// The column of this name among all columns, of this type in words.
     pub(super) fn find<T: DataType>(
         columns: &[Arc<ColumnDescriptor>],
-        expected: &Expected,
+        name: &'static str,
+        expected: &'static str,
     ) -> Result<Self, ColumnProblem> {
-        let named = |column: &Arc<ColumnDescriptor>| column.path().parts()[0] == expected.name;
         let problem = |found: String| ColumnProblem::Column {
-            column: expected.name,
-            expected: expected.type_name,
+            column: name,
+            expected,
             found,
         };
-        let index = columns
-            .iter()
-            .position(named)
-            .ok_or_else(|| problem("none".into()))?;
+        let places = 0..columns.len();
+        let named: Vec<usize> = places
+            .filter(|&place| columns[place].path().parts()[0] == name)
+            .collect();
+        let Some(&index) = named.first() else {
+            return Err(problem("none".into()));
+        };
         let column = &columns[index];
         let depth = usize::from(column.max_rep_level() > 0);
-        let is_alone = columns.iter().filter(|column| named(column)).count() == 1;
+        let is_alone = named.len() == 1;
         if column.physical_type() != T::get_physical_type()
             || column.max_rep_level() > 1
-            || (depth == 1) != expected.is_list
+            || (depth == 1) != expected.starts_with("lists of ")
             || !is_alone
         {
             let list = ["", "lists of "][depth];
@@ -59,7 +54,6 @@ impl Leaf {
             };
             return Err(problem(found));
         }
-        let name = expected.name;
         Ok(Self { index, name })
     }
 }
@@ -107,16 +101,8 @@ impl<T: DataType> Column<T> {
         if self.max_definition == 0 {
             return Ok(values.map(Some).collect());
         }
-        Ok(definition
-            .into_iter()
-            .map(|level| {
-                if level == self.max_definition {
-                    values.next()
-                } else {
-                    None
-                }
-            })
-            .collect())
+        let value = |level| (level == self.max_definition).then(|| values.next()).flatten();
+        Ok(definition.into_iter().map(value).collect())
     }
 
     /// Levels of definition and of repetition, and values.
@@ -131,10 +117,8 @@ impl<T: DataType> Column<T> {
                     .read_records(rows - read, definition, repetition, &mut values)
             })?;
             if records == 0 {
-                return Err(ColumnProblem::parquet(format!(
-                    "column {} is cut short",
-                    self.name
-                )));
+                let problem = format!("column {} is cut short", self.name);
+                return Err(ColumnProblem::parquet(problem));
             }
             read += records;
         }
@@ -148,13 +132,11 @@ impl<T: DataType> Column<T> {
             let (definition, repetition) = (Some(&mut definition), Some(&mut repetition));
             self.reader.read_records(1, definition, repetition, &mut values)
         })?;
-        match records {
-            0 => Ok(()),
-            _ => Err(ColumnProblem::parquet(format!(
-                "column {} has too many values",
-                self.name
-            ))),
+        if records > 0 {
+            let problem = format!("column {} has too many values", self.name);
+            return Err(ColumnProblem::parquet(problem));
         }
+        Ok(())
     }
 }
 

@@ -9,11 +9,10 @@ use std::vec;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
 
-use super::coordinates;
-use super::footer;
 use super::group::{Group, Leaves};
 use super::guard::{GuardedFile, catch, check_size};
 use super::problem::ColumnProblem;
+use super::{coordinates, footer};
 use crate::error::DataError;
 use crate::query_kind::QueryKind;
 use crate::record::{Record, Sample};

@@ -101,7 +101,6 @@ mod tests {
     use exact_ccd::{EdgeEdge, VertexFace};
     use proptest::array::{uniform3, uniform4};
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
 
@@ -114,12 +113,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            cases: 10_000,
-            rng_seed: RngSeed::Fixed(0),
-            failure_persistence: None,
-            ..ProptestConfig::default()
-        })]
+        #![proptest_config(ProptestConfig::with_cases(10_000))]
 
         /// No sign is zero for coordinates at random.
         #[test]

@@ -99,7 +99,6 @@ mod tests {
     use dashu_ratio::RBig;
     use proptest::array::{uniform2, uniform3, uniform9};
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
     use crate::integers::to_integers;
@@ -130,12 +129,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            cases: 500,
-            failure_persistence: None,
-            rng_seed: RngSeed::Fixed(0),
-            ..ProptestConfig::default()
-        })]
+        #![proptest_config(ProptestConfig::with_cases(500))]
 
         /// To the last bit, and the last component has the sign.
         #[test]

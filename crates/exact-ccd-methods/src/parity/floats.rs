@@ -75,7 +75,6 @@ impl Image for Floats {
 mod tests {
     use proptest::array::{uniform3, uniform4};
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
     use crate::parity::expansion::Expansion;
@@ -137,12 +136,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            cases: 50_000,
-            failure_persistence: None,
-            rng_seed: RngSeed::Fixed(0),
-            ..ProptestConfig::default()
-        })]
+        #![proptest_config(ProptestConfig::with_cases(50_000))]
 
         /// Also where arithmetic in f64 cancels. In intervals and expansions too.
         #[test]

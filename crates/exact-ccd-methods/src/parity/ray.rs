@@ -191,7 +191,6 @@ mod tests {
     use exact_ccd::{EdgeEdge, Kind, VertexFace};
     use proptest::array::{uniform2, uniform8};
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
     use crate::parity::floats::Floats;
@@ -255,12 +254,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            cases: 50_000,
-            failure_persistence: None,
-            rng_seed: RngSeed::Fixed(0),
-            ..ProptestConfig::default()
-        })]
+        #![proptest_config(ProptestConfig::with_cases(50_000))]
 
         #[test]
         fn few_rays_are_rejected(corners in uniform8(corner())) {

@@ -118,7 +118,6 @@ fn zero_free_radius(p: &Polynomial) -> f64 {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
 
@@ -199,12 +198,6 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            rng_seed: RngSeed::Fixed(0),
-            failure_persistence: None,
-            ..ProptestConfig::default()
-        })]
-
         /// All zeros, and where the polynomial is small compared with what its terms can be.
         #[test]
         fn the_polynomial_vanishes_at_its_zeros(coefficients in prop::array::uniform7(-1.0..1.0)) {

@@ -1,8 +1,9 @@
 //! The entries of a text scene.
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::SolidMaterial;
-use exact_ccd_sim::{Formulation, Friction, HalfSpace, Integrator, Length, Settings, SolidProperties};
+use exact_ccd_sim::{
+    Formulation, Friction, HalfSpace, Integrator, Length, Settings, SolidMaterial, SolidProperties,
+};
 
 use super::super::fault::Place;
 use super::shape::Shape;

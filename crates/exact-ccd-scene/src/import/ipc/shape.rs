@@ -3,8 +3,7 @@
 use core::f64::consts::PI;
 
 use exact_ccd_mesh::{Aabb, Point};
-use exact_ccd_sim::SolidMaterial;
-use exact_ccd_sim::SolidProperties;
+use exact_ccd_sim::{SolidMaterial, SolidProperties};
 use nalgebra::Vector3;
 
 use super::super::fault::{Fault, Place, Problem};

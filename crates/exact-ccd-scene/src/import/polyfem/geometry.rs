@@ -2,8 +2,7 @@
 
 use std::rc::Rc;
 
-use exact_ccd_mesh::HalfSpace;
-use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_mesh::{Aabb, HalfSpace, Point};
 use nalgebra::Vector3;
 
 use super::super::fault::Fault;

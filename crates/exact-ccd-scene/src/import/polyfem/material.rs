@@ -4,8 +4,7 @@ use super::super::fault::{Fault, Problem};
 use super::NOTHING;
 use super::entry::{Entry, Rule};
 use super::surface::Ids;
-use exact_ccd_sim::SolidMaterial;
-use exact_ccd_sim::SolidProperties;
+use exact_ccd_sim::{SolidMaterial, SolidProperties};
 
 /// The material of the bodies with an id.
 pub(super) struct Material {

@@ -3,10 +3,9 @@
 use exact_ccd_mesh::Point;
 
 use super::super::fault::Fault;
-use super::NOTHING;
 use super::entry::{Entry, Rule};
-use super::expression;
 use super::settings::Time;
+use super::{NOTHING, expression};
 use exact_ccd_sim::{KeyFrame, Script};
 
 /// The most time steps of a motion that is not linear in time.

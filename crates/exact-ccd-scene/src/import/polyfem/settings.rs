@@ -5,8 +5,7 @@ use exact_ccd_mesh::Point;
 use super::super::fault::Fault;
 use super::NOTHING;
 use super::entry::{Entry, Rule};
-use exact_ccd_sim::Integrator;
-use exact_ccd_sim::{Formulation, Friction, Length, Settings};
+use exact_ccd_sim::{Formulation, Friction, Integrator, Length, Settings};
 
 const SOLVER: Rule = Rule::Ignored("it concerns the method by which PolyFEM solves a time step");
 
