@@ -94,7 +94,14 @@ fn on_edges(moving: &Moving, kind: Kind) -> Vec<Proof> {
         let (cross, dot) = moving.on_edge(kind, row)?;
         let [x, y, z] = &cross;
         let line = gcd(&gcd(x, y), z);
-        let factors = [gcd(&line, &dot), gcd(&line, &derivative(&line)), line];
+        // Where the vertex is on the line at all times, it is at an end of the edge at a double root.
+        let both = gcd(&line, &dot);
+        let factors = [
+            gcd(&both, &derivative(&both)),
+            both,
+            gcd(&line, &derivative(&line)),
+            line,
+        ];
         let proofs = factors.into_iter().filter(Polynomial::changes_sign);
         Some(proofs.map(move |factor| Proof::OnEdge { row, factor }))
     };
