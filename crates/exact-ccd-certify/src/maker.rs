@@ -3,7 +3,7 @@
 use exact_ccd::{Point, Separation, Separations};
 use exact_ccd_check::certificate::{CONTACT, FREE, MAGIC, REST};
 use exact_ccd_check::grid::Grid;
-use exact_ccd_check::motion::{Motion, Time};
+use exact_ccd_check::motion::Motion;
 use exact_ccd_check::{Failure, Kind, Mesh, tree};
 use exact_ccd_mesh::{Contact, MinDistance, Pair, StepError, TriangleMesh};
 use rayon::prelude::*;
@@ -132,7 +132,7 @@ impl Maker {
         }
         let until = free.unwrap_or(0.0);
         if rest || free.is_some() {
-            let grid = Grid::new(&motion, &Time::new(until));
+            let grid = Grid::new(&motion, until);
             let step = Step {
                 motion: &motion,
                 grid: &grid,
@@ -155,7 +155,7 @@ impl Maker {
                 Pair::VertexVertex { .. } => Kind::VertexVertex,
             };
             let ids = earliest.pair.ids();
-            let pair = mesh.pair(kind, ids);
+            let pair = mesh.pair(kind, &ids);
             let proof = pair.and_then(|pair| contact::proof(&motion, kind, &pair, [until, time]));
             self.uncertified.pairs += 1;
             match proof {
@@ -174,7 +174,7 @@ impl Maker {
             true
         });
         needed.par_sort_unstable();
-        let proof = |&ids: &[u32; 2]| encode::stretches(&step.stretches(kind, &mesh.pair(kind, ids)?)?);
+        let proof = |&ids: &[u32; 2]| encode::stretches(&step.stretches(kind, &mesh.pair(kind, &ids)?)?);
         let proofs: Vec<Option<Box<[u8]>>> = needed.par_iter().map(proof).collect();
         encode::number(&mut self.bytes, needed.len() as u32);
         let mut last = None;
