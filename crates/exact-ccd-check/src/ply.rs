@@ -1,6 +1,6 @@
 //! Mesh files: PLY, as text or binary, with the elements `vertex`, `face` and `edge` and nothing else.
 //!
-//! Coordinates are `float` or `double`; in text, any decimal number, read as the nearest f64. A face
+//! Coordinates are of any type of numbers; in text, decimal numbers, read as the nearest f64. A face
 //! with more than three corners becomes a fan of triangles from its lowest vertex. Properties beside
 //! these are skipped.
 
