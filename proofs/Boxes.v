@@ -6,12 +6,6 @@ Require Import Vectors Motion Lists Separation Grid Tree.
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma is_separate_symmetric d a b : is_separate d a b = true -> is_separate d b a = true.
-Proof.
-  rewrite !is_separate_witness; intros (k & side & all); exists k, (negb side); intros e.
-  rewrite negb_involutive; specialize (all e); lia.
-Qed.
-
 (** The direction of an axis. *)
 Definition unit_vector (k : axis) (side : bool) : vector := fun j =>
   match k, j with X, X | Y, Y | Z3, Z3 => if side then -1 else 1 | _, _ => 0 end.

@@ -33,7 +33,7 @@ Definition vertex_and_face : pair nat := {| first := [3%nat]; second := [0; 1; 2
 Definition after : time := time_of_bits 0x3fe8000000000000.
 Definition before : time := time_of_bits 0x3fe7ffffffffffff.
 
-Definition stretch_to (t : time) (g : integer_point) : list stretch := [{| stretch_end := t; from := g; to := None |}].
+Definition stretch_to (t : time) (g : integer_point) : list stretch := [{| stretch_end := t; from := g; to := g |}].
 Definition start : time := {| numerator := 0; power := 0 |}.
 Definition g : integer_point := point_of (-1) 0 1.
 

@@ -20,7 +20,7 @@ Record time := { numerator : Z; power : nat }.
 
 Definition moment (t : time) : R := IZR (numerator t) / 2 ^ power t.
 
-(** [Time::over]. *)
+(** [Time::together] gives times one denominator, the largest. *)
 Definition over (t : time) (n : nat) : time :=
   {| numerator := shift_left (numerator t) (n - power t); power := Nat.max n (power t) |}.
 
@@ -69,8 +69,7 @@ Variable m : motion.
 
 (** [Motion::at]: the position, times the denominator of the time. *)
 Definition at_time (v : V) (t : time) : integer_point := fun k =>
-  if (numerator t =? 0)%Z then shift_left (ends m false v k) (power t)
-  else ((shift_left 1 (power t) - numerator t) * ends m false v k + numerator t * ends m true v k)%Z.
+  ((shift_left 1 (power t) - numerator t) * ends m false v k + numerator t * ends m true v k)%Z.
 
 (** The position of a vertex at a time: motion in a straight line. *)
 Definition position (v : V) (t : R) : vector :=
@@ -79,9 +78,7 @@ Definition position (v : V) (t : R) : vector :=
 Theorem at_time_exact v t k : IZR (at_time v t k) = 2 ^ power t * position v (moment t) k.
 Proof.
   unfold at_time, position, moment; pose proof (power_positive (power t)).
-  destruct (Z.eqb_spec (numerator t) 0) as [zero|other].
-  - rewrite zero, shift_left_real; field; lra.
-  - rewrite plus_IZR, !mult_IZR, minus_IZR, shift_left_real; field; lra.
+  rewrite plus_IZR, !mult_IZR, minus_IZR, shift_left_real; field; lra.
 Qed.
 
 (** Positions are linear between any two times. *)

@@ -108,67 +108,17 @@ Proof.
   apply Rmult_le_reg_l with (2 ^ power t); [apply power_positive|unfold dot, minus in *; lra].
 Qed.
 
-(** A stretch without length that holds for an edge and a face: either direction may be 0, but not both. *)
-Theorem holds_rest p start s : holds V m EdgeFace p start s = true -> moment (stretch_end s) = moment start ->
+(** The rows of edges and faces: the direction at the beginning of the first stretch, which is not 0, proves that
+    the edge does not pierce the face. *)
+Theorem is_apart_rest p start stretches : stretches <> [] -> is_apart V m EdgeFace p start stretches = true ->
   ~ pierces p (moment start).
 Proof.
-  unfold holds; set (n := Nat.max (power start) (power (stretch_end s))).
-  intros all at_rest; apply andb_prop in all as (all & _).
-  apply andb_prop in all as (all & at_end); apply andb_prop in all as (some & at_start).
-  simpl in at_start, at_end; apply Z.leb_le in at_start, at_end.
-  pose proof (gap_not_negative _ _ _ at_start) as start_order.
-  pose proof (gap_not_negative _ _ _ at_end) as end_order.
-  rewrite moment_over in start_order, end_order; rewrite at_rest in end_order.
-  set (g := match to s with Some g => g | None => from s end) in *.
-  destruct (Z.eq_dec (integer_dot (from s) (from s)) 0) as [zero|other].
-  - rewrite zero in some; apply (supported (real g)); [|exact end_order].
-    apply not_zero_component; intros also; rewrite also in some; discriminate.
-  - apply (supported (real (from s))); [apply not_zero_component; exact other|exact start_order].
-Qed.
-
-Lemma is_before_moment a b : is_before a b = true -> moment a < moment b.
-Proof.
-  unfold is_before, moment; intros less; apply Z.ltb_lt, IZR_lt in less; rewrite !shift_left_real in less.
-  pose proof (power_positive (power a)); pose proof (power_positive (power b)).
-  apply Rmult_lt_reg_r with (2 ^ power a * 2 ^ power b); [apply Rmult_lt_0_compat; assumption|].
-  replace (IZR (numerator a) / 2 ^ power a * (2 ^ power a * 2 ^ power b)) with (IZR (numerator a) * 2 ^ power b) by (field; lra).
-  replace (IZR (numerator b) / 2 ^ power b * (2 ^ power a * 2 ^ power b)) with (IZR (numerator b) * 2 ^ power a) by (field; lra).
-  exact less.
-Qed.
-
-Lemma later_end k p stretches : forall start, stretches <> [] -> all_hold V m k p start false stretches = true ->
-  moment start < moment (last_end start stretches).
-Proof.
-  induction stretches as [|s rest IH]; intros start some all; [congruence|].
-  simpl in all; rewrite orb_false_r in all.
-  apply andb_prop in all as (all & after); apply andb_prop in all as (less & _); apply is_before_moment in less.
-  destruct rest as [|other rest]; [exact less|].
-  apply Rlt_trans with (1 := less).
-  replace (last_end start (s :: other :: rest)) with (last_end (stretch_end s) (other :: rest))
-    by (unfold last_end; simpl; destruct (map stretch_end rest); [reflexivity|apply last_default; discriminate]).
-  apply IH; [discriminate|exact after].
-Qed.
-
-(** The rows of edges and faces: the stretches from t = 0 to t = 0 prove that the edge does not pierce the
-    face. *)
-Theorem is_apart_rest p start stretches : stretches <> [] -> is_apart V m EdgeFace p start stretches = true ->
-  moment (last_end start stretches) = moment start -> ~ pierces p (moment start).
-Proof.
-  destruct stretches as [|s rest]; [congruence|]; intros _ all at_rest.
-  unfold is_apart in all; simpl in all; apply andb_prop in all as (all & after); apply andb_prop in all as (order & now).
-  destruct rest as [|other rest].
-  - apply (holds_rest _ _ s now at_rest).
-  - exfalso; apply later_end in after; [|discriminate].
-    replace (last_end start (s :: other :: rest)) with (last_end (stretch_end s) (other :: rest)) in at_rest
-      by (unfold last_end; simpl; destruct (map stretch_end rest); [reflexivity|apply last_default; discriminate]).
-    apply orb_prop in order as [less|same]; [apply is_before_moment in less; lra|].
-    assert (moment start = moment (stretch_end s)); [|lra].
-    unfold is_same in same; apply Z.eqb_eq, (f_equal IZR) in same; rewrite !shift_left_real in same.
-    unfold moment; pose proof (power_positive (power start)); pose proof (power_positive (power (stretch_end s))).
-    apply Rmult_eq_reg_r with (2 ^ power start * 2 ^ power (stretch_end s)); [|apply Rgt_not_eq, Rmult_lt_0_compat; assumption].
-    replace (IZR (numerator start) / 2 ^ power start * (2 ^ power start * 2 ^ power (stretch_end s)))
-      with (IZR (numerator start) * 2 ^ power (stretch_end s)) by (field; lra).
-    rewrite same; field; lra.
+  destruct stretches as [|s rest]; [congruence|]; intros _ all.
+  simpl in all; apply andb_prop in all as (all & _); unfold holds in all.
+  apply andb_prop in all as (all & _); apply andb_prop in all as (at_start & _).
+  simpl in at_start; apply andb_prop in at_start as (least & some); apply Z.leb_le in least; apply Z.ltb_lt in some.
+  pose proof (gap_not_negative _ _ _ least) as order; rewrite moment_over in order.
+  apply (supported (real (from s))); [apply not_zero_component; lia|exact order].
 Qed.
 
 End Rest.

@@ -27,7 +27,7 @@ Variable m : motion V.
 Hypothesis distance_not_negative : (0 <= distance V m)%Z.
 
 (** [Stretch] of the code, whose start is the end of the one before. *)
-Record stretch := { stretch_end : time; from : integer_point; to : option integer_point }.
+Record stretch := { stretch_end : time; from : integer_point; to : integer_point }.
 
 (** [gap] of the code. *)
 Definition gap (p : pair V) (along : V -> Z) : Z :=
@@ -43,7 +43,7 @@ Qed.
 (** [is_beyond] of the code; [d] is the distance in the unit of the positions. *)
 Definition is_beyond (k : kind) (d gap square : Z) : bool :=
   match k with
-  | EdgeFace => (0 <=? gap)%Z
+  | EdgeFace => ((0 <=? gap) && (0 <? square))%Z
   | _ => ((0 <? gap) && (d * d * square <? gap * gap))%Z
   end.
 
@@ -52,36 +52,21 @@ Definition holds (k : kind) (p : pair V) (start : time) (s : stretch) : bool :=
   let power := Nat.max (power start) (power (stretch_end s)) in
   let start := over start power in
   let finish := over (stretch_end s) power in
-  let last := match to s with Some g => g | None => from s end in
   let first_square := integer_dot (from s) (from s) in
-  let last_square := integer_dot last last in
+  let last_square := integer_dot (to s) (to s) in
   let d := if has_distance V p then shift_left (distance V m) power else 0%Z in
   let product g t v := integer_dot g (at_time V m v t) in
-  negb (first_square + last_square =? 0)%Z
-  && is_beyond k d (gap p (product (from s) start)) first_square
-  && is_beyond k d (gap p (product last finish)) last_square
-  && match to s with
-     | None => true
-     | Some _ =>
-         is_beyond k d (gap p (fun v => product (from s) finish v + product last start v)%Z)
-           (shift_left (first_square + last_square) 1)
-     end.
+  is_beyond k d (gap p (product (from s) start)) first_square
+  && is_beyond k d (gap p (product (to s) finish)) last_square
+  && is_beyond k d (gap p (fun v => product (from s) finish v + product (to s) start v)%Z)
+       (shift_left (first_square + last_square) 1).
 
-(** [is_apart]. Times are compared as integers over one denominator: f64 from 0 to 1 are ordered like their
-    values. *)
-Definition is_before (a b : time) := (shift_left (numerator a) (power b) <? shift_left (numerator b) (power a))%Z.
-Definition is_same (a b : time) := (shift_left (numerator a) (power b) =? shift_left (numerator b) (power a))%Z.
-
-Fixpoint all_hold (k : kind) (p : pair V) (start : time) (is_first : bool) (stretches : list stretch) : bool :=
+(** [is_apart], which begins at t = 0: each stretch begins where the one before it ends. *)
+Fixpoint is_apart (k : kind) (p : pair V) (start : time) (stretches : list stretch) : bool :=
   match stretches with
   | [] => true
-  | s :: rest =>
-      (is_before start (stretch_end s) || is_first && is_same start (stretch_end s))
-      && holds k p start s && all_hold k p (stretch_end s) false rest
+  | s :: rest => holds k p start s && is_apart k p (stretch_end s) rest
   end.
-
-Definition is_apart (k : kind) (p : pair V) (start : time) (stretches : list stretch) : bool :=
-  all_hold k p start true stretches.
 
 Lemma is_beyond_real k d l s : (0 <= d)%Z -> (0 <= s)%Z -> k <> EdgeFace ->
   is_beyond k d l s = true -> IZR d * sqrt (IZR s) < IZR l.
@@ -171,7 +156,7 @@ Theorem holds_apart k p start s t : k <> EdgeFace -> holds k p start s = true ->
 Proof.
   unfold holds; set (n := Nat.max (power start) (power (stretch_end s))).
   intros other all in_stretch; apply andb_prop in all as (all & at_middle).
-  apply andb_prop in all as (all & at_end); apply andb_prop in all as (_ & at_start).
+  apply andb_prop in all as (at_start & at_end).
   set (d := if has_distance V p then shift_left (distance V m) n else 0%Z) in *.
   assert (IZR d = 2 ^ n * IZR (reach V m p)) as d_real
     by (unfold d, reach; destruct (has_distance V p); [rewrite shift_left_real; ring|ring]).
@@ -185,87 +170,69 @@ Proof.
   assert (forall g time v, power time = n ->
     IZR (integer_dot g (at_time V m v time)) = 2 ^ n * dot (real g) (position V m v (moment time))) as product
     by (intros g time v <-; apply product_real).
-  pose proof (integer_square_not_negative (from s)).
-  apply is_beyond_real in at_start; try assumption.
-  rewrite d_real, integer_dot_real in at_start.
-  destruct (to s) as [turn|] eqn:turns.
-  - pose proof (integer_square_not_negative turn).
-    apply is_beyond_real in at_end, at_middle; try assumption; [|unfold shift_left; lia].
-    rewrite d_real, integer_dot_real in at_end.
-    rewrite d_real, shift_left_real, plus_IZR, !integer_dot_real, pow_1 in at_middle.
-    set (g := real (from s)) in *; set (h := real turn) in *.
-    set (along0 := fun v => integer_dot (from s) (at_time V m v a)) in *.
-    set (along2 := fun v => integer_dot turn (at_time V m v b)) in *.
-    set (along1 := fun v => (integer_dot (from s) (at_time V m v b) + integer_dot turn (at_time V m v a))%Z) in *.
-    destruct (between_ends _ _ _ in_stretch) as (l & l_range & t_is).
-    set (D := IZR (reach V m p)) in *; set (P := 2 ^ n) in *.
-    set (G := (1 - l) * (1 - l) * IZR (gap p along0) + (1 - l) * l * IZR (gap p along1) + l * l * IZR (gap p along2)).
-    apply (apart_along _ _ (turned g h l) (G / P)); [assumption| |].
-    + apply Rmult_lt_reg_r with P; [exact unit|].
-      replace (G / P * P) with G by (field; lra).
-      apply Rle_lt_trans with (P * D * ((1 - l) * sqrt (dot g g) + l * sqrt (dot h h))).
-      { pose proof (length_turned g h l l_range).
-        fold D; replace (D * sqrt (dot (turned g h l) (turned g h l)) * P)
-          with (P * D * sqrt (dot (turned g h l) (turned g h l))) by ring.
-        apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|assumption]. }
-      assert (P * D * (sqrt (dot g g) + sqrt (dot h h)) < IZR (gap p along1)) as at_middle'.
-      { apply Rle_lt_trans with (2 := at_middle); apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|].
-        apply root_of_sum; apply square_not_negative. }
-      replace (P * D * ((1 - l) * sqrt (dot g g) + l * sqrt (dot h h)))
-        with ((1 - l) * (1 - l) * (P * D * sqrt (dot g g))
-          + (1 - l) * l * (P * D * (sqrt (dot g g) + sqrt (dot h h))) + l * l * (P * D * sqrt (dot h h))) by ring.
-      apply bernstein_less; assumption.
-    + intros x y x_here y_here.
-      pose proof (gap_below p along0 x y x_here y_here) as below0.
-      pose proof (gap_below p along1 x y x_here y_here) as below1.
-      pose proof (gap_below p along2 x y x_here y_here) as below2.
-      apply IZR_le in below0, below1, below2; rewrite minus_IZR in below0, below1, below2.
-      unfold along0 in below0 at 2 3; unfold along1 in below1 at 2 3; unfold along2 in below2 at 2 3.
-      rewrite !plus_IZR in below1.
-      rewrite !product in below0, below1, below2 by assumption.
-      fold g h P in below0, below1, below2; rewrite ?product in below1 by assumption; fold g h in below1.
-      apply Rmult_le_reg_r with P; [exact unit|].
-      replace (G / P * P) with G by (field; lra).
-      replace (dot (turned g h l) (minus (position V m x t) (position V m y t)) * P) with
-        ((1 - l) * (1 - l) * (P * dot g (position V m x (moment a)) - P * dot g (position V m y (moment a)))
-        + (1 - l) * l * (P * dot g (position V m x (moment b)) + P * dot h (position V m x (moment a))
-            - (P * dot g (position V m y (moment b)) + P * dot h (position V m y (moment a))))
-        + l * l * (P * dot h (position V m x (moment b)) - P * dot h (position V m y (moment b))))
-        by (unfold dot, turned, minus; rewrite t_is, !position_linear; ring).
-      unfold G; repeat apply Rplus_le_compat; apply Rmult_le_compat_l;
-        first [apply Rmult_le_pos; lra | rewrite <- ?product by assumption; assumption].
-  - apply is_beyond_real in at_end; try assumption.
-    rewrite d_real, integer_dot_real in at_end.
-    apply (apart_between _ _ (real (from s)) p (moment a) (moment b)); try assumption.
-    intros x y x_here y_here.
-    pose proof (gap_below p (fun v => integer_dot (from s) (at_time V m v a)) x y x_here y_here) as below0.
-    pose proof (gap_below p (fun v => integer_dot (from s) (at_time V m v b)) x y x_here y_here) as below1.
-    apply IZR_le in below0, below1; rewrite minus_IZR in below0, below1.
-    rewrite !product in below0, below1 by assumption.
-    split; apply Rmult_lt_reg_l with (2 ^ n); try exact unit; unfold dot, minus in *; lra.
+  pose proof (integer_square_not_negative (from s)); pose proof (integer_square_not_negative (to s)).
+  apply is_beyond_real in at_start, at_end, at_middle; try assumption; [|unfold shift_left; lia].
+  rewrite d_real, integer_dot_real in at_start, at_end.
+  rewrite d_real, shift_left_real, plus_IZR, !integer_dot_real, pow_1 in at_middle.
+  set (g := real (from s)) in *; set (h := real (to s)) in *.
+  set (along0 := fun v => integer_dot (from s) (at_time V m v a)) in *.
+  set (along2 := fun v => integer_dot (to s) (at_time V m v b)) in *.
+  set (along1 := fun v => (integer_dot (from s) (at_time V m v b) + integer_dot (to s) (at_time V m v a))%Z) in *.
+  destruct (between_ends _ _ _ in_stretch) as (l & l_range & t_is).
+  set (D := IZR (reach V m p)) in *; set (P := 2 ^ n) in *.
+  set (G := (1 - l) * (1 - l) * IZR (gap p along0) + (1 - l) * l * IZR (gap p along1) + l * l * IZR (gap p along2)).
+  apply (apart_along _ _ (turned g h l) (G / P)); [assumption| |].
+  - apply Rmult_lt_reg_r with P; [exact unit|].
+    replace (G / P * P) with G by (field; lra).
+    apply Rle_lt_trans with (P * D * ((1 - l) * sqrt (dot g g) + l * sqrt (dot h h))).
+    { pose proof (length_turned g h l l_range).
+      fold D; replace (D * sqrt (dot (turned g h l) (turned g h l)) * P)
+        with (P * D * sqrt (dot (turned g h l) (turned g h l))) by ring.
+      apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|assumption]. }
+    assert (P * D * (sqrt (dot g g) + sqrt (dot h h)) < IZR (gap p along1)) as at_middle'.
+    { apply Rle_lt_trans with (2 := at_middle); apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|].
+      apply root_of_sum; apply square_not_negative. }
+    replace (P * D * ((1 - l) * sqrt (dot g g) + l * sqrt (dot h h)))
+      with ((1 - l) * (1 - l) * (P * D * sqrt (dot g g))
+        + (1 - l) * l * (P * D * (sqrt (dot g g) + sqrt (dot h h))) + l * l * (P * D * sqrt (dot h h))) by ring.
+    apply bernstein_less; assumption.
+  - intros x y x_here y_here.
+    pose proof (gap_below p along0 x y x_here y_here) as below0.
+    pose proof (gap_below p along1 x y x_here y_here) as below1.
+    pose proof (gap_below p along2 x y x_here y_here) as below2.
+    apply IZR_le in below0, below1, below2; rewrite minus_IZR in below0, below1, below2.
+    unfold along0 in below0 at 2 3; unfold along1 in below1 at 2 3; unfold along2 in below2 at 2 3.
+    rewrite !plus_IZR in below1.
+    rewrite !product in below0, below1, below2 by assumption.
+    fold g h P in below0, below1, below2; rewrite ?product in below1 by assumption; fold g h in below1.
+    apply Rmult_le_reg_r with P; [exact unit|].
+    replace (G / P * P) with G by (field; lra).
+    replace (dot (turned g h l) (minus (position V m x t) (position V m y t)) * P) with
+      ((1 - l) * (1 - l) * (P * dot g (position V m x (moment a)) - P * dot g (position V m y (moment a)))
+      + (1 - l) * l * (P * dot g (position V m x (moment b)) + P * dot h (position V m x (moment a))
+          - (P * dot g (position V m y (moment b)) + P * dot h (position V m y (moment a))))
+      + l * l * (P * dot h (position V m x (moment b)) - P * dot h (position V m y (moment b))))
+      by (unfold dot, turned, minus; rewrite t_is, !position_linear; ring).
+    unfold G; repeat apply Rplus_le_compat; apply Rmult_le_compat_l;
+      first [apply Rmult_le_pos; lra | rewrite <- ?product by assumption; assumption].
 Qed.
 
 (** The stretches of an accepted list follow each other without a gap, to the end of the last one. *)
 Definition last_end (start : time) (stretches : list stretch) := last (map stretch_end stretches) start.
 
-Lemma all_hold_apart k p stretches : k <> EdgeFace -> forall start is_first t,
-  stretches <> [] -> all_hold k p start is_first stretches = true ->
-  moment start <= t <= moment (last_end start stretches) -> apart V m p t.
+Theorem is_apart_apart k p stretches : k <> EdgeFace -> forall start t, stretches <> [] ->
+  is_apart k p start stretches = true -> moment start <= t <= moment (last_end start stretches) -> apart V m p t.
 Proof.
-  intros other; induction stretches as [|s rest IH]; intros start is_first t some all (later & earlier); [congruence|].
-  simpl in all; apply andb_prop in all as (all & after); apply andb_prop in all as (_ & now).
+  intros other; induction stretches as [|s rest IH]; intros start t some all (later & earlier); [congruence|].
+  simpl in all; apply andb_prop in all as (now & after).
   destruct (Rle_lt_dec t (moment (stretch_end s))) as [inside|beyond].
   - apply (holds_apart k p start s); auto.
   - destruct rest as [|next rest].
     + unfold last_end in earlier; simpl in earlier; lra.
-    + apply (IH (stretch_end s) false); [discriminate|exact after|].
+    + apply (IH (stretch_end s)); [discriminate|exact after|].
       split; [lra|]. unfold last_end in *; simpl in *.
       destruct (map stretch_end rest); [exact earlier|].
       erewrite last_default; [exact earlier|discriminate].
 Qed.
-
-Theorem is_apart_apart k p start stretches t : k <> EdgeFace -> stretches <> [] ->
-  is_apart k p start stretches = true -> moment start <= t <= moment (last_end start stretches) -> apart V m p t.
-Proof. intros other some all; apply (all_hold_apart k p stretches other start true t some all). Qed.
 
 End Separation.

@@ -542,6 +542,18 @@ public:
         return steps;
     }
 
+    /// The proof of the answer to a step, with `at_rest` also that no edge passes through a face at `x0`: the bytes
+    /// of a file that the program exact-ccd-check verifies (docs/certificates.md). Throws an Error with
+    /// EXACT_CCD_STATUS_UNCERTIFIED if some pairs have no proof.
+    std::vector<std::uint8_t> certificate(Points x0, Points x1, bool at_rest = true)
+    {
+        detail::check_counts(x0, x1);
+        exact_ccd_certificate_t* certificate = nullptr;
+        check(exact_ccd_detector_certificate(
+            handle(), x0.data(), x1.data(), x0.size(), at_rest, &certificate));
+        return detail::copy<std::uint8_t>(certificate, exact_ccd_certificate_data, exact_ccd_certificate_free);
+    }
+
     /// All contacts, the earliest first, and the first one of each vertex, for rules of your own.
     FirstContacts first_contacts(Points x0, Points x1, double until = 1)
     {
@@ -603,6 +615,17 @@ public:
         check(exact_ccd_audit_examine(
             handle_.get(), x.data(), x.size(), &violation.kind, &violation.contact));
         return violation.kind == EXACT_CCD_AUDIT_RESULT_FREE ? std::nullopt : std::optional(violation);
+    }
+
+    /// Makes a certificate of all frames that follow; to be called before the first one.
+    void certify() { check(exact_ccd_audit_certify(handle_.get())); }
+
+    /// The proof of the results so far, after `certify`, as of `Detector::certificate`.
+    std::vector<std::uint8_t> certificate() const
+    {
+        exact_ccd_certificate_t* certificate = nullptr;
+        check(exact_ccd_audit_certificate(handle_.get(), &certificate));
+        return detail::copy<std::uint8_t>(certificate, exact_ccd_certificate_data, exact_ccd_certificate_free);
     }
 
 private:

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use exact_ccd::Separation;
+use exact_ccd::{Point, Separation};
+use exact_ccd_certify::Maker;
 use exact_ccd_mesh::{Frame, MinDistance, TriangleMesh, Violation};
 
 use crate::border::call;
 use crate::contact::Contact;
-use crate::error::Status;
+use crate::error::{Error, Status};
 use crate::mesh::Mesh;
 use crate::pointers::{Out, free, positions, reference, reference_mut};
 use crate::threads::Threads;
@@ -16,7 +17,64 @@ use crate::threads::Threads;
 pub struct Audit {
     mesh: Arc<TriangleMesh>,
     audit: exact_ccd_mesh::Audit,
+    min_distance: MinDistance,
     threads: Threads,
+    /// The certificate in the making, if it is wanted.
+    maker: Option<Maker>,
+    has_violation: bool,
+}
+
+impl Audit {
+    /// Begins a certificate.
+    pub(crate) fn certify(&mut self) -> Result<(), Error> {
+        if self.audit.frames() > 0 {
+            return Err(Error::argument(
+                "a certificate begins with the first frame: certify before it",
+            ));
+        }
+        self.maker = Some(Maker::new(Maker::distance(&self.min_distance)?));
+        Ok(())
+    }
+
+    /// Adds the step from the last frame, if there is one, to the certificate.
+    fn add(
+        &mut self,
+        last: Option<&[Point]>,
+        x: &[Point],
+        violation: Option<&Violation>,
+    ) -> Result<(), Error> {
+        let Self {
+            mesh,
+            audit,
+            threads,
+            maker,
+            has_violation,
+            ..
+        } = self;
+        if let (Some(maker), Some(last), false) = (maker, last, *has_violation) {
+            let contact = match violation {
+                Some(Violation::Contact { contact, .. }) => Some(contact),
+                _ => None,
+            };
+            let is_first = audit.frames() == 2;
+            threads.run(|| Ok(maker.add_step(mesh, [last, x], is_first, contact)?))?;
+        }
+        *has_violation |= violation.is_some();
+        Ok(())
+    }
+
+    /// The certificate of the frames so far.
+    pub(crate) fn certificate(&self) -> Result<Vec<u8>, Error> {
+        let maker = self.maker.clone();
+        let maker = maker
+            .ok_or_else(|| Error::argument("there is no certificate: certify before the first frame"))?;
+        if maker.steps() == 0 {
+            let reason =
+                "nothing can be proved of a single frame, nor if the mesh touches itself in the first frame";
+            return Err(Error::new(Status::Uncertified, reason));
+        }
+        Ok(maker.finish()?)
+    }
 }
 
 /// The result of a frame of an audit.
@@ -45,8 +103,11 @@ pub unsafe extern "C" fn exact_ccd_audit_new(
         let (Mesh(mesh), audit) = unsafe { (reference("mesh", mesh)?, Out::new("audit", audit)?) };
         audit.give(Audit {
             mesh: mesh.clone(),
-            audit: exact_ccd_mesh::Audit::with_min_distance(min_distance),
+            audit: exact_ccd_mesh::Audit::with_min_distance(min_distance.clone()),
+            min_distance,
             threads: Threads::default(),
+            maker: None,
+            has_violation: false,
         });
         Ok(())
     })
@@ -84,18 +145,25 @@ pub unsafe extern "C" fn exact_ccd_audit_examine(
             let (result, contact) = (Out::new("result", result)?, Out::new("contact", contact)?);
             (audit, positions("x", x, vertex_count)?, result, contact)
         };
-        let Audit { mesh, audit, threads } = audit;
-        let last = audit.last().map(|last| last.positions.clone());
+        let last = audit.audit.last().map(|last| last.positions.clone());
+        let Audit {
+            mesh,
+            audit: inner,
+            threads,
+            ..
+        } = audit;
         let violation = threads.run(|| {
             let positions = x.to_vec();
             Ok(match &last {
-                None => audit.examine(Frame {
+                None => inner.examine(Frame {
                     mesh: mesh.as_ref().clone(),
                     positions,
                 })?,
-                Some(_) => audit.examine_positions(positions)?,
+                Some(_) => inner.examine_positions(positions)?,
             })
         })?;
+        audit.add(last.as_deref(), x, violation.as_ref())?;
+        let mesh = &audit.mesh;
         result.write(match violation {
             None => AuditResult::Free,
             Some(Violation::Contact { contact: found, .. }) => {

@@ -27,6 +27,8 @@ pub enum Status {
     /// An edge passes through a face at the start of the step, and the detector has the check of the
     /// start: see `exact_ccd_detector_set_start_check`.
     Crossing = 5,
+    /// Some pairs have no proof, or there is nothing to prove: there is no certificate.
+    Uncertified = 6,
 }
 
 /// The reason why a call has no result.

@@ -144,13 +144,20 @@ void meshes()
     const auto with_pinned = detector.free_steps(x0, x1, falling);
     CHECK(with_pinned.sizes[3] == 1 && with_pinned.positions[3] == x1[3]);
     CHECK(with_pinned.blocked.size() == 1 && with_pinned.blocked[0].first == 3);
+    // The magic line, the distance and the flags: at rest, free, contact.
+    const auto certificate = detector.certificate(x0, x1);
+    CHECK(certificate.size() > 50 && certificate[0] == 'e' && certificate[32] == 7);
+    CHECK(detector.certificate(x0, x1, false)[32] == 6);
+    throws<exact_ccd::Error>([&] { detector.certificate(x1, x0); });
     detector.set_min_distance(0.5);
     CHECK(detector.collision(x0, x1)->impact.time == 0.25);
     throws<std::invalid_argument>([&] { detector.collides(x0, exact_ccd::Points(x1.data()->data(), 5)); });
 
     exact_ccd::Audit audit(mesh);
+    audit.certify();
     CHECK(!audit.examine(x0));
     CHECK(audit.examine(x1)->contact.impact.time == 0.5);
+    CHECK(audit.certificate() == certificate);
 }
 
 // The threads on which a detector of some triangles calls its rule.

@@ -153,6 +153,7 @@ static void errors(void)
     exact_ccd_detector_free(NULL);
     exact_ccd_contacts_free(NULL);
     exact_ccd_audit_free(NULL);
+    exact_ccd_certificate_free(NULL);
 }
 
 static void batches(void)
@@ -559,12 +560,22 @@ static void meshes(void)
 
     exact_ccd_audit_t* audit = NULL;
     OK(exact_ccd_audit_new(mesh, 0, &audit));
+    OK(exact_ccd_audit_certify(audit));
+    exact_ccd_certificate_t* certificate = NULL;
     exact_ccd_audit_result_t result;
     OK(exact_ccd_audit_examine(audit, x0, 6, &result, &contact));
     CHECK(result == EXACT_CCD_AUDIT_RESULT_FREE);
+    fails(exact_ccd_audit_certificate(audit, &certificate), EXACT_CCD_STATUS_UNCERTIFIED, "single frame");
+    fails(exact_ccd_audit_certify(audit), EXACT_CCD_STATUS_INVALID_ARGUMENT, "first frame");
     OK(exact_ccd_audit_examine(audit, x1, 6, &result, &contact));
     CHECK(result == EXACT_CCD_AUDIT_RESULT_CONTACT && contact.impact.time == 0.5);
     CHECK(fabs(contact.impact.points[0][2]) < 1e-9 && fabs(contact.impact.points[0][1] - 1) < 1e-9);
+    OK(exact_ccd_audit_certificate(audit, &certificate));
+    const uint8_t* bytes = NULL;
+    size_t byte_count = 0;
+    OK(exact_ccd_certificate_data(certificate, &bytes, &byte_count));
+    CHECK(byte_count > 50 && bytes[0] == 'e');
+    exact_ccd_certificate_free(certificate);
     exact_ccd_audit_free(audit);
     OK(exact_ccd_audit_new(mesh, 0, &audit));
     OK(exact_ccd_audit_examine(audit, x1, 6, &result, &contact));

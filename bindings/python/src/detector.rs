@@ -7,6 +7,7 @@ use exact_ccd_mesh::{PairCounts, TriangleMesh};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use rayon::prelude::*;
 
 use crate::compute::{Watch, compute};
@@ -274,6 +275,21 @@ impl Detector {
         let (counts, contacts): (Vec<_>, Vec<_>) = reports.into_iter().unzip();
         let column = |place: usize| rows(py, counts.iter().map(|counts| by_kind(counts[place])));
         Ok(([column(0)?, column(1)?, column(2)?], into_columns(py, &contacts)?))
+    }
+
+    /// The proof of the answer to a step of one world: a certificate, or a part that continues one.
+    fn certificate<'py>(
+        &self,
+        py: Python<'py>,
+        x0: Positions<'py>,
+        x1: Positions<'py>,
+        at_rest: bool,
+        is_continued: bool,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let certificates = self.each(py, &x0, &x1, None, |search, x0, x1| {
+            search.certificate(x0, x1, at_rest, is_continued)
+        })?;
+        Ok(PyBytes::new(py, &certificates.concat()))
     }
 
     /// The edges and faces that meet at rest, of one world.

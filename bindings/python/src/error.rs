@@ -1,8 +1,9 @@
 //! Errors in arguments.
 
+use exact_ccd_certify::{MakerError, Uncertified};
 use exact_ccd_mesh::{LineSearchError, StepError};
 use pyo3::create_exception;
-use pyo3::exceptions::{PyMemoryError, PyValueError};
+use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
 create_exception!(
@@ -10,6 +11,13 @@ create_exception!(
     CrossingError,
     PyValueError,
     "An edge passes through a face where a step begins: ``edge`` and ``face`` are their indices."
+);
+
+create_exception!(
+    exact_ccd,
+    UncertifiedError,
+    PyRuntimeError,
+    "Some pairs have no proof, so there is no certificate: ``missing`` of ``pairs``, and the name of the ``first``."
 );
 
 /// The `ValueError` with the message of an error.
@@ -25,45 +33,64 @@ pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
     Ok(elements)
 }
 
-/// An error of one world, and the edge and the face of a crossing.
+/// An error of one world.
 pub(crate) struct Refusal {
     message: String,
-    crossing: Option<[u32; 2]>,
+    reason: Reason,
+}
+
+/// The fields of an exception.
+enum Reason {
+    Argument,
+    /// The edge and the face.
+    Crossing([u32; 2]),
+    Uncertified(Uncertified),
 }
 
 impl Refusal {
     pub(crate) fn new(error: impl ToString) -> Self {
-        let message = error.to_string();
-        Self {
-            message,
-            crossing: None,
-        }
+        let (message, reason) = (error.to_string(), Reason::Argument);
+        Self { message, reason }
     }
 
     /// The exception, which names the world if there are several.
     pub(crate) fn into_exception(self, py: Python<'_>, world: Option<usize>) -> PyErr {
         let place = world.map_or_else(String::new, |world| format!("world {world}: "));
         let message = place + &self.message;
-        let Some([edge, face]) = self.crossing else {
-            return refused(message);
+        let (exception, set): (PyErr, PyResult<()>) = match self.reason {
+            Reason::Argument => (refused(message), Ok(())),
+            Reason::Crossing([edge, face]) => {
+                let exception = CrossingError::new_err(message);
+                let value = exception.value(py);
+                let set = value.setattr("edge", edge);
+                let set = set.and_then(|()| value.setattr("face", face));
+                (exception, set)
+            }
+            Reason::Uncertified(Uncertified {
+                missing,
+                pairs,
+                first,
+            }) => {
+                let exception = UncertifiedError::new_err(message);
+                let value = exception.value(py);
+                let set = value.setattr("missing", missing);
+                let set = set.and_then(|()| value.setattr("pairs", pairs));
+                let set = set.and_then(|()| value.setattr("first", first));
+                (exception, set)
+            }
         };
-        let exception = CrossingError::new_err(message);
-        let value = exception.value(py);
-        let fields = value
-            .setattr("edge", edge)
-            .and_then(|()| value.setattr("face", face));
-        fields.map_or_else(|failure| failure, |()| exception)
+        set.map_or_else(|failure| failure, |()| exception)
     }
 }
 
 impl From<StepError> for Refusal {
     fn from(error: StepError) -> Self {
-        let crossing = match error {
-            StepError::Crossing { edge, face, .. } => Some([edge, face]),
-            _ => None,
+        let reason = match error {
+            StepError::Crossing { edge, face, .. } => Reason::Crossing([edge, face]),
+            _ => Reason::Argument,
         };
         let message = error.to_string();
-        Self { message, crossing }
+        Self { message, reason }
     }
 }
 
@@ -73,5 +100,21 @@ impl From<LineSearchError> for Refusal {
             LineSearchError::Step(error) => error.into(),
             error => Self::new(error),
         }
+    }
+}
+
+impl From<MakerError> for Refusal {
+    fn from(error: MakerError) -> Self {
+        match error {
+            MakerError::Step(error) => error.into(),
+            error => Self::new(error),
+        }
+    }
+}
+
+impl From<Uncertified> for Refusal {
+    fn from(error: Uncertified) -> Self {
+        let (message, reason) = (error.to_string(), Reason::Uncertified(error));
+        Self { message, reason }
     }
 }

@@ -37,7 +37,7 @@ mod _native {
     #[pymodule_export]
     use crate::detector::Detector;
     #[pymodule_export]
-    use crate::error::CrossingError;
+    use crate::error::{CrossingError, UncertifiedError};
     #[pymodule_export]
     use crate::files::{FrameSequence, Welding, in_order, mesh_format, parse_mesh, read_mesh};
     #[pymodule_export]

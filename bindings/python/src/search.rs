@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use exact_ccd::{Options, Point, Separation};
+use exact_ccd_certify::{Maker, MakerError};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, FreeSteps, Intersection,
     IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
@@ -226,6 +227,28 @@ impl Search {
         let progress = |count| self.watch.add(count);
         let step = Step::new(self.mesh(), x0, x1)?;
         StepReport::with_options(step, &self.broad_phase(), &options, &progress).map_err(Refusal::new)
+    }
+
+    /// The proof of the answer to a step, as a certificate or as a part that continues one. With `rest`, it says
+    /// that no edge passes through a face at the start.
+    pub(crate) fn certificate(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        rest: bool,
+        is_continued: bool,
+    ) -> Result<Vec<u8>, Refusal> {
+        let distance = Maker::distance(&self.min_distance)?;
+        if self.rules.has_rule {
+            return Err(MakerError::Rules.into());
+        }
+        let mut maker = if is_continued {
+            Maker::continued(distance)
+        } else {
+            Maker::new(distance)
+        };
+        maker.add_step_of(&mut self.open, x0, x1, rest)?;
+        Ok(maker.finish()?)
     }
 
     /// The edges and faces that meet at rest.

@@ -190,6 +190,22 @@ def test_finished_chunks_are_not_repeated(cluster, tmp_path) -> None:
     assert same(other, exact_ccd.audit(frames, FACES))
 
 
+def test_certificates_in_parts(cluster, tmp_path) -> None:
+    for count, violation in [(12, 10), (12, 13), (9, 5)]:
+        frames = recording(count, violation)
+        exact_ccd.audit(frames, FACES, certificate=tmp_path / "whole")
+        expected = (tmp_path / "whole").read_bytes()
+        for steps in (1, 4, 100):
+            # The second audit of a pair takes the parts that the first one has kept.
+            for _ in range(2):
+                given = {"steps": steps, "results": tmp_path / "results", "certificate": tmp_path / "parts"}
+                assert same(exact_ccd.ray.audit(frames, FACES, **given), exact_ccd.audit(frames, FACES))
+                assert (tmp_path / "parts").read_bytes() == expected
+                (tmp_path / "parts").unlink()
+    with pytest.raises(ValueError, match="nothing can be proved of a single frame"):
+        exact_ccd.ray.audit(recording(1), FACES, certificate=tmp_path / "parts")
+
+
 def test_data_sets(cluster, tmp_path) -> None:
     for kind in POINTS:
         points = queries(kind, 500)

@@ -10,7 +10,7 @@ use exact_ccd_check::{Kind, Pair};
 use crate::factor::{coprime, derivative, gcd};
 
 /// A proof of contact after the first time and not after the second, if one is found.
-pub(crate) fn proof(motion: &Motion, kind: Kind, pair: &Pair, times: [f64; 2]) -> Option<Proof> {
+pub(crate) fn proof(motion: &Motion, kind: Kind, pair: &Pair<'_>, times: [f64; 2]) -> Option<Proof> {
     let proofs = points(motion, kind, pair, times[1]).into_iter().map(Proof::Point);
     let moving = Moving::new(motion, pair, times);
     let mut proofs = proofs.chain(roots(&moving, kind)).chain(on_edges(&moving, kind));
@@ -18,13 +18,9 @@ pub(crate) fn proof(motion: &Motion, kind: Kind, pair: &Pair, times: [f64; 2]) -
 }
 
 /// The weights of the closest points of all pairs of features at a time.
-fn points(motion: &Motion, kind: Kind, pair: &Pair, time: f64) -> Vec<Vec<IBig>> {
-    let time = Time::new(time);
-    let points: Vec<Point> = pair
-        .vertices()
-        .iter()
-        .map(|&vertex| motion.at(vertex, &time))
-        .collect();
+fn points(motion: &Motion, kind: Kind, pair: &Pair<'_>, time: f64) -> Vec<Vec<IBig>> {
+    let [time] = Time::together([time]);
+    let points: Vec<Point> = pair.vertices().map(|vertex| motion.at(vertex, &time)).collect();
     let minus =
         |i: usize, j: usize| -> Point { [0, 1, 2].map(|axis: usize| &points[i][axis] - &points[j][axis]) };
     let mut all = Vec::new();
@@ -35,8 +31,8 @@ fn points(motion: &Motion, kind: Kind, pair: &Pair, time: f64) -> Vec<Vec<IBig>>
         }
         all.push(coprime(row));
     };
-    for i in 0..pair.first() {
-        for j in pair.first()..points.len() {
+    for i in 0..pair.first.len() {
+        for j in pair.first.len()..points.len() {
             add(&[(i, &IBig::ONE), (j, &IBig::ONE)]);
         }
     }
@@ -94,7 +90,14 @@ fn on_edges(moving: &Moving, kind: Kind) -> Vec<Proof> {
         let (cross, dot) = moving.on_edge(kind, row)?;
         let [x, y, z] = &cross;
         let line = gcd(&gcd(x, y), z);
-        let factors = [gcd(&line, &dot), gcd(&line, &derivative(&line)), line];
+        // Where the vertex is on the line at all times, it is at an end of the edge at a double root.
+        let both = gcd(&line, &dot);
+        let factors = [
+            gcd(&both, &derivative(&both)),
+            both,
+            gcd(&line, &derivative(&line)),
+            line,
+        ];
         let proofs = factors.into_iter().filter(Polynomial::changes_sign);
         Some(proofs.map(move |factor| Proof::OnEdge { row, factor }))
     };

@@ -2,6 +2,7 @@
 
 use dashu_int::IBig;
 use exact_ccd_check::Kind;
+use exact_ccd_check::certificate::row;
 use exact_ccd_check::contact::Proof;
 use exact_ccd_check::separation::Stretch;
 
@@ -15,16 +16,9 @@ pub(crate) fn number(bytes: &mut Vec<u8>, mut number: u32) {
 }
 
 /// The indices of a pair, after those of the one before.
-pub(crate) fn ids(bytes: &mut Vec<u8>, last: Option<[u32; 2]>, [a, b]: [u32; 2]) {
-    match last {
-        Some([c, d]) if a == c => {
-            number(bytes, 0);
-            number(bytes, b - d - 1);
-        }
-        _ => {
-            number(bytes, a - last.map_or(0, |[c, _]| c));
-            number(bytes, b);
-        }
+pub(crate) fn ids(bytes: &mut Vec<u8>, last: Option<[u32; 2]>, ids: [u32; 2]) {
+    for part in row(last, ids) {
+        number(bytes, part);
     }
 }
 
@@ -35,7 +29,10 @@ const LARGEST: usize = 1 << 15;
 pub(crate) fn stretches(stretches: &[Stretch]) -> Option<Box<[u8]>> {
     let mut bytes = Vec::new();
     for (number, stretch) in (1..).zip(stretches) {
-        let directions = [Some(&stretch.from), stretch.to.as_ref()].into_iter().flatten();
+        let turns = stretch.from != stretch.to;
+        let directions = [&stretch.from, &stretch.to]
+            .into_iter()
+            .take(1 + usize::from(turns));
         let components: Vec<&IBig> = directions.flatten().collect();
         let needed = components
             .iter()
@@ -47,9 +44,7 @@ pub(crate) fn stretches(stretches: &[Stretch]) -> Option<Box<[u8]>> {
             return None;
         }
         let is_last = number == stretches.len();
-        bytes.push(
-            (size.trailing_zeros() as u8) << 2 | u8::from(stretch.to.is_some()) << 1 | u8::from(!is_last),
-        );
+        bytes.push((size.trailing_zeros() as u8) << 2 | u8::from(turns) << 1 | u8::from(!is_last));
         if !is_last {
             bytes.extend(stretch.end.to_le_bytes());
         }

@@ -10,13 +10,9 @@ use exact_ccd_check::motion::{Motion, Point, Time};
 use exact_ccd_check::separation::dot;
 
 /// All candidates at a time, those of the same features at the same places for all times. Some may be 0.
-pub(crate) fn directions(motion: &Motion, pair: &Pair, time: &Time) -> Vec<Point> {
-    let points: Vec<Point> = pair
-        .vertices()
-        .iter()
-        .map(|&vertex| motion.at(vertex, time))
-        .collect();
-    let (first, second) = points.split_at(pair.first());
+pub(crate) fn directions(motion: &Motion, pair: &Pair<'_>, time: &Time) -> Vec<Point> {
+    let points: Vec<Point> = pair.vertices().map(|vertex| motion.at(vertex, time)).collect();
+    let (first, second) = points.split_at(pair.first.len());
     let corners: Vec<Point> = first
         .iter()
         .flat_map(|a| second.iter().map(move |b| minus(a, b)))

@@ -14,6 +14,7 @@ mod encode;
 mod factor;
 mod feature;
 mod maker;
+mod searched;
 mod stretches;
 
 pub use maker::{Maker, MakerError, Uncertified};

@@ -1,11 +1,11 @@
 //! The maker of certificates.
 
-use exact_ccd::{Point, Separation};
+use exact_ccd::{Point, Separation, Separations};
 use exact_ccd_check::certificate::{CONTACT, FREE, MAGIC, REST};
 use exact_ccd_check::grid::Grid;
-use exact_ccd_check::motion::{Motion, Time};
+use exact_ccd_check::motion::Motion;
 use exact_ccd_check::{Failure, Kind, Mesh, tree};
-use exact_ccd_mesh::{Contact, Pair, TriangleMesh};
+use exact_ccd_mesh::{Contact, MinDistance, Pair, StepError, TriangleMesh};
 use rayon::prelude::*;
 
 use crate::stretches::Step;
@@ -15,7 +15,8 @@ use crate::{contact, encode};
 #[derive(Clone, Debug)]
 pub struct Maker {
     bytes: Vec<u8>,
-    distance: f64,
+    pub(crate) distance: Separation,
+    steps: usize,
     uncertified: Uncertified,
 }
 
@@ -26,6 +27,14 @@ pub enum MakerError {
     /// The positions are not those of a mesh in motion.
     #[error("{0}: pass as many finite positions as the mesh has vertices")]
     Motion(Failure),
+    /// The step is none, or an edge passes through a face at its start.
+    #[error(transparent)]
+    Step(#[from] StepError),
+    /// Only some pairs can collide, or not all keep the same distance.
+    #[error(
+        "a certificate is about all pairs and one distance: leave out rules and groups, thicknesses and the inner distance"
+    )]
+    Rules,
 }
 
 /// The pairs for which no proof was found.
@@ -56,12 +65,31 @@ impl Maker {
     /// A certificate without steps, about a distance, which is 0 for contact.
     #[must_use]
     pub fn new(distance: Separation) -> Self {
-        let distance = distance.get();
-        let bytes = [MAGIC, &distance.to_le_bytes()].concat();
+        let mut maker = Self::continued(distance);
+        maker.bytes = [MAGIC, &distance.get().to_le_bytes()].concat();
+        maker
+    }
+
+    /// A part without steps, to be put behind a certificate about the same distance, or behind another part of it: the
+    /// bytes of all parts, one after the other, are those of the certificate of all steps.
+    #[must_use]
+    pub fn continued(distance: Separation) -> Self {
         Self {
-            bytes,
+            bytes: Vec::new(),
             distance,
+            steps: 0,
             uncertified: Uncertified::default(),
+        }
+    }
+
+    /// The distance of a certificate, if all pairs keep the same.
+    ///
+    /// # Errors
+    /// [`MakerError::Rules`] if they do not.
+    pub fn distance(min_distance: &MinDistance) -> Result<Separation, MakerError> {
+        match min_distance.separations() {
+            Separations::Uniform(d) if min_distance.inner().is_none() => Ok(d),
+            _ => Err(MakerError::Rules),
         }
     }
 
@@ -69,6 +97,12 @@ impl Maker {
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {
         [self.uncertified.pairs, self.uncertified.missing]
+    }
+
+    /// The number of steps that have been added.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.steps
     }
 
     /// Adds the step of a mesh from the first positions to the second: that it is free until its
@@ -85,9 +119,11 @@ impl Maker {
         earliest: Option<&Contact>,
     ) -> Result<(), MakerError> {
         let [free, contact] = times(earliest);
-        let motion = Motion::new(positions[0], positions[1], self.distance).map_err(MakerError::Motion)?;
+        let distance = self.distance.get();
+        let motion = Motion::new(positions[0], positions[1], distance).map_err(MakerError::Motion)?;
         let mesh = Mesh::new(positions[0].len(), mesh.faces().to_vec(), mesh.loose_edges())
             .map_err(MakerError::Motion)?;
+        self.steps += 1;
         let flag = |is_on: bool, flag: u8| if is_on { flag } else { 0 };
         self.bytes
             .push(flag(rest, REST) | flag(free.is_some(), FREE) | flag(contact.is_some(), CONTACT));
@@ -96,12 +132,12 @@ impl Maker {
         }
         let until = free.unwrap_or(0.0);
         if rest || free.is_some() {
-            let grid = Grid::new(&motion, &Time::new(until));
+            let grid = Grid::new(&motion, until);
             let step = Step {
                 motion: &motion,
                 grid: &grid,
                 positions,
-                distance: self.distance,
+                distance,
                 until,
             };
             if rest {
@@ -119,7 +155,7 @@ impl Maker {
                 Pair::VertexVertex { .. } => Kind::VertexVertex,
             };
             let ids = earliest.pair.ids();
-            let pair = mesh.pair(kind, ids);
+            let pair = mesh.pair(kind, &ids);
             let proof = pair.and_then(|pair| contact::proof(&motion, kind, &pair, [until, time]));
             self.uncertified.pairs += 1;
             match proof {
@@ -138,7 +174,7 @@ impl Maker {
             true
         });
         needed.par_sort_unstable();
-        let proof = |&ids: &[u32; 2]| encode::stretches(&step.stretches(kind, &mesh.pair(kind, ids)?)?);
+        let proof = |&ids: &[u32; 2]| encode::stretches(&step.stretches(kind, &mesh.pair(kind, &ids)?)?);
         let proofs: Vec<Option<Box<[u8]>>> = needed.par_iter().map(proof).collect();
         encode::number(&mut self.bytes, needed.len() as u32);
         let mut last = None;

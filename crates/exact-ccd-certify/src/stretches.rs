@@ -46,7 +46,7 @@ impl Step<'_> {
 
     /// One stretch: a constant direction, or one that turns, or that of closest features at the end or
     /// at the start.
-    fn stretch(&self, kind: Kind, pair: &Pair, times: [f64; 2]) -> Option<Stretch> {
+    fn stretch(&self, kind: Kind, pair: &Pair<'_>, times: [f64; 2]) -> Option<Stretch> {
         let [start, end] = times;
         let holds = |stretch: &Stretch| stretch.holds(self.motion, kind, pair, start);
         let [at_start, at_end] = times.map(|time| self.corners(pair, time));
@@ -65,15 +65,11 @@ impl Step<'_> {
         };
         if let Some(g) = best(&both) {
             for bits in BITS {
-                let g = direction::rounded(g, bits);
+                let g = direction::rounded(g, bits).map(Into::into);
                 let ends: &[usize] = if kind == Kind::EdgeFace { &[0] } else { &[0, 1] };
                 let is_whole = start == 0.0 && (end == self.until || kind == Kind::EdgeFace);
-                let stretch = Stretch {
-                    end,
-                    from: g.map(Into::into),
-                    to: None,
-                };
-                if is_whole && self.grid.separates(pair, g, ends) || holds(&stretch) {
+                let stretch = constant(end, g);
+                if is_whole && self.grid.separates(pair, &stretch.from, ends) || holds(&stretch) {
                     return Some(stretch);
                 }
             }
@@ -85,11 +81,7 @@ impl Step<'_> {
         {
             for bits in BITS {
                 let [from, to] = [from, to].map(|g| direction::rounded(g, bits).map(Into::into));
-                let stretch = Stretch {
-                    end,
-                    from,
-                    to: Some(to),
-                };
+                let stretch = Stretch { end, from, to };
                 if holds(&stretch) {
                     return Some(stretch);
                 }
@@ -99,49 +91,50 @@ impl Step<'_> {
         // Shorter stretches are easier, unless rounded directions fail at a single time.
         let is_enough = |time: f64, guess: Option<Point>| {
             guess.is_some_and(|g| {
-                let from = direction::rounded(g, BITS[3]).map(Into::into);
-                Stretch {
-                    end: time,
-                    from,
-                    to: None,
-                }
-                .holds(self.motion, kind, pair, time)
+                constant(time, direction::rounded(g, BITS[3]).map(Into::into)).holds(
+                    self.motion,
+                    kind,
+                    pair,
+                    time,
+                )
             })
         };
         if is_enough(start, guesses[0]) && is_enough(end, guesses[1]) {
             return None;
         }
-        let power = times
-            .map(|time| Time::new(time).power)
-            .into_iter()
-            .max()
-            .unwrap_or(0);
-        let at = |time: f64| feature::directions(self.motion, pair, &Time::new(time).over(power));
-        let [from, to] = times.map(at);
-        let constant = to.iter().chain(&from).map(|g| (feature::reduced([g]), None));
+        let [from, to] = Time::together(times).map(|time| feature::directions(self.motion, pair, &time));
+        let constants = to
+            .iter()
+            .chain(&from)
+            .map(|g| constant(end, feature::reduced([g])[0].clone()));
         let turning = from.iter().zip(&to).map(|(from, to)| {
             let [from, to] = feature::reduced([from, to]);
-            ([from], Some(to))
+            Stretch { end, from, to }
         });
-        let mut exact = constant
-            .chain(turning)
-            .map(|([from], to)| Stretch { end, from, to });
-        exact.find(holds)
+        constants.chain(turning).find(holds)
     }
 
     /// The differences of the vertices of both primitives, rounded.
-    fn corners(&self, pair: &Pair, time: f64) -> Vec<Point> {
+    fn corners(&self, pair: &Pair<'_>, time: f64) -> Vec<Point> {
         let at = |vertex: &u32| {
             let [a, b] = self.positions.map(|x| x[*vertex as usize]);
             [0, 1, 2].map(|axis: usize| a[axis] + time * (b[axis] - a[axis]))
         };
-        let (first, second) = pair.vertices().split_at(pair.first());
-        let second: Vec<Point> = second.iter().map(at).collect();
+        let second: Vec<Point> = pair.second.iter().map(at).collect();
         let difference = |a: Point, b: Point| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-        first
+        pair.first
             .iter()
             .map(at)
             .flat_map(|a| second.iter().map(move |&b| difference(a, b)))
             .collect()
+    }
+}
+
+/// A stretch with one direction.
+fn constant(end: f64, g: exact_ccd_check::motion::Point) -> Stretch {
+    Stretch {
+        end,
+        from: g.clone(),
+        to: g,
     }
 }

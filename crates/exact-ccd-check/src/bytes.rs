@@ -5,7 +5,6 @@ use dashu_int::IBig;
 use crate::failure::{Failure, unreadable};
 
 /// The bytes that are still to be read.
-#[derive(Clone, Debug)]
 pub struct Bytes<'a>(pub &'a [u8]);
 
 impl<'a> Bytes<'a> {
@@ -31,6 +30,16 @@ impl<'a> Bytes<'a> {
         let mut array = [0; N];
         array.copy_from_slice(self.take(N)?);
         Ok(array)
+    }
+
+    /// The next line, which is text, without the spaces around it.
+    ///
+    /// # Errors
+    /// At the end, and for bytes that are no text.
+    pub fn line(&mut self) -> Result<&'a str, Failure> {
+        let length = self.0.iter().position(|&byte| byte == b'\n').unwrap_or(self.0.len());
+        let line = std::str::from_utf8(self.take(length + 1)?);
+        line.map_or_else(|_| unreadable("a line is not text"), |line| Ok(line.trim_ascii()))
     }
 
     /// The next byte.
@@ -76,14 +85,6 @@ impl<'a> Bytes<'a> {
     /// # Errors
     /// At the end.
     pub fn integer(&mut self, count: usize) -> Result<IBig, Failure> {
-        let bytes = self.take(count)?;
-        let is_negative = bytes.last().is_some_and(|&byte| byte >= 128);
-        let mut value = IBig::from(-i8::from(is_negative));
-        for chunk in bytes.rchunks(8) {
-            let mut word = [0; 8];
-            word[..chunk.len()].copy_from_slice(chunk);
-            value = (value << (8 * chunk.len())) + IBig::from(u64::from_le_bytes(word));
-        }
-        Ok(value)
+        self.take(count).map(IBig::from_le_bytes)
     }
 }

@@ -58,18 +58,12 @@ impl Head {
     }
 }
 
-/// The indices of the next pair of a table, after those of the one before.
-///
-/// # Errors
-/// If the pair is not after the one before, or at the end.
-pub fn next_ids(bytes: &mut Bytes<'_>, last: Option<[u32; 2]>) -> Result<[u32; 2], Failure> {
-    let (step, second) = (bytes.number()?, bytes.number()?);
-    let [a, b] = last.unwrap_or_default();
-    let ids = match (step, last) {
-        (0, Some(_)) => b.checked_add(1).and_then(|next| next.checked_add(second)).map(|second| [a, second]),
-        _ => a.checked_add(step).map(|first| [first, second]),
-    };
-    ids.map_or_else(|| unreadable("an index exceeds 32 bits"), Ok)
+/// The two numbers at the beginning of a row, after the row before it. Pairs are in increasing order.
+pub fn row(last: Option<[u32; 2]>, [a, b]: [u32; 2]) -> [u32; 2] {
+    match last {
+        Some([c, d]) if a == c => [0, b - d - 1],
+        _ => [a - last.map_or(0, |[c, _]| c), b],
+    }
 }
 
 /// The stretches of a pair, of which the last ends at T.
@@ -86,31 +80,12 @@ pub fn stretches(bytes: &mut Bytes<'_>, until: f64) -> Result<Vec<Stretch>, Fail
         let (is_last, turns, size) = (tag & 1 == 0, tag & 2 != 0, 1 << (tag >> 2));
         let end = if is_last { until } else { bytes.time()? };
         let from = direction(bytes, size)?;
-        let to = if turns { Some(direction(bytes, size)?) } else { None };
+        let to = if turns { direction(bytes, size)? } else { from.clone() };
         stretches.push(Stretch { end, from, to });
         if is_last {
             return Ok(stretches);
         }
     }
-}
-
-/// The direction of a single stretch to T that does not turn, of at most four bytes a component, if the next
-/// stretch is such a one, as most are; and the number of its bytes.
-#[must_use]
-pub fn single(bytes: &Bytes<'_>) -> Option<([i64; 3], usize)> {
-    let (&tag, rest) = bytes.0.split_first()?;
-    let size = match tag {
-        0 => 1,
-        4 => 2,
-        8 => 4,
-        _ => return None,
-    };
-    let component = |axis: usize| {
-        let bytes = rest.get(axis * size..(axis + 1) * size)?;
-        let sign = if bytes[size - 1] < 128 { 0 } else { -1 };
-        Some(bytes.iter().rev().fold(sign, |value, &byte| value << 8 | i64::from(byte)))
-    };
-    Some(([component(0)?, component(1)?, component(2)?], 1 + 3 * size))
 }
 
 fn direction(bytes: &mut Bytes<'_>, size: usize) -> Result<Point, Failure> {

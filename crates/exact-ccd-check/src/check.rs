@@ -12,9 +12,9 @@ use crate::contact;
 use crate::failure::{Failure, refused, unreadable};
 use crate::grid::Grid;
 use crate::mesh::{Kind, Mesh};
-use crate::motion::{Motion, Time};
+use crate::motion::Motion;
 use crate::ply::Frame;
-use crate::separation::is_apart;
+use crate::separation::{Stretch, is_apart};
 use crate::tree;
 
 /// The statements that have been proved, in the order of the steps.
@@ -78,25 +78,22 @@ fn in_step(failure: Failure, step: usize) -> Failure {
 
 fn check_step(bytes: &mut Bytes<'_>, mesh: &Mesh, motion: &Motion) -> Result<Step, Failure> {
     let head = Head::read(bytes)?;
+    let until = head.free.unwrap_or(0.0);
+    let grid = Grid::new(motion, until);
+    let at_rest = head.rest.then_some(Kind::EdgeFace);
+    let moving = Kind::ALL.into_iter().take(4).filter(|_| head.free.is_some());
     let mut pairs = 0;
-    if head.rest || head.free.is_some() {
-        let until = head.free.unwrap_or(0.0);
-        let grid = Grid::new(motion, &Time::new(until));
-        if head.rest {
-            pairs += check_table(bytes, (mesh, motion, &grid), Kind::EdgeFace, 0.0)?;
-        }
-        for kind in Kind::ALL.into_iter().take(4).filter(|_| head.free.is_some()) {
-            pairs += check_table(bytes, (mesh, motion, &grid), kind, until)?;
-        }
+    for kind in at_rest.into_iter().chain(moving) {
+        pairs += check_table(bytes, (mesh, motion, &grid), kind, until)?;
     }
     let mut contact = None;
     if let Some(time) = head.contact {
         let (kind, ids, proof) = certificate::contact(bytes)?;
-        let Some(pair) = mesh.pair(kind, ids) else {
-            return refused(format!("{} are no pair that counts", Named(kind, ids)));
+        let Some(pair) = mesh.pair(kind, &ids) else {
+            return refused(format!("{} are no pair that counts", named(kind, ids)));
         };
-        if !contact::is_contact(motion, kind, &pair, [head.free.unwrap_or(0.0), time], &proof) {
-            return refused(format!("the contact of {} is not proved", Named(kind, ids)));
+        if !contact::is_contact(motion, kind, &pair, [until, time], &proof) {
+            return refused(format!("the contact of {} is not proved", named(kind, ids)));
         }
         contact = Some((kind, ids));
     }
@@ -110,6 +107,8 @@ fn check_table(
     kind: Kind,
     until: f64,
 ) -> Result<usize, Failure> {
+    // The statement about edges and faces is about t = 0.
+    let (until, ends): (_, &[usize]) = if kind == Kind::EdgeFace { (0.0, &[0]) } else { (until, &[0, 1]) };
     let count = bytes.number()? as usize;
     // Every row has at least five bytes.
     if count > bytes.0.len() {
@@ -120,48 +119,32 @@ fn check_table(
         needed.push(ids);
         needed.len() <= count
     });
-    if needed.len() > count {
+    if needed.len() != count {
         let [a, b] = kind.names();
-        return refused(format!(
-            "more than {count} pairs of kind {a} and {b} need a proof, and {count} have one"
-        ));
+        return refused(format!("{count} pairs of kind {a} and {b} have a proof, but not as many need one"));
     }
     needed.sort_unstable();
-    let (total, mut needed) = (needed.len(), needed.into_iter().peekable());
-    let ends: &[usize] = if kind == Kind::EdgeFace { &[0] } else { &[0, 1] };
     let mut last = None;
-    for _ in 0..count {
-        let ids = certificate::next_ids(bytes, last)?;
+    for &ids in &needed {
+        let has_row = [bytes.number()?, bytes.number()?] == certificate::row(last, ids);
+        let Some(pair) = mesh.pair(kind, &ids).filter(|_| has_row) else {
+            return refused(format!("there is no proof that {} are apart", named(kind, ids)));
+        };
+        let stretches = certificate::stretches(bytes, until)?;
+        let on_grid =
+            |g: &Stretch| stretches.len() == 1 && g.from == g.to && grid.separates(&pair, &g.from, ends);
+        if !stretches.first().is_some_and(on_grid) && !is_apart(motion, kind, &pair, &stretches) {
+            return refused(format!("{} are not proved to be apart until t = {until:?}", named(kind, ids)));
+        }
         last = Some(ids);
-        if needed.peek().is_some_and(|needed| *needed < ids) {
-            break;
-        }
-        needed.next_if_eq(&ids);
-        let Some(pair) = mesh.pair(kind, ids) else {
-            return refused(format!("{} are no pair that counts", Named(kind, ids)));
-        };
-        let is_proved = match certificate::single(bytes) {
-            Some((g, length)) if grid.separates(&pair, g, ends) => bytes.take(length).is_ok(),
-            _ => is_apart(motion, kind, &pair, 0.0, &certificate::stretches(bytes, until)?),
-        };
-        if !is_proved {
-            return refused(format!("{} are not proved to be apart until t = {until:?}", Named(kind, ids)));
-        }
     }
-    match needed.next() {
-        Some(ids) => refused(format!("there is no proof that {} are apart", Named(kind, ids))),
-        None => Ok(total),
-    }
+    Ok(needed.len())
 }
 
 /// The name of a pair.
-struct Named(Kind, [u32; 2]);
-
-impl fmt::Display for Named {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ([a, b], [i, j]) = (self.0.names(), self.1);
-        write!(f, "{a} {i} and {b} {j}")
-    }
+fn named(kind: Kind, [i, j]: [u32; 2]) -> String {
+    let [a, b] = kind.names();
+    format!("{a} {i} and {b} {j}")
 }
 
 /// One sentence for each statement, each on a line.
@@ -171,8 +154,7 @@ impl fmt::Display for Proved {
             0.0 => ("in contact".to_owned(), "The earliest contact is that of".to_owned()),
             d => (format!("within {d:?} of each other"), format!("The first within {d:?} of each other are")),
         };
-        for (number, step) in self.steps.iter().enumerate() {
-            let Step { head, contact, pairs } = step;
+        for (number, Step { head, contact, pairs }) in self.steps.iter().enumerate() {
             let next = number + 1;
             writeln!(f, "step from frame {number} to frame {next}, {pairs} pairs next to each other:")?;
             if head.rest {
@@ -181,12 +163,12 @@ impl fmt::Display for Proved {
             if let Some(until) = head.free {
                 writeln!(f, "  No two primitives are {near} at any time of [0, {until:?}].")?;
             }
-            if let (Some((kind, ids)), Some(time)) = (contact, head.contact) {
-                let pair = Named(*kind, *ids);
-                let until = head.free.map(|until| format!("after {until:?} and not after {time:?}"));
-                match until {
-                    None => writeln!(f, "  At t = 0, {pair} are {near}.")?,
-                    Some(until) => writeln!(f, "  {first} {pair}, at a time {until}.")?,
+            let pair = contact.map(|(kind, ids)| named(kind, ids)).unwrap_or_default();
+            match (head.free, head.contact) {
+                (_, None) => {}
+                (None, Some(_)) => writeln!(f, "  At t = 0, {pair} are {near}.")?,
+                (Some(t), Some(time)) => {
+                    writeln!(f, "  {first} {pair}, at a time after {t:?} and not after {time:?}.")?
                 }
             }
         }

@@ -19,6 +19,7 @@ use dashu_int::IBig;
 use crate::mesh::{Kind, Pair};
 use crate::motion::{Motion, Time};
 use crate::polynomial::{Polynomial, Vector, cross, difference, dot};
+use crate::separation;
 
 /// A proof of contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,42 +43,37 @@ pub enum Proof {
 }
 
 /// Returns true if a proof shows contact of a pair at a time in (T, T⁺], or at T⁺ = 0.
-#[must_use]
-pub fn is_contact(motion: &Motion, kind: Kind, pair: &Pair, times: [f64; 2], proof: &Proof) -> bool {
-    match proof {
-        Proof::Point(weights) => is_near(motion, pair, &Time::new(times[1]), weights),
-        Proof::Coplanar { axis, factor } => {
-            Moving::new(motion, pair, times).is_inside(kind, *axis, factor.as_ref()).unwrap_or(false)
-        }
-        Proof::OnEdge { row, factor } => {
-            Moving::new(motion, pair, times).is_on_edge(kind, *row, factor).unwrap_or(false)
-        }
-    }
+pub fn is_contact(motion: &Motion, kind: Kind, pair: &Pair<'_>, times: [f64; 2], proof: &Proof) -> bool {
+    let moving = || Moving::new(motion, pair, times);
+    let is_proved = match proof {
+        Proof::Point(weights) => is_near(motion, pair, times[1], weights),
+        Proof::Coplanar { axis, factor } => moving().is_inside(kind, *axis, factor.as_ref()),
+        Proof::OnEdge { row, factor } => moving().is_on_edge(kind, *row, factor),
+    };
+    is_proved.unwrap_or(false)
 }
 
-fn is_near(motion: &Motion, pair: &Pair, time: &Time, weights: &[IBig]) -> bool {
-    if weights.len() != pair.vertices().len() || weights.iter().any(|weight| *weight < IBig::ZERO) {
-        return false;
-    }
-    let (first, second) = weights.split_at(pair.first());
-    let [sum, other]: [IBig; 2] = [first, second].map(|weights| weights.iter().sum());
-    let mut difference = [IBig::ZERO, IBig::ZERO, IBig::ZERO];
-    for (place, (&vertex, weight)) in pair.vertices().iter().zip(weights).enumerate() {
-        let point = motion.at(vertex, time);
-        for (sum, x) in difference.iter_mut().zip(point) {
-            *sum += if place < pair.first() { weight * x } else { -(weight * x) };
+fn is_near(motion: &Motion, pair: &Pair<'_>, time: f64, weights: &[IBig]) -> Option<bool> {
+    let [time] = Time::together([time]);
+    let (first, second) = weights.split_at_checked(pair.first.len())?;
+    let mut difference = [IBig::ZERO; 3];
+    let signed = first.iter().cloned().chain(second.iter().map(|weight| -weight));
+    for (vertex, weight) in pair.vertices().zip(signed) {
+        for (sum, x) in difference.iter_mut().zip(motion.at(vertex, &time)) {
+            *sum += &weight * x;
         }
     }
-    let reach = if pair.has_distance { (motion.distance() << time.power) * &sum } else { IBig::ZERO };
-    sum > IBig::ZERO && sum == other && crate::separation::dot(&difference, &difference) <= &reach * &reach
+    let [sum, other]: [IBig; 2] = [first, second].map(|weights| weights.iter().sum());
+    let reach = (pair.distance(motion) << time.power) * &sum;
+    let is_point = weights.iter().all(|weight| *weight >= IBig::ZERO) && sum > IBig::ZERO && sum == other;
+    let is_complete = second.len() == pair.second.len();
+    Some(is_point && is_complete && separation::dot(&difference, &difference) <= &reach * &reach)
 }
 
 /// The vertices of a pair, by their positions at T and T⁺, with one denominator.
-#[derive(Clone, Debug)]
 pub struct Moving(Vec<Vector>);
 
 /// The vertex q and the edge x y of each row of a kind, as places in the pair.
-#[must_use]
 pub fn vertex_on_edge(kind: Kind) -> &'static [[usize; 3]] {
     match kind {
         Kind::VertexFace => &[[0, 1, 2], [0, 2, 3], [0, 3, 1]],
@@ -90,52 +86,45 @@ pub fn vertex_on_edge(kind: Kind) -> &'static [[usize; 3]] {
 
 impl Moving {
     /// The motion from T to T⁺.
-    #[must_use]
-    pub fn new(motion: &Motion, pair: &Pair, times: [f64; 2]) -> Self {
-        let times = times.map(Time::new);
-        let power = times[0].power.max(times[1].power);
-        let times = times.map(|time| time.over(power));
-        let linear = |&vertex: &u32| {
-            let [a, b] = [&times[0], &times[1]].map(|time| motion.at(vertex, time));
-            let mut ends = a.into_iter().zip(b);
-            [0; 3].map(|_| Polynomial(ends.next().map_or(Vec::new(), |(a, b)| vec![a, b])))
+    pub fn new(motion: &Motion, pair: &Pair<'_>, times: [f64; 2]) -> Self {
+        let times = Time::together(times);
+        let linear = |vertex: u32| {
+            let ends = times.each_ref().map(|time| motion.at(vertex, time));
+            [0, 1, 2].map(|axis: usize| Polynomial(ends.iter().map(|end| end[axis].clone()).collect()))
         };
-        Self(pair.vertices().iter().map(linear).collect())
-    }
-
-    fn between(&self, i: usize, j: usize) -> Option<Vector> {
-        Some(difference(self.0.get(i)?, self.0.get(j)?))
+        Self(pair.vertices().map(linear).collect())
     }
 
     /// The normal n, the coplanarity c and the sides, each of the vector of which a component counts.
-    #[must_use]
     pub fn coplanarity(&self, kind: Kind) -> Option<(Vector, Polynomial, Vec<Vector>)> {
+        let [a, b, c, d] = &self.0[..] else { return None };
         match kind {
             Kind::VertexFace => {
-                let normal = cross(&self.between(2, 1)?, &self.between(3, 1)?);
-                let side = |[i, j]: [usize; 2]| Some(cross(&self.between(i, 0)?, &self.between(j, 0)?));
-                let sides = [[1, 2], [2, 3], [3, 1]].into_iter().map(side).collect::<Option<Vec<_>>>()?;
-                let c = dot(&normal, &self.between(0, 1)?);
-                Some((normal, c, sides))
+                let normal = cross(&difference(c, b), &difference(d, b));
+                let side = |[x, y]: [&Vector; 2]| cross(&difference(x, a), &difference(y, a));
+                let coplanarity = dot(&normal, &difference(a, b));
+                Some((normal, coplanarity, [[b, c], [c, d], [d, b]].map(side).into()))
             }
             Kind::EdgeEdge => {
-                let [e, f, w] = [self.between(1, 0)?, self.between(3, 2)?, self.between(2, 0)?];
+                let [e, f, w] = [difference(b, a), difference(d, c), difference(c, a)];
                 let normal = cross(&e, &f);
-                // a0 + u e = b0 + v f, so u e × f = w × f and v e × f = w × e.
+                // a + u e = c + v f, so u e × f = w × f and v e × f = w × e.
                 let [u, v] = [cross(&w, &f), cross(&w, &e)];
-                let c = dot(&normal, &w);
-                let sides = vec![difference(&normal, &u), difference(&normal, &v), u, v];
-                Some((normal, c, sides))
+                let coplanarity = dot(&normal, &w);
+                Some((
+                    normal.clone(),
+                    coplanarity,
+                    vec![difference(&normal, &u), difference(&normal, &v), u, v],
+                ))
             }
             _ => None,
         }
     }
 
     /// The components of (x − q) × (y − q), and (x − q) · (y − q).
-    #[must_use]
     pub fn on_edge(&self, kind: Kind, row: usize) -> Option<(Vector, Polynomial)> {
-        let &[q, x, y] = vertex_on_edge(kind).get(row)?;
-        let [x, y] = [self.between(x, q)?, self.between(y, q)?];
+        let [q, x, y] = vertex_on_edge(kind).get(row)?.map(|place| self.0.get(place));
+        let [x, y] = [difference(x?, q?), difference(y?, q?)];
         Some((cross(&x, &y), dot(&x, &y)))
     }
 

@@ -8,42 +8,36 @@
 //! along g.
 
 use dashu_int::IBig;
+use dashu_int::ops::BitTest;
 
 use crate::mesh::Pair;
-use crate::motion::{Motion, Time};
+use crate::motion::{Motion, Point, Time};
 
 /// The bits of a coordinate on the grid.
 const BITS: usize = 60;
 
 /// The positions at t = 0 and at t = T, rounded down, and the distance, rounded up.
-#[derive(Clone, Debug)]
 pub struct Grid {
-    at: [Vec<[i64; 3]>; 2],
-    /// At most 2^62, which is more than any difference of two coordinates.
-    distance: i64,
+    /// The positions.
+    pub(crate) at: [Vec<[i64; 3]>; 2],
+    /// The distance: at most 2^62, which is more than any difference of two coordinates.
+    pub(crate) distance: i64,
 }
 
 impl Grid {
     /// The grid of a motion up to a time T.
-    #[must_use]
-    pub fn new(motion: &Motion, until: &Time) -> Self {
-        let times = [Time::new(0.0).over(until.power), until.clone()];
-        let vertices = 0..motion.vertex_count() as u32;
+    pub fn new(motion: &Motion, until: f64) -> Self {
+        let times = Time::together([0.0, until]);
+        let power = times[0].power;
+        let vertices = 0..motion.ends[0].len() as u32;
         let exact =
             times.map(|time| vertices.clone().map(|vertex| motion.at(vertex, &time)).collect::<Vec<_>>());
-        let coordinates = || exact.iter().flatten().flatten();
-        let most = coordinates().max().cloned().unwrap_or(IBig::ZERO);
-        let least = coordinates().min().cloned().unwrap_or(IBig::ZERO);
-        let (mut largest, mut bits) = (most.max(-least), 0);
-        while largest > IBig::ZERO {
-            largest >>= 1;
-            bits += 1;
-        }
+        let bits = exact.iter().flatten().flatten().map(BitTest::bit_len).max().unwrap_or(0);
         let rounded = |x: &IBig| {
             if bits > BITS { x >> (bits - BITS) } else { x << (BITS - bits) }
         };
         let small = |x: &IBig| i64::try_from(rounded(x)).unwrap_or(i64::MAX);
-        let distance = -rounded(&-(motion.distance() << until.power));
+        let distance = -rounded(&-(&motion.distance << power));
         Self {
             at: exact.map(|points| {
                 points.iter().map(|point| [0, 1, 2].map(|axis: usize| small(&point[axis]))).collect()
@@ -52,44 +46,28 @@ impl Grid {
         }
     }
 
-    /// The position of a vertex at t = 0 or at t = T.
-    #[must_use]
-    pub fn point(&self, end: usize, vertex: u32) -> [i64; 3] {
-        self.at[end][vertex as usize]
-    }
-
-    /// The distance.
-    #[must_use]
-    pub fn distance(&self) -> i64 {
-        self.distance
-    }
-
     /// Returns true if the grid proves that the first primitive of a pair is beyond the second along a
     /// direction, by more than the distance, at these ends of the motion. If it is at t = 0 and at t =
     /// T, it is at all times between, as g · x is linear.
     ///
     /// No sum overflows: coordinates are below 2^60 in magnitude, components of g below 2^48.
-    #[must_use]
-    pub fn separates(&self, pair: &Pair, g: [i64; 3], ends: &[usize]) -> bool {
+    pub fn separates(&self, pair: &Pair<'_>, g: &Point, ends: &[usize]) -> bool {
+        let g = g.each_ref().map(|component| i64::try_from(component).unwrap_or(i64::MAX));
         if g == [0; 3] || g.iter().any(|&component| component.unsigned_abs() >= 1 << 48) {
             return false;
         }
         let g = g.map(i128::from);
         let sum: i128 = g.iter().map(|component| component.abs()).sum();
-        let needed = if pair.has_distance && self.distance > 0 {
-            let length = g.iter().map(|component| component * component).sum::<i128>().isqrt() + 1;
-            sum + i128::from(self.distance) * length
-        } else {
-            sum
-        };
-        let (first, second) = pair.vertices().split_at(pair.first());
+        let length = || g.iter().map(|component| component * component).sum::<i128>().isqrt() + 1;
+        let has_distance = pair.has_distance && self.distance > 0;
+        let needed = sum + if has_distance { i128::from(self.distance) * length() } else { 0 };
         ends.iter().all(|&end| {
             let along = |vertex: &u32| {
-                let [x, y, z] = self.point(end, *vertex).map(i128::from);
+                let [x, y, z] = self.at[end][*vertex as usize].map(i128::from);
                 g[0] * x + g[1] * y + g[2] * z
             };
-            let least = first.iter().map(along).min();
-            let most = second.iter().map(along).max();
+            let least = pair.first.iter().map(along).min();
+            let most = pair.second.iter().map(along).max();
             least.zip(most).is_some_and(|(least, most)| least - most >= needed)
         })
     }

@@ -4,31 +4,29 @@
 //! files, and ends with the status 0 if it proves all of them, 1 if it does not, and 2 if a file cannot
 //! be read.
 
+use std::fmt::Display;
 use std::io::Write;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use exact_ccd_check::check::Proved;
 use exact_ccd_check::{Failure, check, ply};
 
 fn run() -> Result<Proved, Failure> {
-    let mut paths = std::env::args_os().skip(1);
-    let usage =
-        || Failure::Unreadable("usage: exact-ccd-check CERTIFICATE START END, or more frames".to_owned());
-    let read = |path: std::ffi::OsString| {
-        let error = |error| Failure::Unreadable(format!("{}: {error}", path.display()));
-        std::fs::read(&path).map_err(error)
-    };
-    let certificate = read(paths.next().ok_or_else(usage)?)?;
-    if paths.len() < 2 {
-        return Err(usage());
+    let paths: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    let [certificate, frames @ ..] = &paths[..] else { return usage() };
+    if frames.len() < 2 {
+        return usage();
     }
-    check(
-        &certificate,
-        paths.map(|path| {
-            let name = path.display().to_string();
-            ply::read(&read(path)?).map_err(|failure| Failure::Unreadable(format!("{name}: {failure}")))
-        }),
-    )
+    let of =
+        |path: &PathBuf, error: &dyn Display| Failure::Unreadable(format!("{}: {error}", path.display()));
+    let read = |path: &PathBuf| std::fs::read(path).map_err(|error| of(path, &error));
+    let frames = frames.iter().map(|path| ply::read(&read(path)?).map_err(|failure| of(path, &failure)));
+    check(&read(certificate)?, frames)
+}
+
+fn usage<T>() -> Result<T, Failure> {
+    Err(Failure::Unreadable("usage: exact-ccd-check CERTIFICATE START END, or more frames".to_owned()))
 }
 
 fn main() -> ExitCode {

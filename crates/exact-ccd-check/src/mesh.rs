@@ -5,7 +5,12 @@
 //! a vertex and a loose edge, apart, if no edge of the vertex is apart from it; and of two loose
 //! vertices. With a distance, the third kind counts at distance 0 only, unless the vertex is loose.
 
+use std::slice;
+
+use dashu_int::IBig;
+
 use crate::failure::{Failure, unreadable};
+use crate::motion::Motion;
 
 /// The connectivity of a mesh.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -43,47 +48,32 @@ impl Kind {
         [Self::VertexFace, Self::EdgeEdge, Self::VertexEdge, Self::VertexVertex, Self::EdgeFace];
 
     /// The names of the two primitives.
-    #[must_use]
     pub fn names(self) -> [&'static str; 2] {
-        match self {
-            Self::VertexFace => ["vertex", "face"],
-            Self::EdgeEdge => ["edge", "edge"],
-            Self::VertexEdge => ["vertex", "edge"],
-            Self::VertexVertex => ["vertex", "vertex"],
-            Self::EdgeFace => ["edge", "face"],
-        }
+        let [vertex, edge, face] = ["vertex", "edge", "face"];
+        [[vertex, face], [edge, edge], [vertex, edge], [vertex, vertex], [edge, face]][self as usize]
     }
 }
 
 /// The vertices of the two primitives of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Pair {
-    vertices: [u32; 5],
-    first: usize,
-    count: usize,
+pub struct Pair<'a> {
+    /// The vertices of the first primitive.
+    pub first: &'a [u32],
+    /// The vertices of the second primitive.
+    pub second: &'a [u32],
     /// True if nearness within the distance counts, and not contact alone.
     pub has_distance: bool,
 }
 
-impl Pair {
-    fn new(first: &[u32], second: &[u32], has_distance: bool) -> Self {
-        let mut vertices = [0; 5];
-        for (place, &vertex) in vertices.iter_mut().zip(first.iter().chain(second)) {
-            *place = vertex;
-        }
-        Self { vertices, first: first.len(), count: first.len() + second.len(), has_distance }
-    }
-
+impl Pair<'_> {
     /// The vertices of the first primitive, then those of the second.
-    #[must_use]
-    pub fn vertices(&self) -> &[u32] {
-        &self.vertices[..self.count]
+    pub fn vertices(&self) -> impl Iterator<Item = u32> {
+        self.first.iter().chain(self.second).copied()
     }
 
-    /// The number of vertices of the first primitive.
-    #[must_use]
-    pub fn first(&self) -> usize {
-        self.first
+    /// The distance that counts for this pair.
+    pub fn distance(&self, motion: &Motion) -> IBig {
+        if self.has_distance { motion.distance.clone() } else { IBig::ZERO }
     }
 }
 
@@ -119,15 +109,15 @@ impl Mesh {
     }
 
     /// The pair of two primitives, if it exists and counts.
-    #[must_use]
-    pub fn pair(&self, kind: Kind, [a, b]: [u32; 2]) -> Option<Pair> {
+    pub fn pair<'a>(&'a self, kind: Kind, ids: &'a [u32; 2]) -> Option<Pair<'a>> {
+        let ([a, b], [first, second]) = (*ids, ids.each_ref().map(slice::from_ref));
         let degree = |vertex: u32| self.degrees.get(vertex as usize).copied();
         let (edge, face) = (|id: u32| self.edges.get(id as usize), |id: u32| self.faces.get(id as usize));
         let (first, second): (&[u32], &[u32]) = match kind {
-            Kind::VertexFace => (&[a], face(b)?),
+            Kind::VertexFace => (first, face(b)?),
             Kind::EdgeEdge => (edge(a)?, edge(b)?),
-            Kind::VertexEdge => (&[a], edge(b).filter(|_| b as usize >= self.face_edges)?),
-            Kind::VertexVertex => (&[a], &[b]),
+            Kind::VertexEdge => (first, edge(b).filter(|_| b as usize >= self.face_edges)?),
+            Kind::VertexVertex => (first, second),
             Kind::EdgeFace => (edge(a)?, face(b)?),
         };
         let are_apart = first.iter().all(|vertex| !second.contains(vertex) && *vertex < self.vertex_count);
@@ -146,12 +136,11 @@ impl Mesh {
             Kind::EdgeFace => false,
             _ => true,
         };
-        counts.then(|| Pair::new(first, second, has_distance))
+        counts.then_some(Pair { first, second, has_distance })
     }
 
     /// The first or the second primitives of all pairs of a kind: their indices, and their vertices, of
     /// which the last is repeated up to three.
-    #[must_use]
     pub fn primitives(&self, kind: Kind, is_second: bool) -> Vec<(u32, [u32; 3])> {
         let vertices = |most: u32| {
             let all = (0..self.vertex_count).zip(&self.degrees);

@@ -12,29 +12,27 @@ use crate::failure::{Failure, unreadable};
 pub type Point = [IBig; 3];
 
 /// A finite f64 as an integer, odd or 0, times a power of two; `None` for others.
-#[must_use]
 pub fn dyadic(x: f64) -> Option<(i64, i32)> {
     let bits = x.to_bits();
     let (exponent, fraction) = ((bits >> 52 & 2047) as i32, (bits & ((1 << 52) - 1)) as i64);
-    let (mantissa, exponent) = match exponent {
-        2047 => return None,
-        0 => (fraction, -1074),
+    let (mantissa, exponent) = match (exponent, fraction) {
+        (2047, _) => return None,
+        // The exponent of 0 is that of the largest f64: it is no reason for a smaller unit.
+        (0, 0) => return Some((0, 971)),
+        (0, _) => (fraction, -1074),
         _ => (fraction | 1 << 52, exponent - 1075),
     };
-    // The exponent of 0 is that of the largest f64: it is no reason for a smaller unit.
-    if mantissa == 0 {
-        return Some((0, 971));
-    }
     let zeros = mantissa.trailing_zeros();
     let mantissa = mantissa >> zeros;
     Some((if bits >> 63 == 0 { mantissa } else { -mantissa }, exponent + zeros as i32))
 }
 
 /// A mesh in motion from one frame to the next, and the distance that counts as contact.
-#[derive(Clone, Debug)]
 pub struct Motion {
-    ends: [Vec<Point>; 2],
-    distance: IBig,
+    /// The positions at t = 0 and at t = 1.
+    pub(crate) ends: [Vec<Point>; 2],
+    /// The distance that counts as contact.
+    pub(crate) distance: IBig,
 }
 
 impl Motion {
@@ -68,26 +66,10 @@ impl Motion {
     /// The position of a vertex at a time, and the distance, both times the denominator of the time.
     ///
     /// `vertex` is below the number of vertices.
-    #[must_use]
     pub fn at(&self, vertex: u32, time: &Time) -> Point {
         let [a, b] = [0, 1].map(|end: usize| &self.ends[end][vertex as usize]);
-        if time.numerator.is_zero() {
-            return a.clone().map(|a| a << time.power);
-        }
         let rest = (IBig::ONE << time.power) - &time.numerator;
         std::array::from_fn(|axis| &rest * &a[axis] + &time.numerator * &b[axis])
-    }
-
-    /// The distance that counts as contact.
-    #[must_use]
-    pub fn distance(&self) -> &IBig {
-        &self.distance
-    }
-
-    /// The number of vertices.
-    #[must_use]
-    pub fn vertex_count(&self) -> usize {
-        self.ends[0].len()
     }
 }
 
@@ -101,20 +83,13 @@ pub struct Time {
 }
 
 impl Time {
-    /// An f64 in [0, 1]; 0 for others.
-    #[must_use]
-    pub fn new(t: f64) -> Self {
-        let (mantissa, exponent) = dyadic(t).unwrap_or_default();
-        match usize::try_from(-exponent) {
-            Ok(power) => Self { numerator: mantissa.into(), power },
-            Err(_) => Self { numerator: IBig::ZERO, power: 0 },
-        }
-    }
-
-    /// The same time with another denominator, that is not less.
-    #[must_use]
-    pub fn over(&self, power: usize) -> Self {
-        let numerator = self.numerator.clone() << power.saturating_sub(self.power);
-        Self { numerator, power: power.max(self.power) }
+    /// Numbers in [0, 1] over one denominator, the least one.
+    pub fn together<const N: usize>(times: [f64; N]) -> [Self; N] {
+        let dyadic = times.map(|t| dyadic(t).unwrap_or_default());
+        let least = dyadic.iter().fold(0, |least, (_, exponent)| least.min(*exponent));
+        dyadic.map(|(mantissa, exponent)| Self {
+            numerator: IBig::from(mantissa) << (exponent - least) as usize,
+            power: -least as usize,
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! Mesh files: PLY, as text or binary, with the elements `vertex`, `face` and `edge` and nothing else.
 //!
-//! Coordinates are `float` or `double`; in text, any decimal number, read as the nearest f64. A face
+//! Coordinates are of any type of numbers; in text, decimal numbers, read as the nearest f64. A face
 //! with more than three corners becomes a fan of triangles from its lowest vertex. Properties beside
 //! these are skipped.
 
@@ -17,11 +17,11 @@ pub struct Frame {
     pub positions: Vec<[f64; 3]>,
 }
 
-#[derive(Clone, Copy, PartialEq)]
+/// The encoding of numbers; the order of bytes is a function from those of a number to little-endian ones.
+#[derive(Clone, Copy)]
 enum Encoding {
     Text,
-    Little,
-    Big,
+    Binary(fn(&mut [u8])),
 }
 
 /// A property: its name, the type of its values, and that of the number of values if it is a list.
@@ -29,13 +29,6 @@ type Property<'a> = (&'a str, &'a str, Option<&'a str>);
 
 /// The name of an element, the number of its rows, and its properties.
 type Element<'a> = (&'a str, usize, Vec<Property<'a>>);
-
-/// A value of a property.
-#[derive(Clone, Copy)]
-enum Value {
-    Integer(i64),
-    Real(f64),
-}
 
 /// Reads a file.
 ///
@@ -58,12 +51,11 @@ pub fn read(file: &[u8]) -> Result<Frame, Failure> {
         for _ in 0..rows {
             let row = properties.iter().map(|property| values(&mut bytes, encoding, property));
             let row = row.collect::<Result<Vec<_>, _>>()?;
-            let values: Vec<Value> = columns.iter().flat_map(|&column| row[column].iter().copied()).collect();
+            let values: Vec<f64> = columns.iter().flat_map(|&column| row[column].iter().copied()).collect();
             match (element, &values[..]) {
-                ("vertex", &[Value::Real(x), Value::Real(y), Value::Real(z)]) => positions.push([x, y, z]),
-                ("vertex", _) => return unreadable("a coordinate is not of type float or double"),
-                ("edge", [a, b]) => edges.push([index(a)?, index(b)?]),
-                _ => faces.extend(triangles(&values.iter().map(index).collect::<Result<Vec<_>, _>>()?)?),
+                ("vertex", &[x, y, z]) => positions.push([x, y, z]),
+                ("edge", &[a, b]) => edges.push([index(a)?, index(b)?]),
+                (_, corners) => faces.extend(triangles(corners)?),
             }
         }
     }
@@ -74,25 +66,19 @@ pub fn read(file: &[u8]) -> Result<Frame, Failure> {
 }
 
 fn header<'a>(bytes: &mut Bytes<'a>) -> Result<(Encoding, Vec<Element<'a>>), Failure> {
-    let (mut encoding, mut elements, mut lines) = (None, Vec::<Element<'a>>::new(), 0);
+    let (mut encoding, mut elements) = (None, Vec::<Element<'a>>::new());
+    if bytes.line()? != "ply" {
+        return unreadable("the first line of a mesh file is not `ply`");
+    }
     loop {
-        let Some(length) = bytes.0.iter().position(|&byte| byte == b'\n') else {
-            return unreadable("a PLY header has no end");
-        };
-        let Ok(line) = std::str::from_utf8(bytes.take(length + 1)?) else {
-            return unreadable("a PLY header is not text");
-        };
-        lines += 1;
-        let words: Vec<&str> = line.split_ascii_whitespace().collect();
-        let property: Property<'a> = match *words {
-            ["ply"] if lines == 1 => continue,
-            _ if lines == 1 => return unreadable("the first line of a mesh file is not `ply`"),
+        let line = bytes.line()?;
+        let property: Property<'a> = match *line.split_ascii_whitespace().collect::<Vec<_>>() {
             ["comment" | "obj_info", ..] => continue,
             ["format", format, "1.0"] => {
                 encoding = match format {
                     "ascii" => Some(Encoding::Text),
-                    "binary_little_endian" => Some(Encoding::Little),
-                    "binary_big_endian" => Some(Encoding::Big),
+                    "binary_little_endian" => Some(Encoding::Binary(|_| {})),
+                    "binary_big_endian" => Some(Encoding::Binary(<[u8]>::reverse)),
                     _ => return unreadable(format!("the format `{format}` is not covered")),
                 };
                 continue;
@@ -109,8 +95,8 @@ fn header<'a>(bytes: &mut Bytes<'a>) -> Result<(Encoding, Vec<Element<'a>>), Fai
                 ("vertex_indices", kind, Some(count))
             }
             ["property", kind, name] if name != "vertex_indices" => (name, kind, None),
-            ["end_header"] if encoding.is_some() => break,
-            _ => return unreadable(format!("a line of a PLY header is not covered: {}", line.trim())),
+            ["end_header"] => break,
+            _ => return unreadable(format!("a line of a PLY header is not covered: {line}")),
         };
         match elements.last_mut() {
             Some((_, _, properties)) if properties.iter().all(|other| other.0 != property.0) => {
@@ -119,7 +105,7 @@ fn header<'a>(bytes: &mut Bytes<'a>) -> Result<(Encoding, Vec<Element<'a>>), Fai
             _ => return unreadable(format!("the property `{}` has no place", property.0)),
         }
     }
-    Ok((encoding.unwrap_or(Encoding::Text), elements))
+    encoding.map_or_else(|| unreadable("a PLY header has no format"), |encoding| Ok((encoding, elements)))
 }
 
 /// The values of a property in a row: one, or those of a list. A list that is longer than the file ends
@@ -128,16 +114,13 @@ fn values(
     bytes: &mut Bytes<'_>,
     encoding: Encoding,
     (_, kind, count): &Property<'_>,
-) -> Result<Vec<Value>, Failure> {
-    let count = match count.map(|kind| value(bytes, encoding, kind)).transpose()? {
-        None => 1,
-        Some(Value::Integer(count)) if count >= 0 => count,
-        _ => return unreadable("the length of a list is not a number"),
-    };
-    (0..count).map(|_| value(bytes, encoding, kind)).collect()
+) -> Result<Vec<f64>, Failure> {
+    let count = count.map_or(Ok(1.0), |kind| value(bytes, encoding, kind))?;
+    (0..index(count)?).map(|_| value(bytes, encoding, kind)).collect()
 }
 
-fn value(bytes: &mut Bytes<'_>, encoding: Encoding, kind: &str) -> Result<Value, Failure> {
+/// A number. Integers have at most 32 bits, so that all types are parts of f64.
+fn value(bytes: &mut Bytes<'_>, encoding: Encoding, kind: &str) -> Result<f64, Failure> {
     let (size, is_real) = match kind {
         "char" | "int8" | "uchar" | "uint8" => (1, false),
         "short" | "int16" | "ushort" | "uint16" => (2, false),
@@ -146,42 +129,37 @@ fn value(bytes: &mut Bytes<'_>, encoding: Encoding, kind: &str) -> Result<Value,
         "double" | "float64" => (8, true),
         _ => return unreadable(format!("the type `{kind}` is not covered")),
     };
-    if encoding == Encoding::Text {
+    let Encoding::Binary(order) = encoding else {
         let rest = bytes.0.trim_ascii_start();
         let length = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
         bytes.0 = &rest[length..];
         let word = std::str::from_utf8(&rest[..length]).unwrap_or_default();
-        let real = || word.parse().ok().map(Value::Real);
-        let parsed = if is_real { real() } else { word.parse().ok().map(Value::Integer) };
-        return parsed.map_or_else(|| unreadable(format!("`{word}` is not a number")), Ok);
-    }
+        let is_valid = is_real || word.parse::<i64>().is_ok();
+        let number = word.parse().ok().filter(|_| is_valid);
+        return number.map_or_else(|| unreadable(format!("`{word}` is not a number")), Ok);
+    };
     let mut number = [0; 8];
     number[..size].copy_from_slice(bytes.take(size)?);
-    if encoding == Encoding::Big {
-        number[..size].reverse();
-    }
+    order(&mut number[..size]);
     let (bits, unused) = (u64::from_le_bytes(number), 64 - 8 * size);
     Ok(match (is_real, size) {
-        (true, 4) => Value::Real(f64::from(f32::from_bits(bits as u32))),
-        (true, _) => Value::Real(f64::from_bits(bits)),
-        (false, _) if kind.starts_with('u') => Value::Integer(bits as i64),
+        (true, 4) => f64::from(f32::from_bits(bits as u32)),
+        (true, _) => f64::from_bits(bits),
+        (false, _) if kind.starts_with('u') => bits as f64,
         // The highest bit is a sign.
-        (false, _) => Value::Integer((bits << unused) as i64 >> unused),
+        (false, _) => ((bits << unused) as i64 >> unused) as f64,
     })
 }
 
-fn index(value: &Value) -> Result<u32, Failure> {
-    match value {
-        Value::Integer(index) => {
-            u32::try_from(*index).or_else(|_| unreadable("the index of a vertex is negative"))
-        }
-        Value::Real(_) => unreadable("the index of a vertex is not an integer"),
-    }
+fn index(value: f64) -> Result<u32, Failure> {
+    let index = value as u32;
+    if f64::from(index) == value { Ok(index) } else { unreadable(format!("{value} is not an index")) }
 }
 
 /// The triangle, or the fan of triangles from the lowest vertex.
-fn triangles(corners: &[u32]) -> Result<Vec<[u32; 3]>, Failure> {
-    if let &[a, b, c] = corners {
+fn triangles(corners: &[f64]) -> Result<Vec<[u32; 3]>, Failure> {
+    let corners = corners.iter().copied().map(index).collect::<Result<Vec<_>, _>>()?;
+    if let [a, b, c] = corners[..] {
         return Ok(vec![[a, b, c]]);
     }
     let lowest = corners.iter().min();

@@ -16,7 +16,6 @@ pub type Vector = [Polynomial; 3];
 
 impl Polynomial {
     /// The product.
-    #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let mut product = vec![IBig::ZERO; (self.0.len() + other.0.len()).saturating_sub(1)];
         for (i, a) in self.0.iter().enumerate() {
@@ -28,24 +27,18 @@ impl Polynomial {
     }
 
     /// The difference of two polynomials of one degree.
-    #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
         Self(self.0.iter().zip(&other.0).map(|(a, b)| a - b).collect())
     }
 
     /// Returns true if all coefficients have this sign, which is 1 or −1, and none is 0.
-    #[must_use]
     pub fn has_sign(&self, sign: i8) -> bool {
         !self.0.is_empty() && self.0.iter().all(|c| *c != IBig::ZERO && (*c < IBig::ZERO) == (sign < 0))
     }
 
     /// Returns true if the signs at the ends of the interval are different, so that there is a root inside.
-    #[must_use]
     pub fn changes_sign(&self) -> bool {
-        match (self.0.first(), self.0.last()) {
-            (Some(a), Some(b)) => a * b < IBig::ZERO,
-            _ => false,
-        }
+        self.0.first().zip(self.0.last()).is_some_and(|(a, b)| a * b < IBig::ZERO)
     }
 
     /// Returns true if this polynomial vanishes at all roots of another one inside of the interval,
@@ -53,7 +46,6 @@ impl Polynomial {
     /// the leading coefficient at each step so that all numbers are integers, is 0.
     ///
     /// A divisor whose last coefficient is 0 does not count.
-    #[must_use]
     pub fn is_multiple_of(&self, divisor: &Self) -> bool {
         let Some(leading) = divisor.0.last().filter(|c| **c != IBig::ZERO) else {
             return false;
@@ -74,20 +66,17 @@ impl Polynomial {
 }
 
 /// The scalar product.
-#[must_use]
 pub fn dot(a: &Vector, b: &Vector) -> Polynomial {
     let [x, y, z] = [0, 1, 2].map(|axis: usize| a[axis].times(&b[axis]).0);
     Polynomial(x.into_iter().zip(y).zip(z).map(|((x, y), z)| x + y + z).collect())
 }
 
 /// The vector product.
-#[must_use]
 pub fn cross(a: &Vector, b: &Vector) -> Vector {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i].times(&b[j]).minus(&a[j].times(&b[i])))
 }
 
 /// The difference.
-#[must_use]
 pub fn difference(a: &Vector, b: &Vector) -> Vector {
     [0, 1, 2].map(|axis: usize| a[axis].minus(&b[axis]))
 }

@@ -9,7 +9,7 @@
 - :mod:`exact_ccd.ipc` has functions of ipctk, with the same arguments.
 """
 
-from ._native import CrossingError, __version__
+from ._native import CrossingError, UncertifiedError, __version__
 from .audits import AuditReport, Violation, audit
 from .contacts import CONTACT, PAIR, Contact
 from .detectors import Detector, Progress
@@ -41,6 +41,7 @@ __all__ = [
     "Queries",
     "StepReport",
     "StepReports",
+    "UncertifiedError",
     "Violation",
     "WorldFreeSteps",
     "Worlds",

@@ -23,6 +23,7 @@ __all__ = [
     "HalfSpaces",
     "Mesh",
     "Page",
+    "UncertifiedError",
     "Welding",
     "__version__",
     "collides",
@@ -44,6 +45,11 @@ KINDS: list[tuple[str, int]]
 class CrossingError(ValueError):
     edge: int
     face: int
+
+class UncertifiedError(RuntimeError):
+    missing: int
+    pairs: int
+    first: Optional[str]
 
 def main(arguments: Sequence[str]) -> int: ...
 def collides(queries: _Queries, settings: _Settings) -> NDArray[np.bool_]: ...
@@ -130,6 +136,7 @@ class Detector:
     def step(
         self, x0: _Positions, x1: _Positions, progress: Optional[Callable[[int], object]]
     ) -> tuple[list[NDArray[np.int64]], _Columns]: ...
+    def certificate(self, x0: _Positions, x1: _Positions, at_rest: bool, is_continued: bool) -> bytes: ...
     def intersections(self, x: _Positions) -> _Integers: ...
     def show_intersections(self, page: Page, x: _Positions) -> None: ...
     def show_contacts(self, page: Page, x0: _Positions, x1: _Positions, all: bool) -> None: ...

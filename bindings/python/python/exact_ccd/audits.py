@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain, count
 from os import PathLike
+from pathlib import Path
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._native import UncertifiedError
 from .contacts import Contact
 from .frames import FileFrames, FilePath, Rules, files_in
 from .half_spaces import HalfSpaces
@@ -72,6 +74,7 @@ def audit(
     progress: Optional[Progress] = None,
     threads: Optional[int] = None,
     view: Optional[FilePath] = None,
+    certificate: Optional[FilePath] = None,
 ) -> AuditReport:
     """Certify a recorded motion: the mesh never touches itself.
 
@@ -107,6 +110,10 @@ def audit(
     view : path, optional
         An HTML file to write, which shows the frames that were examined and the violation in a browser. It
         needs no network.
+    certificate : path, optional
+        A file to write: the proof of the report, for the program exact-ccd-check and PLY files of the same
+        frames (docs/certificates.md). It is about all pairs and one distance: without `groups`,
+        `can_collide`, `half_spaces` and thicknesses.
 
     Returns
     -------
@@ -117,7 +124,10 @@ def audit(
     ------
     ValueError
         If a frame has other vertices or faces than the first, or a coordinate that is not finite; the
-        message names the frame.
+        message names the frame. If a certificate is wanted, and there is nothing to prove: of a single frame,
+        or if the first one has a violation.
+    UncertifiedError
+        If some pairs have no proof. No certificate is written.
 
     Examples
     --------
@@ -133,17 +143,40 @@ def audit(
     mesh, positions = _begin(frames, faces, edges, Rules(groups, can_collide))
     detector = Detector(mesh, min_distance=min_distance, threads=threads)
     planes = None if half_spaces is None else HalfSpaces(half_spaces, min_distance)
-    if view is None:
-        return AuditReport(*examine(detector, positions, progress=progress, half_spaces=planes))
-    page = Page("Audit", mesh)
+    parts = parts_of(certificate, half_spaces)
+    page = None if view is None else Page("Audit", mesh)
     names = positions.names() if isinstance(positions, FileFrames) else map("frame {}".format, count())
 
     def show(frame: Any) -> None:
-        page.add_frame(next(names), frame)
+        if page is not None:
+            page.add_frame(next(names), frame)
 
-    report = AuditReport(*examine(detector, positions, progress=progress, half_spaces=planes, examined=show))
-    _write(page, view, detector, report)
+    examined = examine(detector, positions, progress=progress, half_spaces=planes, examined=show, parts=parts)
+    report = AuditReport(*examined)
+    if page is not None and view is not None:
+        _write(page, view, detector, report)
+    if certificate is not None and parts is not None:
+        write_certificate(certificate, parts)
     return report
+
+
+def parts_of(certificate: Optional[FilePath], half_spaces: Optional[ArrayLike]) -> Optional[list[bytes]]:
+    """The parts of a certificate, if one is wanted, before the first frame."""
+    if certificate is None:
+        return None
+    if half_spaces is not None:
+        raise ValueError("a certificate has no statement about half spaces: leave them out")
+    return []
+
+
+def write_certificate(certificate: FilePath, parts: Iterable[bytes]) -> None:
+    """Write the parts of a certificate to a file."""
+    whole = b"".join(parts)
+    if not whole:
+        raise ValueError(
+            "no certificate: nothing can be proved of a single frame, nor if the mesh touches itself in the first frame"
+        )
+    Path(certificate).write_bytes(whole)
 
 
 def _write(page: Page, file: FilePath, detector: Detector, report: AuditReport) -> None:
@@ -172,18 +205,25 @@ def examine(
     progress: Optional[Progress] = None,
     half_spaces: Optional[HalfSpaces] = None,
     examined: Optional[Callable[[Any], None]] = None,
+    parts: Optional[list[bytes]] = None,
 ) -> tuple[int, Optional[Violation]]:
     """The number of the last frame examined, plus 1, and the first violation in frames from `first` on.
 
-    Frame 0 is examined at rest. `examined` is called with each frame that is examined.
+    Frame 0 is examined at rest. `examined` is called with each frame that is examined. The certificates of
+    steps are added to `parts`: put together, those of all frames from 0 on are one certificate.
     """
     last: Optional[NDArray[np.float64]] = None
     done = first
     for number, frame in enumerate(frames, first):
         try:
             violation = _examine(detector, half_spaces, last, frame, number)
+            if parts is not None and last is not None:
+                parts.append(detector._certificate(last, frame, number == 1, number > 1))
         except ValueError as error:
             raise ValueError(f"frame {number}: {error}") from error
+        except UncertifiedError as error:
+            error.args = (f"frame {number}: {error}",)
+            raise
         done = number + 1
         if examined is not None:
             examined(frame)

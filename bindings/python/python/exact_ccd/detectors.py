@@ -403,6 +403,49 @@ class Detector(Searcher):
             page.write(view, [answer, f"pairs in contact: {sum(colliding)}, at t = 0: {sum(touching)}"])
         return report
 
+    def certificate(self, x0: ArrayLike, x1: ArrayLike, *, at_rest: bool = True) -> bytes:
+        """Prove the answer to a step, for the program exact-ccd-check (docs/certificates.md).
+
+        The certificate proves that the step is free until its earliest contact, and that it has that one. It is
+        about all pairs and one distance: without `groups`, `can_collide`, thicknesses and `inner_distance`.
+
+        Parameters
+        ----------
+        x0, x1 : array of shape (V, 3)
+            As for :meth:`collides`.
+        at_rest : bool
+            Prove also that no edge passes through a face at `x0`.
+
+        Returns
+        -------
+        bytes
+            The contents of a file: those that ``exact-ccd step --certificate`` writes for the same positions.
+
+        Raises
+        ------
+        UncertifiedError
+            If some pairs have no proof: `missing` of `pairs`, of which `first` is the name of one.
+        CrossingError
+            If an edge passes through a face at `x0`.
+        ValueError
+            If some pairs cannot collide, or have another distance.
+
+        Examples
+        --------
+        A vertex falls through a triangle.
+
+        >>> from exact_ccd import Detector, Mesh
+        >>> x0 = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1]]
+        >>> x1 = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, -1]]
+        >>> Detector(Mesh(4, [[0, 1, 2]])).certificate(x0, x1)[:24]
+        b'exact-ccd certificate 1\n'
+        """
+        return self._certificate(x0, x1, at_rest, False)
+
+    def _certificate(self, x0: ArrayLike, x1: ArrayLike, at_rest: bool, is_continued: bool) -> bytes:
+        """A certificate of one step, or a part that continues one."""
+        return self._native.certificate(*self._ends(x0, x1), bool(at_rest), is_continued)
+
     def intersections(self, x: ArrayLike) -> NDArray[np.uint32]:
         """Find the edges and faces that have a common point at rest and share no vertex.
 

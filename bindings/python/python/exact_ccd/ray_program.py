@@ -24,6 +24,7 @@ def arguments() -> argparse.ArgumentParser:
     audit.add_argument("frames", nargs="+", metavar="FRAMES", help="mesh files in the order of time, or a folder")
     audit.add_argument("--steps", type=int, default=32, help="the number of steps of a task (32)")
     audit.add_argument("--results", metavar="DIR", help="keep finished chunks, so that a killed audit goes on")
+    audit.add_argument("--certificate", metavar="FILE", help="write a proof of the answer, for exact-ccd-check")
     queries = commands.add_parser("queries", help="decide the queries in Parquet files, as of exact-ccd convert")
     queries.add_argument("files", nargs="+", metavar="FILES", help="Parquet files, or folders of them")
     queries.add_argument("--output", metavar="DIR", help="write the queries with their answers as Parquet files")
@@ -42,7 +43,13 @@ def run(options: argparse.Namespace) -> int:
     ray.init(address=options.address, log_to_driver=False, logging_level=logging.WARNING)
     if options.command == "audit":
         frames = options.frames if len(options.frames) > 1 else options.frames[0]
-        report = audit(frames, min_distance=options.min_distance, steps=options.steps, results=options.results)
+        report = audit(
+            frames,
+            min_distance=options.min_distance,
+            steps=options.steps,
+            results=options.results,
+            certificate=options.certificate,
+        )
         sys.stdout.write(to_json(report) + "\n")
         return 0 if report.is_free else 1
     import ray.data

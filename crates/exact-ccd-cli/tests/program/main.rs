@@ -6,6 +6,7 @@
 mod audit;
 mod bench;
 mod certificates;
+mod certified_scenes;
 mod contact_lists;
 mod convert;
 mod distances;

@@ -107,7 +107,8 @@ impl CanCollide {
 
     /// Returns true if all pairs can collide.
     #[inline]
-    pub(crate) fn is_all(&self) -> bool {
+    #[must_use]
+    pub fn is_all(&self) -> bool {
         self.predicate.is_none() && self.takes_part.is_none()
     }
 

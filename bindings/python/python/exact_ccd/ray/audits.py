@@ -11,11 +11,11 @@ import pyarrow.fs
 import ray
 from numpy.typing import ArrayLike, NDArray
 
-from ..audits import AuditReport, examine, in_files
+from ..audits import AuditReport, examine, in_files, parts_of, write_certificate
 from ..frames import ArrayFrames, FileFrames, FilePath, Frames, Rules, ordered
 from ..half_spaces import HalfSpaces
 from ..detectors import Detector, Progress
-from .chunks import Chunk, Results, absolute, chunks, digest, file_system
+from .chunks import Chunk, Finished, Results, absolute, chunks, digest, file_system
 
 
 def audit(
@@ -33,6 +33,7 @@ def audit(
     results: Optional[FilePath] = None,
     progress: Optional[Progress] = None,
     retries: int = 100,
+    certificate: Optional[FilePath] = None,
 ) -> AuditReport:
     """Certify a recorded motion by tasks of Ray: the same report as :func:`exact_ccd.audit`, bit for bit.
 
@@ -61,6 +62,9 @@ def audit(
         Called with the number of steps done since its last call, as ``tqdm.update``.
     retries : int
         The number of times that a task may be lost with its process or machine.
+    certificate : path, optional
+        As of :func:`exact_ccd.audit`, with the same bytes: each task makes the part of its chunk, and this process
+        writes them one after the other.
 
     Raises
     ------
@@ -74,6 +78,7 @@ def audit(
         raise ValueError("steps and window must be 1 or more")
     if results is not None and can_collide is not None:
         raise ValueError("results are not kept for a function can_collide: give groups, or no results")
+    parts_of(certificate, half_spaces)
     settings = Settings(np.asarray(min_distance, np.float64), Rules(groups, can_collide), half_spaces)
     # Errors of the mesh and of the settings are those of the caller.
     settings.detector(source, threads=None)
@@ -85,8 +90,11 @@ def audit(
         kept = Results(folder, digest(*given, *identity), place)
     if not ray.is_initialized():
         ray.init()
-    work = _Work(source, settings, kept, progress, retries)
-    return work.run(window or 2 * max(1, int(ray.cluster_resources().get("CPU", 1))), steps)
+    work = _Work(source, settings, kept, progress, retries, certificate is not None)
+    report, parts = work.run(window or 2 * max(1, int(ray.cluster_resources().get("CPU", 1))), steps)
+    if certificate is not None:
+        write_certificate(certificate, parts)
+    return report
 
 
 class Settings(NamedTuple):
@@ -105,9 +113,12 @@ class Settings(NamedTuple):
         return None if self.half_spaces is None else HalfSpaces(self.half_spaces, self.distance)
 
 
-def examine_chunk(part: Frames, settings: Settings, first: int) -> AuditReport:
-    """The report of a chunk, whose first frame has this number."""
-    return AuditReport(*examine(settings.detector(part, threads=1), part, first, half_spaces=settings.planes()))
+def examine_chunk(part: Frames, settings: Settings, first: int, is_certified: bool) -> Finished:
+    """The result of a chunk, whose first frame has this number."""
+    parts: Optional[list[bytes]] = [] if is_certified else None
+    detector = settings.detector(part, threads=1)
+    report = AuditReport(*examine(detector, part, first, half_spaces=settings.planes(), parts=parts))
+    return Finished(report, None if parts is None else b"".join(parts))
 
 
 _examine_chunk = ray.remote(num_cpus=1)(examine_chunk)
@@ -121,30 +132,43 @@ class _Work(NamedTuple):
     results: Optional[Results]
     progress: Optional[Progress]
     retries: int
+    is_certified: bool
 
-    def run(self, window: int, steps: int) -> AuditReport:
-        """The report of the earliest chunk with a violation or an error; of the last one if there is none."""
+    def run(self, window: int, steps: int) -> tuple[AuditReport, list[bytes]]:
+        """The report of the earliest chunk with a violation or an error; of the last one if there is none.
+
+        The parts of the certificate are those of the chunks up to that one, in order.
+        """
+        parts: dict[Chunk, bytes] = {}
         coming = chunks(len(self.frames), steps)
         running: dict[Any, Chunk] = {}
         end: Optional[tuple[Chunk, Union[AuditReport, Exception]]] = None
+
+        def keep(chunk: Chunk, finished: Finished) -> AuditReport:
+            if finished.part is not None:
+                parts[chunk] = finished.part
+            return finished.report
+
         try:
             while True:
                 while end is None and len(running) < window:
                     chunk = next(coming, None)
                     if chunk is None:
                         break
-                    known = None if self.results is None else self.results.read(chunk)
+                    known = None if self.results is None else self.results.read(chunk, self.is_certified)
                     if known is None:
                         running[self._start(chunk)] = chunk
                         continue
                     self._advance(chunk)
-                    if known.violation is not None:
-                        end = chunk, known
+                    report = keep(chunk, known)
+                    if report.violation is not None:
+                        end = chunk, report
                 if not running:
                     break
                 (done, *_), _ = ray.wait(list(running), num_returns=1)
                 chunk = running.pop(done)
-                outcome = self._finish(chunk, done)
+                finished = self._finish(chunk, done)
+                outcome = finished if isinstance(finished, Exception) else keep(chunk, finished)
                 if isinstance(outcome, Exception) or outcome.violation is not None:
                     end = chunk, outcome
                     for later in [task for task, other in running.items() if other > chunk]:
@@ -154,19 +178,20 @@ class _Work(NamedTuple):
             for task in running:
                 ray.cancel(task)
         if end is None:
-            return AuditReport(len(self.frames), None)
-        if isinstance(end[1], Exception):
-            raise end[1]
-        return end[1]
+            return AuditReport(len(self.frames), None), [parts[chunk] for chunk in sorted(parts)]
+        last, outcome = end
+        if isinstance(outcome, Exception):
+            raise outcome
+        return outcome, [parts[chunk] for chunk in sorted(parts) if chunk <= last]
 
     def _start(self, chunk: Chunk) -> Any:
         part = self.frames.part(chunk.first, chunk.last)
         task = _examine_chunk.options(max_retries=self.retries)
-        return task.remote(part, self.settings, chunk.first)
+        return task.remote(part, self.settings, chunk.first, self.is_certified)
 
-    def _finish(self, chunk: Chunk, task: Any) -> Union[AuditReport, Exception]:
+    def _finish(self, chunk: Chunk, task: Any) -> Union[Finished, Exception]:
         try:
-            report: AuditReport = ray.get(task)
+            finished: Finished = ray.get(task)
         except ray.exceptions.RayTaskError as error:
             cause: Exception = error.cause if isinstance(error.cause, Exception) else error
             return cause
@@ -174,9 +199,9 @@ class _Work(NamedTuple):
             lost: Exception = error
             return lost
         if self.results is not None:
-            self.results.write(chunk, report)
+            self.results.write(chunk, finished)
         self._advance(chunk)
-        return report
+        return finished
 
     def _advance(self, chunk: Chunk) -> None:
         if self.progress is not None:

@@ -30,8 +30,15 @@ def chunks(frames: int, steps: int) -> Iterator[Chunk]:
     yield from (Chunk(first, min(first + steps, frames - 1)) for first in range(0, max(frames - 1, 1), steps))
 
 
+class Finished(NamedTuple):
+    """The report of a chunk, and its part of the certificate, if one is wanted."""
+
+    report: AuditReport
+    part: Optional[bytes]
+
+
 class Results:
-    """The results of finished chunks, in a folder: one file for each.
+    """The results of finished chunks, in a folder: a file for each report, and one for each part of a certificate.
 
     A file is written under another name and then renamed, so every file of a result is whole. Its name
     contains a digest of all that the answer depends on, so that audits of different recordings share a folder.
@@ -41,23 +48,34 @@ class Results:
         self._folder, self._digest, self._filesystem = folder.rstrip("/"), digest, filesystem
         filesystem.create_dir(folder, recursive=True)
 
-    def _path(self, chunk: Chunk) -> str:
-        return f"{self._folder}/{self._digest}-{chunk.first}-{chunk.last}.json"
+    def _path(self, chunk: Chunk, ending: str) -> str:
+        return f"{self._folder}/{self._digest}-{chunk.first}-{chunk.last}.{ending}"
 
-    def read(self, chunk: Chunk) -> Optional[AuditReport]:
-        """The report of a chunk; None if it is not finished."""
-        path = self._path(chunk)
+    def read(self, chunk: Chunk, has_part: bool) -> Optional[Finished]:
+        """The report of a chunk, and its part if that is wanted; None if it is not finished."""
+        report = self._read(self._path(chunk, "json"))
+        part = self._read(self._path(chunk, "certificate")) if has_part else None
+        if report is None or has_part and part is None:
+            return None
+        return Finished(from_json(report), part)
+
+    def _read(self, path: str) -> Optional[bytes]:
         if self._filesystem.get_file_info(path).type != pyarrow.fs.FileType.File:
             return None
         with self._filesystem.open_input_file(path) as stream:
-            return from_json(stream.read())
+            contents: bytes = stream.read()
+            return contents
 
-    def write(self, chunk: Chunk, report: AuditReport) -> None:
-        """Keep the report of a finished chunk."""
-        path = self._path(chunk)
+    def write(self, chunk: Chunk, finished: Finished) -> None:
+        """Keep the result of a finished chunk."""
+        if finished.part is not None:
+            self._write(self._path(chunk, "certificate"), finished.part)
+        self._write(self._path(chunk, "json"), to_json(finished.report).encode())
+
+    def _write(self, path: str, contents: bytes) -> None:
         unfinished = f"{path}.{uuid.uuid4().hex}"
         with self._filesystem.open_output_stream(unfinished) as stream:
-            stream.write(to_json(report).encode())
+            stream.write(contents)
         self._filesystem.move(unfinished, path)
 
 

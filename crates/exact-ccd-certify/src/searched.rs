@@ -1,0 +1,44 @@
+//! Steps that a detector answers.
+
+use exact_ccd::{Options, Point};
+use exact_ccd_mesh::{
+    BroadPhase, Bvh, Detector, Intersection, IntersectionOptions, Meeting, StepError, intersections,
+};
+
+use crate::maker::{Maker, MakerError};
+
+impl Maker {
+    /// Adds the step of the mesh of a detector from `x0` to `x1`, with the earliest contact that the detector finds,
+    /// and with `rest`, that no edge pierces a face at its start.
+    ///
+    /// # Errors
+    /// [`MakerError::Rules`] if not all pairs can collide; [`MakerError::Step`] for positions that are no step, and with
+    /// `rest`, for an edge that pierces a face.
+    pub fn add_step_of<B: BroadPhase>(
+        &mut self,
+        detector: &mut Detector<B>,
+        x0: &[Point],
+        x1: &[Point],
+        rest: bool,
+    ) -> Result<(), MakerError> {
+        if !detector.can_collide().is_all() {
+            return Err(MakerError::Rules);
+        }
+        let mesh = detector.mesh().clone();
+        if rest {
+            let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+            let found = intersections(&mesh, x0, &Bvh, &options).map_err(StepError::from)?;
+            if let Some(&Intersection { edge, face }) = found.first() {
+                let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
+                return Err(MakerError::Step(StepError::Crossing {
+                    edge,
+                    ends,
+                    face,
+                    corners,
+                }));
+            }
+        }
+        let earliest = detector.collision(x0, x1, Options::within(self.distance))?;
+        self.add_step(&mesh, [x0, x1], rest, earliest.as_ref())
+    }
+}
