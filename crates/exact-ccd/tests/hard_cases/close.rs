@@ -17,20 +17,18 @@ pub(crate) fn families<K: Hard>() -> [(&'static str, Family); 17] {
         ("contact", contact::<K>),
         ("contact, products round", contact_of_large_integers::<K>),
         ("contact at corners", contact_at_corners::<K>),
-        (
-            "contact at corners, neighbours",
-            |random| neighbour(contact_at_corners::<K>, random),
-        ),
+        ("contact at corners, neighbours", |random| {
+            neighbour(contact_at_corners::<K>, random)
+        }),
         ("contact up to rounding", rounded_contact::<K>),
         ("narrow miss", narrow_miss::<K>),
         ("tangent", tangent::<K>),
         ("tangent, neighbours", |random| neighbour(tangent::<K>, random)),
         ("tangent, an exponent for each axis", stretched_tangent::<K>),
         ("flat extremum", flat_extremum::<K>),
-        (
-            "flat extremum, neighbours",
-            |random| neighbour(flat_extremum::<K>, random),
-        ),
+        ("flat extremum, neighbours", |random| {
+            neighbour(flat_extremum::<K>, random)
+        }),
         ("coplanar at all times", coplanar::<K>),
         ("parallel", parallel::<K>),
         ("parallel, neighbours", |random| neighbour(parallel::<K>, random)),
@@ -101,7 +99,13 @@ fn stretched_tangent<K: Hard>(random: &mut Random) -> Points {
 /// in eighths, which are the roots of the cubic, double or triple if they are the same.
 fn flat_extremum<K: Hard>(random: &mut Random) -> Points {
     let all = random.below(9) as f64;
-    let times = [0; 3].map(|_| if random.below(2) == 0 { all } else { random.below(9) as f64 });
+    let times = [0; 3].map(|_| {
+        if random.below(2) == 0 {
+            all
+        } else {
+            random.below(9) as f64
+        }
+    });
     let directions = [0; 3].map(|axis| {
         let mut direction = [0; 3].map(|_| random.integer(1));
         direction[axis] += 2.0;

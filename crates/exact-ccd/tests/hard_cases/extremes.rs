@@ -2,11 +2,11 @@
 
 use exact_ccd::Kind;
 
+use super::Family;
 use super::changes::scaled;
 use super::contacts::{grazing, touching};
 use super::hard::Hard;
 use super::random::Random;
-use super::Family;
 use crate::primitives::{Points, combine};
 
 /// The families of a kind of query, by name.
@@ -80,7 +80,10 @@ fn few_values(random: &mut Random) -> Points {
 
 fn shared_vertex<K: Hard>(random: &mut Random) -> Points {
     let mut points = random.points(Random::any);
-    let [i, j] = [random.below(K::Four::FIRST), K::Four::FIRST + random.below(4 - K::Four::FIRST)];
+    let [i, j] = [
+        random.below(K::Four::FIRST),
+        K::Four::FIRST + random.below(4 - K::Four::FIRST),
+    ];
     points.iter_mut().for_each(|now| now[i] = now[j]);
     points
 }
@@ -94,7 +97,10 @@ fn resting_primitive<K: Hard>(random: &mut Random) -> Points {
 
 fn touching_at_end<K: Hard>(random: &mut Random) -> Points {
     let mut points = random.points(Random::any);
-    let [i, j] = [random.below(K::Four::FIRST), K::Four::FIRST + random.below(4 - K::Four::FIRST)];
+    let [i, j] = [
+        random.below(K::Four::FIRST),
+        K::Four::FIRST + random.below(4 - K::Four::FIRST),
+    ];
     points[1][i] = points[1][j];
     points
 }

@@ -64,7 +64,12 @@ fn some_queries_of_each_family_collide() {
 
 /// The filters do not settle some queries of the families that are closest to contact.
 fn some_need_integers<K: Hard>() {
-    let hard = ["tangent", "flat extremum", "flat extremum, neighbours", "narrow miss"];
+    let hard = [
+        "tangent",
+        "flat extremum",
+        "flat extremum, neighbours",
+        "narrow miss",
+    ];
     for class in hard {
         let of_class = cases::<K>(100).filter(|case| case.class == class);
         let settled_last = of_class.filter(|case| case.query.decide(case.distance).1 == Stage::Exact);

@@ -17,7 +17,7 @@ pub(crate) mod extremes;
 pub(crate) mod hard;
 mod random;
 
-use exact_ccd::{Query, Separation, Point};
+use exact_ccd::{Point, Query, Separation};
 
 use crate::primitives::Points;
 use hard::Hard;
@@ -69,11 +69,13 @@ pub(crate) fn cases<K: Hard>(count: usize) -> impl Iterator<Item = Case<K>> {
             query,
             distance: Separation::ZERO,
         });
-        let within = queries::<K>(family, 2 * count).skip(count).map(move |query| Case {
-            class,
-            query,
-            distance: distances::distance(&query, &mut random),
-        });
+        let within = queries::<K>(family, 2 * count)
+            .skip(count)
+            .map(move |query| Case {
+                class,
+                query,
+                distance: distances::distance(&query, &mut random),
+            });
         contact.chain(within)
     })
 }

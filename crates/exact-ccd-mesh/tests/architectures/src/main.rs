@@ -19,9 +19,9 @@ mod raw;
 use std::process::ExitCode;
 
 /// The digest of the answers of the kernel. A change by intent is recorded anew.
-const KERNEL: u64 = 0;
+const KERNEL: u64 = 0x81cf_f215_ef66_47db;
 /// The digest of the answers to steps of meshes.
-const MESHES: u64 = 0;
+const MESHES: u64 = 0x8387_125a_322a_943b;
 
 fn main() -> ExitCode {
     let mut all_right = true;
