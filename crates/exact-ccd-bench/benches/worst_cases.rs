@@ -9,17 +9,21 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
-#[path = "../../exact-ccd/tests/worst_cases/coincident.rs"]
-mod coincident;
-#[path = "../../exact-ccd/tests/worst_cases/families.rs"]
-mod families;
+#[path = "../../exact-ccd/tests/hard_cases/mod.rs"]
+#[allow(dead_code, reason = "the test target `hard_cases` needs more of it")]
+mod hard_cases;
+#[path = "../../exact-ccd/tests/queries/primitives.rs"]
+#[allow(dead_code, reason = "the test target `queries` needs more of it")]
+mod primitives;
 
 use std::hint::black_box;
 use std::time::Instant;
 
 use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex, exact};
 
-use families::{Family, Points, Random, families};
+use hard_cases::extremes::families;
+use hard_cases::hard::Hard;
+use hard_cases::{Family, coincident, queries};
 
 const ATTEMPTS: usize = 5;
 
@@ -36,15 +40,16 @@ fn main() {
     );
     println!("|---|{}---|", "---:|".repeat(2 * ANSWERS.len()));
     let (of_vf, of_ee) = (&families::<VertexFace>(), &families::<EdgeEdge>());
-    Rows::<VertexFace>::of(of_vf, count, |now| now).print("vf, contact", contact, exactly);
-    Rows::<EdgeEdge>::of(of_ee, count, |now| now).print("ee, contact", contact, exactly);
-    Rows::<VertexFace>::of(of_vf, count, |now| now).print("vf, distance", distance, exactly);
-    Rows::<EdgeEdge>::of(of_ee, count, |now| now).print("ee, distance", distance, exactly);
-    Rows::<VertexEdge>::of(of_ee, count, |[p, _, a, b]| [p, a, b]).print("ve, distance", distance, exactly);
-    Rows::<VertexVertex>::of(of_ee, count, |[p, _, q, _]| [p, q]).print("vv, distance", distance, exactly);
+    let (of_ve, of_vv) = (&families::<VertexEdge>(), &families::<VertexVertex>());
+    Rows::<VertexFace>::of(of_vf, count).print("vf, contact", contact, exactly);
+    Rows::<EdgeEdge>::of(of_ee, count).print("ee, contact", contact, exactly);
+    Rows::<VertexFace>::of(of_vf, count).print("vf, distance", distance, exactly);
+    Rows::<EdgeEdge>::of(of_ee, count).print("ee, distance", distance, exactly);
+    Rows::<VertexEdge>::of(of_ve, count).print("ve, distance", distance, exactly);
+    Rows::<VertexVertex>::of(of_vv, count).print("vv, distance", distance, exactly);
     let equal = &coincident::FAMILIES;
-    Rows::<VertexFace>::of(equal, count, |now| now).print("vf, equal points", contact, with_filters);
-    Rows::<EdgeEdge>::of(equal, count, |now| now).print("ee, equal points", contact, with_filters);
+    Rows::<VertexFace>::of(equal, count).print("vf, equal points", contact, with_filters);
+    Rows::<EdgeEdge>::of(equal, count).print("ee, equal points", contact, with_filters);
 }
 
 /// The queries of some families, each with the index of its family.
@@ -53,20 +58,13 @@ struct Rows<'a, K: Kind> {
     queries: Vec<(usize, Query<K>)>,
 }
 
-impl<'a, K: Kind> Rows<'a, K> {
-    /// Queries of each family; a coordinate may be out of range.
-    fn of(
-        families: &'a [(&'static str, Family)],
-        count: usize,
-        points: fn(<VertexFace as Kind>::Points) -> K::Points,
-    ) -> Self {
-        let queries = families.iter().enumerate().flat_map(|(index, (_, family))| {
-            let mut random = Random(1);
-            let generated = (0..count).map(move |_| -> Points { family(&mut random) });
-            let query = move |[start, end]: Points| Query::new(points(start), points(end)).ok();
-            generated.filter_map(query).map(move |query| (index, query))
-        });
-        let queries = queries.collect();
+impl<'a, K: Hard> Rows<'a, K> {
+    /// Queries of each family.
+    fn of(families: &'a [(&'static str, Family)], count: usize) -> Self {
+        let of_family = |(index, (_, family)): (usize, &(_, Family))| {
+            queries::<K>(*family, count).map(move |query| (index, query))
+        };
+        let queries = families.iter().enumerate().flat_map(of_family).collect();
         Self { families, queries }
     }
 

@@ -1,6 +1,8 @@
 //! Points that coincide with each other, or move along a line or together.
 
-use crate::families::{Family, Points, Random};
+use super::Family;
+use super::random::Random;
+use crate::primitives::Points;
 
 /// The families, by name.
 pub(crate) const FAMILIES: [(&str, Family); 5] = [

@@ -1,0 +1,92 @@
+//! The hard cases as a Parquet file, with their exact answers.
+//!
+//! `cargo run --release -p exact-ccd-bench --example hard_cases -- OUT.parquet [COUNT]`
+//!
+//! COUNT queries of each family and kind are about contact, and as many about a distance; 100 is the default.
+//! The integers of `exact_ccd::exact` compute the answers. Before a row is written, an independent implementation
+//! of the definition, in rational arithmetic, has to find the same. docs/hard-cases.md describes the columns.
+
+#![expect(clippy::print_stdout, reason = "this is its output")]
+
+#[path = "../../../exact-ccd/tests/oracle/definition/mod.rs"]
+mod definition;
+#[path = "../../../exact-ccd/tests/hard_cases/mod.rs"]
+#[allow(dead_code, reason = "the test target `hard_cases` needs more of it")]
+mod hard_cases;
+#[path = "../../../exact-ccd/tests/queries/primitives.rs"]
+#[allow(dead_code, reason = "the test target `queries` needs more of it")]
+mod primitives;
+mod table;
+
+use std::error::Error;
+use std::fs::File;
+use std::io::BufWriter;
+
+use exact_ccd::{ContactTime, EdgeEdge, Intervals, Point, VertexEdge, VertexFace, VertexVertex, exact};
+use rayon::prelude::*;
+
+use definition::Primitives;
+use hard_cases::hard::Hard;
+use hard_cases::{Case, cases};
+use table::Row;
+
+const COUNT: usize = 100;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let path = arguments.next().ok_or("expected the name of the file to write")?;
+    let count = arguments.next().map_or(Ok(COUNT), |count| count.parse())?;
+    let rows = [
+        rows::<VertexFace>(Primitives::VertexFace, count)?,
+        rows::<EdgeEdge>(Primitives::EdgeEdge, count)?,
+        rows::<VertexEdge>(Primitives::VertexEdge, count)?,
+        rows::<VertexVertex>(Primitives::VertexVertex, count)?,
+    ]
+    .concat();
+    table::write(BufWriter::new(File::create(&path)?), &rows)?;
+    println!(
+        "{} queries, {} of them collide",
+        rows.len(),
+        rows.iter().filter(|row| row.collides()).count()
+    );
+    Ok(())
+}
+
+/// The rows of a kind, each compared with the definition.
+fn rows<K: Hard>(primitives: Primitives, count: usize) -> Result<Vec<Row>, String> {
+    let cases: Vec<Case<K>> = cases(count).collect();
+    (cases.par_iter()).map(|case| row(case, primitives)).collect()
+}
+
+fn row<K: Hard>(case: &Case<K>, primitives: Primitives) -> Result<Row, String> {
+    let Case {
+        class,
+        query,
+        distance,
+    } = case;
+    let [start, end]: [Vec<Point>; 2] = query.points().map(|now| now.as_ref().to_vec());
+    let times = exact::intervals(query, *distance);
+    let defined = definition::intervals(primitives, [&start, &end], distance.get());
+    if as_defined(&times) != defined {
+        return Err(format!(
+            "{class}: {times:?}, but by definition {defined:?}: {query:?}, {distance:?}"
+        ));
+    }
+    Ok(Row {
+        kind: K::NAME,
+        class,
+        points: [start, end],
+        distance: distance.get(),
+        first: times.first_time(),
+        intervals: times.len(),
+        count: times.count(),
+    })
+}
+
+fn as_defined(times: &Intervals) -> Vec<([definition::Moment; 2], bool)> {
+    let moment = |time: ContactTime| (time.lower(), time.is_exact());
+    times
+        .iter()
+        .map(|times| ([moment(times.start), moment(times.end)], times.is_moment))
+        .collect()
+}

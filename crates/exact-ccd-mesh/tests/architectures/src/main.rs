@@ -1,0 +1,47 @@
+//! The answers to generated queries and steps in two numbers, which are the same on every machine:
+//! `scripts/check architectures`.
+//!
+//! The exit status is 0 if both are those recorded here. With files of raw queries (`raw.rs`), a line for each
+//! with the digest of the answers.
+
+#[path = "../../../../exact-ccd-bench/examples/scaling/cloth.rs"]
+mod cloth;
+#[path = "../../../../exact-ccd/tests/hard_cases/mod.rs"]
+#[allow(dead_code, reason = "the test target `hard_cases` needs more of it")]
+mod hard_cases;
+mod kernel;
+mod meshes;
+#[path = "../../../../exact-ccd/tests/queries/primitives.rs"]
+#[allow(dead_code, reason = "the test target `queries` needs more of it")]
+mod primitives;
+mod raw;
+
+use std::process::ExitCode;
+
+/// The digest of the answers of the kernel. A change by intent is recorded anew.
+const KERNEL: u64 = 0x81cf_f215_ef66_47db;
+/// The digest of the answers to steps of meshes.
+const MESHES: u64 = 0x8387_125a_322a_943b;
+
+fn main() -> ExitCode {
+    let mut all_right = true;
+    let mut check = |name: &str, found: u64, recorded: u64| {
+        println!("{name} {found:#018x}, recorded {recorded:#018x}");
+        all_right &= found == recorded;
+    };
+    check("kernel", kernel::digest(), KERNEL);
+    for threads in meshes::THREADS {
+        let found = meshes::digest(threads);
+        check(&format!("meshes, threads {threads}"), found, MESHES);
+    }
+    for path in std::env::args().skip(1) {
+        match raw::digest(&path) {
+            Ok(found) => println!("{path} {found:#018x}"),
+            Err(error) => {
+                eprintln!("{path}: {error}");
+                return ExitCode::from(2);
+            }
+        }
+    }
+    ExitCode::from(u8::from(!all_right))
+}

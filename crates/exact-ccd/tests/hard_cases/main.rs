@@ -1,0 +1,84 @@
+//! The answers to hard cases are those of the definition.
+
+#[path = "../oracle/check.rs"]
+mod check;
+#[path = "../oracle/definition/mod.rs"]
+mod definition;
+#[path = "mod.rs"]
+#[allow(dead_code, reason = "the test target `worst_cases` needs more of it")]
+mod hard_cases;
+#[path = "../queries/primitives.rs"]
+#[allow(dead_code, reason = "the test target `queries` needs more of it")]
+mod primitives;
+
+use exact_ccd::{EdgeEdge, Stage, VertexEdge, VertexFace, VertexVertex};
+
+use check::{Defined, assert_defined};
+use hard_cases::hard::Hard;
+use hard_cases::{Case, cases, families};
+
+/// The number of queries of each family, for contact and within a distance.
+const COUNT: usize = if cfg!(debug_assertions) { 4 } else { 40 };
+
+fn are_defined<K: Hard + Defined>() {
+    for Case { query, distance, .. } in cases::<K>(COUNT) {
+        assert_defined(&query, distance);
+    }
+}
+
+#[test]
+fn a_vertex_and_a_face() {
+    are_defined::<VertexFace>();
+}
+
+#[test]
+fn two_edges() {
+    are_defined::<EdgeEdge>();
+}
+
+#[test]
+fn a_vertex_and_an_edge() {
+    are_defined::<VertexEdge>();
+}
+
+#[test]
+fn two_vertices() {
+    are_defined::<VertexVertex>();
+}
+
+/// Some queries of each family collide. Hence no family is a list of queries far from contact.
+fn some_collide<K: Hard>() {
+    for (class, _) in families::<K>() {
+        let mut cases = cases::<K>(100).filter(|case| case.class == class);
+        assert!(cases.any(|case| case.query.collides(case.distance)), "{class}");
+    }
+}
+
+#[test]
+fn some_queries_of_each_family_collide() {
+    some_collide::<VertexFace>();
+    some_collide::<EdgeEdge>();
+    some_collide::<VertexEdge>();
+    some_collide::<VertexVertex>();
+}
+
+/// The filters do not settle some queries of the families that are closest to contact.
+fn some_need_integers<K: Hard>() {
+    let hard = [
+        "tangent",
+        "flat extremum",
+        "flat extremum, neighbours",
+        "narrow miss",
+    ];
+    for class in hard {
+        let of_class = cases::<K>(100).filter(|case| case.class == class);
+        let settled_last = of_class.filter(|case| case.query.decide(case.distance).1 == Stage::Exact);
+        assert!(settled_last.count() > 5, "{class}");
+    }
+}
+
+#[test]
+fn some_queries_need_the_integers() {
+    some_need_integers::<VertexFace>();
+    some_need_integers::<EdgeEdge>();
+}
