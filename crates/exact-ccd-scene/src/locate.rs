@@ -71,7 +71,7 @@ pub(super) fn of_simulation(system: &System, error: &SimulationError) -> FieldEr
         }
         SimulationError::Setting(setting) => setting.field,
         SimulationError::UnknownBody { .. } => "friction.pair",
-        SimulationError::ByVertex { .. } => "line-search",
+        SimulationError::ByVertex { .. } | SimulationError::AffineByVertex { .. } => "line-search",
         SimulationError::Method { .. } | SimulationError::Separation { .. } => "ccd",
         _ => "",
     };

@@ -58,6 +58,14 @@ pub enum BodyKind {
         /// Their material.
         material: ParticleProperties,
     },
+    /// A nearly rigid body with twelve unknowns: those of an affine map. All its vertices move by this map, and
+    /// scripts move all of them or none.
+    Affine {
+        /// The triangles of a closed surface, in either orientation.
+        faces: Vec<[u32; 3]>,
+        /// Its material.
+        material: AffineProperties,
+    },
     /// A surface without mass, which rests unless a script moves it.
     Obstacle {
         /// Its triangles.
@@ -125,8 +133,22 @@ pub struct ParticleProperties {
     pub radius: f64,
 }
 
+/// The material of an affine body.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct AffineProperties {
+    /// The mass density, in kg/m³.
+    pub density: f64,
+    /// The stiffness κ against strain, in Pa: the energy is κ V |AᵀA − 1|², with the volume V and the matrix A of
+    /// the affine map.
+    pub stiffness: f64,
+}
+
+/// The number of nodes of an affine body.
+const NODES: usize = 4;
+
 impl BodyKind {
-    /// The name: `solid`, `shell`, `rod`, `particles` or `obstacle`.
+    /// The name: `solid`, `shell`, `rod`, `particles`, `affine` or `obstacle`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -134,6 +156,7 @@ impl BodyKind {
             Self::Shell { .. } => "shell",
             Self::Rod { .. } => "rod",
             Self::Particles { .. } => "particles",
+            Self::Affine { .. } => "affine",
             Self::Obstacle { .. } => "obstacle",
         }
     }
@@ -151,6 +174,18 @@ impl Body {
             angular_velocity: [0.0; 3],
             offset: 0.0,
         }
+    }
+
+    /// The number of its vertices in a [`System`](crate::System): its points, and four nodes after those of an
+    /// affine body.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        let nodes = if let BodyKind::Affine { .. } = self.kind {
+            NODES
+        } else {
+            0
+        };
+        self.points.len() + nodes
     }
 
     /// The same body with another name.

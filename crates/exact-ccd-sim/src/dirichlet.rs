@@ -33,7 +33,7 @@ impl Motion {
     /// that are not free in this time step. `None` if no held coordinate moves.
     pub(crate) fn new(
         body: u32,
-        vertices: std::ops::Range<u32>,
+        vertices: impl Iterator<Item = u32>,
         held: &[Axes],
         points: &[Point],
         path: &Path<'_>,

@@ -37,6 +37,7 @@
 mod anchor;
 mod bends;
 mod body;
+mod carriers;
 mod checkpoint;
 mod contact;
 mod digest;
@@ -50,6 +51,7 @@ mod half_space;
 mod hinges;
 mod integrator;
 mod load;
+mod moments;
 mod psd;
 mod range;
 mod script;
@@ -64,7 +66,10 @@ mod system;
 #[cfg(test)]
 mod tests;
 
-pub use body::{Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties, SolidProperties};
+pub use body::{
+    AffineProperties, Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties,
+    SolidProperties,
+};
 pub use checkpoint::Checkpoint;
 pub use elasticity::{ElasticModuli, SolidMaterial};
 pub use filter::StepFilter;

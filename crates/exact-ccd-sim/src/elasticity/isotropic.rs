@@ -103,7 +103,7 @@ impl Curvature {
 }
 
 /// The decomposition F = U diag(σ) Vᵀ in which U Vᵀ is a rotation. The last σ is negative if det F < 0.
-fn rotation_variant(f: &Matrix3<f64>) -> (Matrix3<f64>, Vector3<f64>, Matrix3<f64>) {
+pub(super) fn rotation_variant(f: &Matrix3<f64>) -> (Matrix3<f64>, Vector3<f64>, Matrix3<f64>) {
     let svd = f.svd(true, true);
     let (Some(mut u), Some(v_t)) = (svd.u, svd.v_t) else {
         return (Matrix3::identity(), f.diagonal(), Matrix3::identity());

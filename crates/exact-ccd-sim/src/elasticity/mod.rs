@@ -5,11 +5,14 @@
 //! Nearly incompressible materials (Poisson's ratio near ½) lock in volume as well.
 
 mod bend;
+mod fixed_corotated;
 mod hinge;
 mod isotropic;
 mod lame;
 mod membrane;
 mod neo_hookean;
+mod saint_venant_kirchhoff;
+mod solid_material;
 mod stable_neo_hookean;
 mod stretch;
 mod tetrahedron;
@@ -20,7 +23,8 @@ pub(crate) use bend::Bend;
 pub(crate) use hinge::Hinge;
 pub use lame::ElasticModuli;
 pub(crate) use membrane::Membrane;
+pub(crate) use saint_venant_kirchhoff::SaintVenantKirchhoff;
+pub use solid_material::SolidMaterial;
 pub(crate) use stretch::Stretch;
-pub use tetrahedron::SolidMaterial;
-pub(crate) use tetrahedron::tetrahedron;
+pub(crate) use tetrahedron::Tetrahedron;
 pub(crate) use vertex_bend::bending;

@@ -2,26 +2,9 @@
 
 use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix};
-use serde::{Deserialize, Serialize};
 
 use super::isotropic::{Curvature, Isotropic};
-use super::lame::ElasticModuli;
-use super::neo_hookean::NeoHookean;
-use super::stable_neo_hookean::StableNeoHookean;
 use crate::energy::{Energy, Projection, gather};
-
-/// The hyperelastic energy of a solid. A new one is the last: fingerprints of checkpoints have the number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SolidMaterial {
-    /// Ψ = μ/2 (tr FᵀF − 3) − μ ln J + λ/2 ln² J with J = det F (J. Bonet, R. D. Wood, *Nonlinear Continuum
-    /// Mechanics for Finite Element Analysis*): infinite for inverted elements, so that no element inverts.
-    #[default]
-    NeoHookean,
-    /// The stable neo-Hookean energy (B. Smith, F. de Goes, T. Kim, 2018): finite for every deformation.
-    /// Elements can invert.
-    StableNeoHookean,
-}
 
 /// A tetrahedron with constant deformation gradient.
 ///
@@ -36,37 +19,39 @@ pub(crate) struct Tetrahedron<M> {
     density: M,
 }
 
-/// The energy of a tetrahedron of these vertices, with the positions of all vertices at rest, and its volume
-/// at rest, in m³. `None` if its volume at rest is not positive.
-pub(crate) fn tetrahedron(
-    vertices: [u32; 4],
-    rest: &[Point],
-    material: SolidMaterial,
-    moduli: ElasticModuli,
-) -> Option<(Box<dyn Energy>, f64)> {
-    let [a, b, c, d] = gather(rest, &vertices);
-    let edges = Matrix3::from_columns(&[b - a, c - a, d - a]);
-    let volume = edges.determinant() / 6.0;
-    let inverse = edges.try_inverse().filter(|_| volume > 0.0)?;
-    let mut shape = SMatrix::<f64, 4, 3>::zeros();
-    shape.fixed_view_mut::<3, 3>(1, 0).copy_from(&inverse);
-    shape.set_row(0, &-inverse.row_sum());
-    let element = Tetrahedron {
-        vertices,
-        shape,
-        volume,
-        density: (),
-    };
-    let energy: Box<dyn Energy> = match material {
-        SolidMaterial::NeoHookean => Box::new(element.of(NeoHookean::new(moduli))),
-        SolidMaterial::StableNeoHookean => Box::new(element.of(StableNeoHookean::new(moduli))),
-    };
-    Some((energy, volume))
+impl Tetrahedron<()> {
+    /// The tetrahedron of these vertices, with the positions of all vertices at rest. `None` if its volume at
+    /// rest is not positive.
+    pub(crate) fn new(vertices: [u32; 4], rest: &[Point]) -> Option<Self> {
+        let [a, b, c, d] = gather(rest, &vertices);
+        let edges = Matrix3::from_columns(&[b - a, c - a, d - a]);
+        let volume = edges.determinant() / 6.0;
+        let inverse = edges.try_inverse().filter(|_| volume > 0.0)?;
+        let mut shape = SMatrix::<f64, 4, 3>::zeros();
+        shape.fixed_view_mut::<3, 3>(1, 0).copy_from(&inverse);
+        shape.set_row(0, &-inverse.row_sum());
+        Some(Self {
+            vertices,
+            shape,
+            volume,
+            density: (),
+        })
+    }
 }
 
 impl<M> Tetrahedron<M> {
+    /// The volume by which the energy density is multiplied, in m³: at first, that at rest.
+    pub(crate) fn volume(&self) -> f64 {
+        self.volume
+    }
+
+    /// The same tetrahedron with another volume.
+    pub(crate) fn with_volume(self, volume: f64) -> Self {
+        Self { volume, ..self }
+    }
+
     /// The same tetrahedron with another energy density.
-    fn of<N>(self, density: N) -> Tetrahedron<N> {
+    pub(crate) fn of<N>(self, density: N) -> Tetrahedron<N> {
         let Self {
             vertices,
             shape,

@@ -129,6 +129,15 @@ pub enum SimulationError {
         /// The name of the CCD method.
         name: String,
     },
+    /// The vertices of an affine body take no parts of their own.
+    #[error(
+        "`line-search` is `vertex`, but {body} is affine, so that its vertices take no parts of their own, expected \
+         the line search `common`"
+    )]
+    AffineByVertex {
+        /// The body, by its name or its place.
+        body: String,
+    },
     /// The linear system of a Newton iteration has no finite solution: forces are not finite, or their
     /// magnitudes differ too much.
     #[error("step {step}: the linear system of Newton's method has no solution; try a smaller time step")]

@@ -228,6 +228,11 @@ fn check_numbers(state: &State) -> Result<(), OutOfRange> {
 /// Checks that the method of a filter takes the offsets of the bodies into account, and that it can decide
 /// the steps of vertices.
 fn check_filter(system: &System, settings: &Settings, filter: &StepFilter) -> Result<(), SimulationError> {
+    let affine = system.carriers.bodies().first();
+    if let (LineSearch::Vertex, Some(carried)) = (settings.line_search, affine) {
+        let body = system.designation(system.body_of(carried.start));
+        return Err(SimulationError::AffineByVertex { body });
+    }
     if filter.is_exact() {
         return Ok(());
     }

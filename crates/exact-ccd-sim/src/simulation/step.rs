@@ -196,8 +196,12 @@ impl Simulation {
             system.scripts[vertex].position(&system.origins_of(&origins, vertex), moment, time)
         };
         let bodies = (0..).zip(system.body_vertices());
-        let motions = bodies
-            .filter_map(|(body, vertices)| Motion::new(body, vertices.clone(), &held, &positions, &path));
+        let motions = bodies.filter_map(|(body, vertices)| {
+            let unknowns = vertices
+                .clone()
+                .filter(|&vertex| system.carriers.of(vertex).is_none());
+            Motion::new(body, unknowns, &held, &positions, &path)
+        });
         let motions = motions.collect();
         let mut now = Iterate {
             stiffness: self.stiffness(&scheme, &inertia, &collisions, &range, &held),
@@ -303,6 +307,7 @@ impl Simulation {
         let positions = &self.state.positions;
         let mut energy = potential.gradient(positions, &[]);
         let mut barriers = Form::of(collisions.as_slice(), 1.0).gradient(positions);
+        self.system.carriers.collect(&mut barriers);
         for (place, _) in held
             .as_flattened()
             .iter()

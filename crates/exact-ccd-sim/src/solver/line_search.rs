@@ -74,7 +74,7 @@ impl Newton<'_> {
         let clock = Instant::now();
         let size = direction.size;
         let longest = (FARTHEST * self.system.extent() / size).min(1.0);
-        let end = displaced(&now.positions, direction.displacements, longest);
+        let end = self.displaced(&now.positions, direction.displacements, longest);
         let blocked = || SimulationError::Blocked {
             step: statistics.step,
             filter: self.filter.name().to_owned(),
@@ -105,7 +105,8 @@ impl Newton<'_> {
         let before = potential.value(&now.positions, now.collisions.as_slice());
         for _ in 0..HALVINGS {
             let clock = Instant::now();
-            let positions = step.at(part);
+            let mut positions = step.at(part);
+            self.system.carriers.carry(&mut positions);
             // If the step is rounded to nothing, so are all shorter ones.
             if size > 0.0 && positions == now.positions {
                 break;
@@ -121,7 +122,7 @@ impl Newton<'_> {
                 // A full step is taken only if all of it is free.
                 let free = part >= 1.0
                     || Step::new(surface, &now.positions, &positions)
-                        .is_ok_and(|step| self.is_free(&candidates, step));
+                        .is_ok_and(|step| self.is_free_again(&candidates, step));
                 statistics.seconds.ccd += clock.elapsed().as_secs_f64();
                 if free {
                     let taken = Taken {
@@ -170,6 +171,24 @@ impl Newton<'_> {
         free && self.system.first_grounded(step.positions()[1]).is_none()
     }
 
+    /// True if a part of a step is free of contact. `candidates` are those of the whole step. Carried vertices
+    /// are rounded in another way than those of a part, so that they have candidates of their own.
+    fn is_free_again(&self, candidates: &Candidates, part: Step<'_>) -> bool {
+        if self.system.carriers.is_empty() {
+            self.is_free(candidates, part)
+        } else {
+            self.is_free(&self.system.near(part, &self.barrier), part)
+        }
+    }
+
+    /// The positions at a part of a direction.
+    pub(super) fn displaced(&self, points: &[Point], direction: &[Vector3<f64>], size: f64) -> Vec<Point> {
+        let along = |(x, d): (&Point, &Vector3<f64>)| (Vector3::from(*x) + d * size).into();
+        let mut displaced: Vec<Point> = points.iter().zip(direction).map(along).collect();
+        self.system.carriers.carry(&mut displaced);
+        displaced
+    }
+
     pub(super) fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
         Collisions::new(
             self.system.contact_surface(self.formulation),
@@ -178,9 +197,4 @@ impl Newton<'_> {
             self.barrier,
         )
     }
-}
-
-pub(super) fn displaced(points: &[Point], direction: &[Vector3<f64>], size: f64) -> Vec<Point> {
-    let along = |(x, d): (&Point, &Vector3<f64>)| (Vector3::from(*x) + d * size).into();
-    points.iter().zip(direction).map(along).collect()
 }

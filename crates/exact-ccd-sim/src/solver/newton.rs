@@ -109,6 +109,7 @@ impl Newton<'_> {
             for (&vertex, part) in unknowns.vertices().iter().zip(solution.chunks_exact(3)) {
                 direction[vertex as usize] += Vector3::from_column_slice(part);
             }
+            self.system.carriers.carry(&mut direction);
             statistics.iterations += 1;
             if now.dirichlet.is_prescribed() {
                 if self.prescribe(&mut memory.steps, now, &direction, &potential, statistics) {

@@ -46,12 +46,13 @@ impl<'a> Potential<'a> {
         self.forms(collisions).iter().map(|form| form.value(points)).sum()
     }
 
-    /// The gradient.
+    /// The gradient by the unknowns: zero for carried vertices.
     pub(crate) fn gradient(&self, points: &[Point], collisions: &[Collision]) -> Vec<Vector3<f64>> {
         let mut gradient = vec![Vector3::zeros(); points.len()];
         for form in self.forms(collisions) {
             form.add_gradient(points, &mut gradient);
         }
+        self.system.carriers.collect(&mut gradient);
         gradient
     }
 

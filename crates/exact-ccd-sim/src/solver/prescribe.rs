@@ -5,7 +5,7 @@ use std::time::Instant;
 use exact_ccd_mesh::{MinDistance, Step};
 use nalgebra::Vector3;
 
-use super::line_search::{FARTHEST, SLACK, displaced};
+use super::line_search::{FARTHEST, SLACK};
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
 use super::vertex_steps::VertexSteps;
@@ -64,9 +64,10 @@ impl Newton<'_> {
         let end = |now: &Iterate<'_>, part: f64| {
             let mut end = match direction {
                 None => now.positions.clone(),
-                Some(direction) => displaced(&now.positions, direction, part),
+                Some(direction) => self.displaced(&now.positions, direction, part),
             };
             now.dirichlet.set(&mut end, places, part);
+            self.system.carriers.carry(&mut end);
             end
         };
         let whole = end(now, 1.0);
@@ -121,7 +122,7 @@ impl Newton<'_> {
         if self.line_search != LineSearch::Vertex || size > FARTHEST * self.system.extent() {
             return false;
         }
-        let mut whole = displaced(&now.positions, direction, 1.0);
+        let mut whole = self.displaced(&now.positions, direction, 1.0);
         now.dirichlet.set(&mut whole, places, 1.0);
         let surface = &self.system.surface;
         let end = Step::new(surface, &now.positions, &whole)

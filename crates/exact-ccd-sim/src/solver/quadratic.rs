@@ -7,13 +7,14 @@ use super::form::Form;
 use super::pattern::{Pattern, key};
 use super::potential::Potential;
 use super::unknowns::Unknowns;
+use crate::carriers::Carriers;
 use crate::contact::Collision;
 use crate::energy::Projection;
 use crate::scripted::Axes;
 
 /// The gradient and the Hessian of a potential, and the effect of the prescribed displacements.
 pub(crate) struct Quadratic {
-    /// The gradient with respect to all vertices.
+    /// The gradient with respect to all vertices: zero for carried ones, on which nothing depends then.
     pub(crate) gradient: Vec<Vector3<f64>>,
     /// The sparsity pattern of the Hessian with respect to the unknowns.
     pub(crate) pattern: Pattern,
@@ -27,8 +28,8 @@ pub(crate) struct Quadratic {
 impl Potential<'_> {
     /// The pairs of unknowns that share an elastic element.
     pub(crate) fn elastic_keys(&self, unknowns: &Unknowns) -> Vec<u64> {
-        let mut keys = Vec::new();
-        add_keys(&mut keys, unknowns, &self.elasticity(1.0));
+        let (mut keys, carriers) = (Vec::new(), &self.system.carriers);
+        add_keys(&mut keys, unknowns, carriers, &self.elasticity(1.0));
         keys.sort_unstable();
         keys.dedup();
         keys
@@ -43,9 +44,9 @@ impl Potential<'_> {
         elastic_keys: &[u64],
         displacements: &[Vector3<f64>],
     ) -> Quadratic {
-        let mut keys = elastic_keys.to_vec();
-        add_keys(&mut keys, unknowns, &Form::of(collisions, 1.0));
-        add_keys(&mut keys, unknowns, &Form::of(self.friction, 1.0));
+        let (mut keys, carriers) = (elastic_keys.to_vec(), &self.system.carriers);
+        add_keys(&mut keys, unknowns, carriers, &Form::of(collisions, 1.0));
+        add_keys(&mut keys, unknowns, carriers, &Form::of(self.friction, 1.0));
         let pattern = Pattern::new(unknowns.len(), keys);
         let mut sum = Quadratic {
             gradient: vec![Vector3::zeros(); points.len()],
@@ -56,10 +57,21 @@ impl Potential<'_> {
         for form in self.forms(collisions) {
             form.add_gradient(points, &mut sum.gradient);
             form.each(
-                |term| term.hessian(points, Projection::SemiDefinite) * form.factor,
-                |term, hessian| sum.add(term.vertices(), hessian, unknowns, displacements),
+                |term| {
+                    let hessian = term.hessian(points, Projection::SemiDefinite) * form.factor;
+                    carriers.pulled(term.vertices(), hessian)
+                },
+                |term, hessian| {
+                    sum.add(
+                        &carriers.unknowns(term.vertices()),
+                        hessian,
+                        unknowns,
+                        displacements,
+                    );
+                },
             );
         }
+        carriers.collect(&mut sum.gradient);
         if let Some(known) = unknowns.known() {
             sum.eliminate(known, unknowns, displacements);
         }
@@ -129,8 +141,8 @@ impl Quadratic {
     }
 }
 
-fn add_keys(keys: &mut Vec<u64>, unknowns: &Unknowns, form: &Form<'_>) {
-    for vertices in form.terms.iter().map(|term| term.vertices()) {
+fn add_keys(keys: &mut Vec<u64>, unknowns: &Unknowns, carriers: &Carriers, form: &Form<'_>) {
+    for vertices in form.terms.iter().map(|term| carriers.unknowns(term.vertices())) {
         for (place, &a) in vertices.iter().enumerate() {
             let Some(a) = unknowns.number(a) else { continue };
             let others = vertices[..place].iter().filter_map(|&b| unknowns.number(b));

@@ -73,6 +73,30 @@ pub enum SystemError {
         /// The element, from 0.
         element: usize,
     },
+    /// The surface of an affine body is not closed.
+    #[error(
+        "body {body}: the surface of the affine body is not closed, expected each edge to be passed as often in \
+         one direction as in the other one"
+    )]
+    Open {
+        /// The body, from 0.
+        body: usize,
+    },
+    /// A script or a load acts on some vertices of an affine body, but not on all.
+    #[error(
+        "{what}: {found} of the {expected} vertices of body {body} are selected, expected none or all: an affine \
+         body moves as a whole"
+    )]
+    Partly {
+        /// The script or the load.
+        what: String,
+        /// The body, from 0.
+        body: usize,
+        /// The number of selected vertices.
+        found: usize,
+        /// The number of vertices of the body.
+        expected: usize,
+    },
     /// Two edges of a rod return along each other.
     #[error("body {body}: the rod is folded onto itself at an end of edge {element}, expected an angle")]
     Folded {

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use super::System;
 use crate::body::{
-    Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties, SolidProperties,
+    AffineProperties, Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties,
+    SolidProperties,
 };
 use crate::digest::{Digest, Hash};
 use crate::half_space::HalfSpace;
@@ -104,6 +105,10 @@ impl Digest for BodyKind {
             Self::Particles { material } => {
                 let ParticleProperties { density, radius } = *material;
                 [density, radius].digest(hash);
+            }
+            Self::Affine { material, .. } => {
+                let AffineProperties { density, stiffness } = *material;
+                [density, stiffness].digest(hash);
             }
             Self::Obstacle { .. } => {}
         }

@@ -3,8 +3,8 @@
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
-use super::{System, SystemError};
-use crate::load::Load;
+use super::{System, SystemError, selection};
+use crate::load::{Force, Load};
 use crate::range::check;
 
 impl System {
@@ -12,7 +12,7 @@ impl System {
     ///
     /// # Errors
     /// [`SystemError::Load`] names the first one with a number that is out of range, or a vertex that the
-    /// system does not have.
+    /// system does not have; [`SystemError::Partly`] one that accelerates a part of an affine body.
     pub fn with_loads(self, loads: Vec<Load>) -> Result<Self, SystemError> {
         let count = self.start.len();
         for (number, load) in loads.iter().enumerate() {
@@ -24,6 +24,15 @@ impl System {
             load.check()
                 .and(known)
                 .map_err(|source| SystemError::Load { load: number, source })?;
+        }
+        let mut loads = loads;
+        for (number, load) in loads.iter_mut().enumerate() {
+            // Tractions and pressures act on faces.
+            if let Force::Acceleration(_) = load.force {
+                let what = || format!("load {number}");
+                load.vertices =
+                    selection::unknowns(&self.carriers, |v| self.body_of(v), &load.vertices, what)?;
+            }
         }
         Ok(Self { loads, ..self })
     }
@@ -39,6 +48,7 @@ impl System {
         for load in &self.loads {
             load.add(&mut forces, &self.surface, &self.masses, points, time);
         }
+        self.carriers.collect(&mut forces);
         let pairs = forces.into_iter().zip(&self.masses);
         let accelerations = pairs.map(|(force, &mass)| {
             if mass > 0.0 {

@@ -1,5 +1,6 @@
 //! The bodies of a scene, as one list of vertices and lists of elements over it.
 
+mod affine;
 mod error;
 mod fingerprint;
 mod loads;
@@ -9,6 +10,7 @@ mod names;
 mod obstacles;
 mod origins;
 mod parts;
+mod selection;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -21,6 +23,7 @@ use exact_ccd_mesh::{
 use nalgebra::Vector3;
 
 use crate::body::Body;
+use crate::carriers::Carriers;
 use crate::contact::{Barrier, Part, Surface, Weights};
 use crate::energy::Energy;
 use crate::half_space::{HalfSpace, Plane};
@@ -41,6 +44,8 @@ pub struct System {
     pub(crate) masses: Vec<f64>,
     /// The elastic energies.
     pub(crate) elements: Vec<Arc<dyn Energy>>,
+    /// The map from unknowns to vertices.
+    pub(crate) carriers: Carriers,
     tetrahedra: Vec<[u32; 4]>,
     /// The hash of the materials, for the fingerprint.
     materials: String,
@@ -94,13 +99,16 @@ impl System {
             parts.add(index, body)?;
         }
         let vertex_count = parts.start.len();
+        let ranges = Self::ranges(bodies);
+        let body_of = |vertex: u32| ranges.partition_point(|range| range.end <= vertex);
         for (index, scripted) in scripts.iter().enumerate() {
             scripted.check().map_err(|source| SystemError::Motion {
                 script: index,
                 source,
             })?;
             let script = Timed::new(scripted);
-            for &vertex in &scripted.vertices {
+            let what = || format!("script {index}");
+            for vertex in selection::unknowns(&parts.carriers, body_of, &scripted.vertices, what)? {
                 let slot = parts.scripts.get_mut(vertex as usize);
                 let slot = slot.ok_or(SystemError::Script {
                     script: index,
@@ -129,7 +137,6 @@ impl System {
         let surface_vertices: Vec<u32> = (0..vertex_count as u32)
             .filter(|&vertex| on_surface[vertex as usize])
             .collect();
-        let ranges = Self::ranges(bodies);
         let of_contact = contact_parts(&ranges, &parts.obstacle, &parts.scripts);
         let weights = Weights::new(&mesh, &parts.start, &of_contact);
         let is_fixed = |(&is_obstacle, scripts): (&bool, &Coordinates)| is_obstacle && scripts.are_fixed();
@@ -152,6 +159,7 @@ impl System {
             velocities: parts.velocities,
             masses: parts.masses,
             elements: parts.elements,
+            carriers: parts.carriers,
             tetrahedra: parts.tetrahedra,
             materials: Fingerprint::materials(bodies),
             scripts: parts.scripts,
@@ -176,7 +184,7 @@ impl System {
         let mut end = 0;
         let range = |body: &Body| {
             let start = end;
-            end += body.points.len() as u32;
+            end += body.vertex_count() as u32;
             start..end
         };
         bodies.iter().map(range).collect()

@@ -11,7 +11,8 @@ use super::error::SystemError;
 use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
-use crate::elasticity::{Bend, Membrane, Stretch, bending, tetrahedron};
+use crate::carriers::Carriers;
+use crate::elasticity::{Bend, Membrane, Stretch, Tetrahedron, bending};
 use crate::energy::{Energy, gather};
 use crate::range::{OutOfRange, check, check_finite, check_positive};
 use crate::scripted::Coordinates;
@@ -33,6 +34,7 @@ pub(super) struct Parts {
     pub(super) scripts: Vec<Coordinates>,
     pub(super) obstacle: Vec<bool>,
     pub(super) rigidity: f64,
+    pub(super) carriers: Carriers,
 }
 
 impl Parts {
@@ -50,14 +52,17 @@ impl Parts {
         check_motion(added, is_obstacle).map_err(|source| SystemError::Body { body, source })?;
         let first = self.start.len();
         let count = added.points.len();
+        let end = first + added.vertex_count();
         self.start.extend(&added.points);
-        self.velocities.extend(std::iter::repeat_n(added.velocity, count));
-        self.masses.resize(first + count, 0.0);
-        self.obstacle.resize(first + count, is_obstacle);
-        self.offsets.resize(first + count, added.offset);
-        self.scripts.resize(first + count, Coordinates::default());
+        self.velocities.resize(end, added.velocity);
+        self.masses.resize(end, 0.0);
+        self.obstacle.resize(end, is_obstacle);
+        self.offsets.resize(end, added.offset);
+        self.scripts.resize(end, Coordinates::default());
         let is_empty = match &added.kind {
-            BodyKind::Obstacle { faces } | BodyKind::Shell { faces, .. } => faces.is_empty(),
+            BodyKind::Obstacle { faces } | BodyKind::Shell { faces, .. } | BodyKind::Affine { faces, .. } => {
+                faces.is_empty()
+            }
             BodyKind::Solid { tetrahedra, .. } => tetrahedra.is_empty(),
             BodyKind::Rod { edges, .. } => edges.is_empty(),
             BodyKind::Particles { .. } => count == 0,
@@ -92,8 +97,12 @@ impl Parts {
                 self.add_rod(body, edges, material)?;
             }
             BodyKind::Particles { material } => self.add_particles(body, first..first + count, material)?,
+            BodyKind::Affine { faces, material } => {
+                let faces = placed(body, faces, first, count)?;
+                self.add_affine(body, first, faces, material)?;
+            }
         }
-        self.spin(first..first + count, added.angular_velocity.into());
+        self.spin(first..end, added.angular_velocity.into());
         Ok(())
     }
 
@@ -129,11 +138,12 @@ impl Parts {
             if (b - a).cross(&(c - a)).dot(&(d - a)) < 0.0 {
                 corners.swap(2, 3);
             }
-            let (energy, volume) = tetrahedron(*corners, &self.start, material.energy, material.moduli())
-                .ok_or(SystemError::Flat { body, element })?;
+            let tetrahedron =
+                Tetrahedron::new(*corners, &self.start).ok_or(SystemError::Flat { body, element })?;
+            let volume = tetrahedron.volume();
             self.add_element(
                 [body, element],
-                Arc::from(energy),
+                material.energy.energy(tetrahedron, material.moduli()),
                 volume,
                 [material.density, material.young],
             )?;
@@ -202,7 +212,7 @@ impl Parts {
 
     /// Adds an element of a body with its mass, in equal shares for its vertices. The first numbers are those
     /// of the body and the element; the material has a density and a Young's modulus.
-    fn add_element(
+    pub(super) fn add_element(
         &mut self,
         [body, element]: [usize; 2],
         energy: Arc<dyn Energy>,

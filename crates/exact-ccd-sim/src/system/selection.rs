@@ -1,0 +1,37 @@
+//! The unknowns that a selection of vertices stands for.
+
+use std::collections::BTreeSet;
+
+use super::error::SystemError;
+use crate::carriers::Carriers;
+
+/// The selected vertices, increasing, with the nodes of affine bodies in place of the vertices that they
+/// carry. `what` selects them, for the error.
+///
+/// # Errors
+/// [`SystemError::Partly`], if some vertices of an affine body are selected, but not all.
+pub(super) fn unknowns(
+    carriers: &Carriers,
+    body_of: impl Fn(u32) -> usize,
+    vertices: &[u32],
+    what: impl Fn() -> String,
+) -> Result<Vec<u32>, SystemError> {
+    let mut selected: BTreeSet<u32> = vertices.iter().copied().collect();
+    for carried in carriers.bodies() {
+        let (found, expected) = (selected.range(carried.clone()).count(), carried.len());
+        if found == 0 {
+            continue;
+        }
+        if found < expected {
+            return Err(SystemError::Partly {
+                what: what(),
+                body: body_of(carried.start),
+                found,
+                expected,
+            });
+        }
+        selected.retain(|vertex| !carried.contains(vertex));
+        selected.extend(carriers.nodes(carried));
+    }
+    Ok(selected.into_iter().collect())
+}
