@@ -75,7 +75,7 @@ pub unsafe extern "C" fn exact_ccd_detector_certificate(
             maker.add_step_of(detector, x0, x1, at_rest)?;
             Ok(maker.finish()?)
         })?;
-        certificate.write(Box::into_raw(Box::new(Certificate(bytes))));
+        certificate.give(Certificate(bytes));
         Ok(())
     })
 }
@@ -105,7 +105,7 @@ pub unsafe extern "C" fn exact_ccd_audit_certificate(
         let (audit, certificate) =
             unsafe { (reference("audit", audit)?, Out::new("certificate", certificate)?) };
         let bytes = audit.certificate()?;
-        certificate.write(Box::into_raw(Box::new(Certificate(bytes))));
+        certificate.give(Certificate(bytes));
         Ok(())
     })
 }
