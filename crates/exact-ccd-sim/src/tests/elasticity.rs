@@ -14,7 +14,7 @@ pub(crate) const MODULI: ElasticModuli = ElasticModuli {
     poisson: 0.35,
 };
 
-const SOLIDS: [SolidMaterial; 2] = [SolidMaterial::NeoHookean, SolidMaterial::StableNeoHookean];
+const SOLIDS: &[SolidMaterial] = &[SolidMaterial::NeoHookean, SolidMaterial::StableNeoHookean];
 
 fn solid(rest: &Points, material: SolidMaterial) -> Option<Box<dyn Energy>> {
     let (energy, _) = tetrahedron([0, 1, 2, 3], &at(rest), material, MODULI)?;
@@ -43,7 +43,7 @@ fn deformed(random: &mut fastrand::Rng) -> Points {
 #[test]
 fn the_derivatives_of_solids_match_differences() {
     let mut random = fastrand::Rng::with_seed(1);
-    for material in SOLIDS {
+    for &material in SOLIDS {
         let solid = solid(&corner(), material).unwrap();
         for _ in 0..50 {
             let points = deformed(&mut random);
@@ -66,7 +66,7 @@ fn the_derivatives_of_the_stable_solid_match_differences_if_inverted() {
 #[test]
 fn projection_is_semi_definite_and_keeps_semi_definite_hessians() {
     let mut random = fastrand::Rng::with_seed(3);
-    for material in SOLIDS {
+    for &material in SOLIDS {
         let solid = solid(&corner(), material).unwrap();
         let mut changed = 0;
         for _ in 0..100 {
@@ -90,7 +90,7 @@ fn projection_is_semi_definite_and_keeps_semi_definite_hessians() {
 #[test]
 fn small_strains_follow_hooke() {
     let mut random = fastrand::Rng::with_seed(4);
-    for material in SOLIDS {
+    for &material in SOLIDS {
         let solid = solid(&corner(), material).unwrap();
         for _ in 0..20 {
             let gradient = Matrix3::from_fn(|_, _| random.f64() - 0.5) * 1e-5;
@@ -111,7 +111,7 @@ fn rigid_motions_have_no_energy() {
     for _ in 0..20 {
         let (rotation, shift) = (random_rotation(&mut random), random_vector(&mut random));
         let points = rest.map(|x| rotation * x + shift);
-        for material in SOLIDS {
+        for &material in SOLIDS {
             let solid = solid(&rest, material).unwrap();
             assert!(solid.value(&at(&points)).abs() < 1e-13);
             assert!(slope(&*solid, &points).norm() < 1e-13);
