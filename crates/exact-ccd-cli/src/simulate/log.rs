@@ -24,8 +24,8 @@ impl<R: Serialize + DeserializeOwned> Log<R> {
         Self::with(file, &[])
     }
 
-    /// The log in a file, without the rows after the time step `last`; `step` has the time step of a row. Empty
-    /// if there is no file.
+    /// The log in a file, without the rows after the time step `last`; `step` has the time step of a row.
+    /// Empty if there is no file.
     pub(super) fn resume(file: PathBuf, last: u64, step: impl Fn(&R) -> u64) -> Result<Self, Failure> {
         let mut rows: Vec<R> = read(&file)?;
         rows.retain(|row| step(row) <= last);
