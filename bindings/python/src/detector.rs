@@ -77,7 +77,7 @@ impl Detector {
             });
         });
         if self.watch.is_cancelled() {
-            // They may believe that they have checked a start.
+            // A search that ended early may have recorded a start that it has not checked.
             idle.lock().unwrap_or_else(PoisonError::into_inner).clear();
         }
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
