@@ -183,6 +183,14 @@ inline std::size_t query_count(Kind kind, View<std::uint32_t, 1> indices)
     return indices.size() / point_count(kind);
 }
 
+/// An object of the library, and its owner.
+template <typename T, void (*free)(T*)>
+struct Free {
+    void operator()(T* object) const noexcept { free(object); }
+};
+template <typename T, void (*free)(T*)>
+using Handle = std::unique_ptr<T, Free<T, free>>;
+
 /// The elements of a list of the library, which is freed.
 template <typename Element, typename List>
 std::vector<Element> copy(List* list,
@@ -356,10 +364,7 @@ public:
     const exact_ccd_mesh_t* handle() const noexcept { return handle_.get(); }
 
 private:
-    struct Free {
-        void operator()(exact_ccd_mesh_t* mesh) const noexcept { exact_ccd_mesh_free(mesh); }
-    };
-    std::unique_ptr<exact_ccd_mesh_t, Free> handle_;
+    detail::Handle<exact_ccd_mesh_t, exact_ccd_mesh_free> handle_;
 };
 
 /// Contact in successive steps of one mesh. Not for several threads at the same time.
@@ -584,10 +589,7 @@ public:
     exact_ccd_detector_t* handle() const noexcept { return handle_.get(); }
 
 private:
-    struct Free {
-        void operator()(exact_ccd_detector_t* detector) const noexcept { exact_ccd_detector_free(detector); }
-    };
-    std::unique_ptr<exact_ccd_detector_t, Free> handle_;
+    detail::Handle<exact_ccd_detector_t, exact_ccd_detector_free> handle_;
 };
 
 /// Examines the frames of a mesh one after the other.
@@ -629,10 +631,7 @@ public:
     }
 
 private:
-    struct Free {
-        void operator()(exact_ccd_audit_t* audit) const noexcept { exact_ccd_audit_free(audit); }
-    };
-    std::unique_ptr<exact_ccd_audit_t, Free> handle_;
+    detail::Handle<exact_ccd_audit_t, exact_ccd_audit_free> handle_;
 };
 
 }  // namespace exact_ccd

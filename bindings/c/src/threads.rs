@@ -6,9 +6,9 @@
 //! The threads are created in a call, and inherit its floating-point environment: the standard one where
 //! [`Environment`](crate::environment::Environment) can set it.
 
-use std::{mem, process};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::{mem, process};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 

@@ -17,22 +17,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("expected a folder and the number of runs".into());
     };
     let (folder, runs) = (Path::new(folder), runs.parse()?);
-    let indices: Vec<[u32; 4]> = read(&folder.join("indices"), u32::from_le_bytes)?
-        .as_chunks()
-        .0
-        .to_vec();
-    let x0 = read(&folder.join("x0"), f64::from_le_bytes)?
-        .as_chunks()
-        .0
-        .to_vec();
-    let x1 = read(&folder.join("x1"), f64::from_le_bytes)?
-        .as_chunks()
-        .0
-        .to_vec();
-    let faces = read(&folder.join("faces"), u32::from_le_bytes)?
-        .as_chunks()
-        .0
-        .to_vec();
+    let indices: Vec<[u32; 4]> = rows(&folder.join("indices"), u32::from_le_bytes)?;
+    let x0 = rows(&folder.join("x0"), f64::from_le_bytes)?;
+    let x1 = rows(&folder.join("x1"), f64::from_le_bytes)?;
+    let faces = rows(&folder.join("faces"), u32::from_le_bytes)?;
     let at = |x: &[[f64; 3]], query: &[u32; 4]| query.map(|vertex| x[vertex as usize]);
     let points: Vec<_> = indices
         .iter()
@@ -74,12 +62,12 @@ fn fastest<T>(runs: usize, mut run: impl FnMut() -> T) -> f64 {
     seconds.fold(f64::INFINITY, f64::min)
 }
 
-/// The numbers in a file.
-fn read<T, const N: usize>(file: &Path, of: fn([u8; N]) -> T) -> Result<Vec<T>, std::io::Error> {
-    Ok(fs::read(file)?
-        .as_chunks()
-        .0
-        .iter()
-        .map(|&bytes| of(bytes))
-        .collect())
+/// The rows of `M` numbers in a file.
+fn rows<T: Copy, const N: usize, const M: usize>(
+    file: &Path,
+    of: fn([u8; N]) -> T,
+) -> Result<Vec<[T; M]>, std::io::Error> {
+    let bytes = fs::read(file)?;
+    let numbers: Vec<T> = bytes.as_chunks().0.iter().map(|&bytes| of(bytes)).collect();
+    Ok(numbers.as_chunks().0.to_vec())
 }

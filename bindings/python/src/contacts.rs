@@ -2,12 +2,12 @@
 
 use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{Contact, Pair, TriangleMesh};
-use numpy::{PyArray1, PyArray2};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::impact::{COLUMNS, columns};
 use crate::kind::ArrayKind;
-use crate::mesh::rows;
+use crate::mesh::{List, Table, rows};
 use crate::queries::offsets;
 
 /// A pair of primitives in numbers.
@@ -59,11 +59,7 @@ impl Row {
 
 /// The kind of each pair, the indices of both primitives, and their vertices. A pair of fewer than four
 /// vertices has −1 for the others.
-pub(crate) type PairColumns<'py> = (
-    Bound<'py, PyArray1<u8>>,
-    Bound<'py, PyArray2<u32>>,
-    Bound<'py, PyArray2<i64>>,
-);
+pub(crate) type PairColumns<'py> = (List<'py, u8>, Table<'py, u32>, Table<'py, i64>);
 
 /// Pairs as columns.
 pub(crate) fn pair_columns<'py, 'a>(
@@ -79,12 +75,7 @@ pub(crate) fn pair_columns<'py, 'a>(
 
 /// The index of the first contact of each world; the pairs of the contacts, their impacts, and the bounds of
 /// their distances.
-pub(crate) type Columns<'py> = (
-    Bound<'py, PyArray1<i64>>,
-    PairColumns<'py>,
-    Bound<'py, PyArray2<f64>>,
-    Bound<'py, PyArray2<f64>>,
-);
+pub(crate) type Columns<'py> = (List<'py, i64>, PairColumns<'py>, Table<'py, f64>, Table<'py, f64>);
 
 /// The contacts of worlds as columns.
 pub(crate) fn into_columns<'py, C>(py: Python<'py>, worlds: &[C]) -> PyResult<Columns<'py>>

@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
 use exact_ccd::{Point, Separation};
 use exact_ccd_mesh::{PairCounts, TriangleMesh};
-use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -14,7 +14,7 @@ use crate::compute::{Watch, compute};
 use crate::contacts::{Columns, PairColumns, PairRow, Row, into_columns, pair_columns};
 use crate::distance::Distance;
 use crate::error::{Refusal, refused, room};
-use crate::mesh::{Mesh, rows};
+use crate::mesh::{List, Mesh, Table, rows};
 use crate::page::Page;
 use crate::pool;
 use crate::positions::Positions;
@@ -78,7 +78,7 @@ impl Detector {
             });
         });
         if self.watch.is_cancelled() {
-            // They may believe that they have checked a start.
+            // A search that ended early may have recorded a start that it has not checked.
             idle.lock().unwrap_or_else(PoisonError::into_inner).clear();
         }
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
@@ -133,7 +133,7 @@ impl Detector {
         x0: Positions<'py>,
         x1: Positions<'py>,
         until: f64,
-    ) -> PyResult<Bound<'py, PyArray1<bool>>> {
+    ) -> PyResult<List<'py, bool>> {
         let collides = self.each(py, &x0, &x1, None, |search, x0, x1| {
             search.collides(x0, x1, until)
         })?;
@@ -173,7 +173,7 @@ impl Detector {
 
     /// The size and the positions of a certified step, the earliest contact of the full one, and the
     /// numbers of pairs that touch at the start.
-    #[expect(clippy::type_complexity, reason = "a tuple for Python")]
+    #[expect(clippy::type_complexity, reason = "the arrays are named in Python")]
     fn free_step<'py>(
         &self,
         py: Python<'py>,
@@ -181,10 +181,10 @@ impl Detector {
         x1: Positions<'py>,
         keep: f64,
     ) -> PyResult<(
-        Bound<'py, PyArray1<f64>>,
+        List<'py, f64>,
         Bound<'py, PyArray3<f64>>,
         Columns<'py>,
-        Bound<'py, PyArray2<i64>>,
+        Table<'py, i64>,
     )> {
         let steps = self.each(py, &x0, &x1, None, |search, x0, x1| {
             let free = search.free_step(x0, x1, keep)?;
@@ -213,7 +213,6 @@ impl Detector {
 
     /// The sizes and the positions of the steps of all vertices of one world, the number of rounds, and the
     /// blocked pairs.
-    #[expect(clippy::type_complexity, reason = "a tuple for Python")]
     fn free_steps<'py>(
         &self,
         py: Python<'py>,
@@ -221,12 +220,7 @@ impl Detector {
         x1: Positions<'py>,
         keep: f64,
         pinned: PyReadonlyArray1<'py, u32>,
-    ) -> PyResult<(
-        Bound<'py, PyArray1<f64>>,
-        Bound<'py, PyArray2<f64>>,
-        usize,
-        PairColumns<'py>,
-    )> {
+    ) -> PyResult<(List<'py, f64>, Table<'py, f64>, usize, PairColumns<'py>)> {
         let pinned = pinned.as_slice()?;
         let steps = self.each(py, &x0, &x1, None, |search, x0, x1| {
             search.free_steps(x0, x1, keep, pinned)
@@ -246,12 +240,7 @@ impl Detector {
     }
 
     /// The clearances of all vertices of one world.
-    fn clearances<'py>(
-        &self,
-        py: Python<'py>,
-        x: Positions<'py>,
-        cut_off: f64,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn clearances<'py>(&self, py: Python<'py>, x: Positions<'py>, cut_off: f64) -> PyResult<List<'py, f64>> {
         let cut_off = Separation::new(cut_off).map_err(|error| refused(format_args!("cut_off: {error}")))?;
         let clearances = self.each(py, &x, &x, None, |search, x, _| search.clearances(x, cut_off))?;
         Ok(PyArray1::from_vec(py, clearances.concat()))
@@ -264,7 +253,7 @@ impl Detector {
         x0: Positions<'py>,
         x1: Positions<'py>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<([Bound<'py, PyArray2<i64>>; 3], Columns<'py>)> {
+    ) -> PyResult<([Table<'py, i64>; 3], Columns<'py>)> {
         let reports = self.each(py, &x0, &x1, progress.as_ref(), |search, x0, x1| {
             let report = search.step(x0, x1)?;
             let row = report
@@ -293,7 +282,7 @@ impl Detector {
     }
 
     /// The edges and faces that meet at rest, of one world.
-    fn intersections<'py>(&self, py: Python<'py>, x: Positions<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+    fn intersections<'py>(&self, py: Python<'py>, x: Positions<'py>) -> PyResult<Table<'py, u32>> {
         let found = self.each(py, &x, &x, None, |search, x, _| search.intersections(x))?;
         rows(py, found.iter().flatten().map(|pair| [pair.edge, pair.face]))
     }

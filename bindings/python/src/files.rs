@@ -4,20 +4,16 @@ use std::path::{Path, PathBuf};
 
 use exact_ccd_files::{Format, FrameOrder, ParseError, Polygons, ReadError, parse_frame};
 use exact_ccd_mesh::Frame;
-use numpy::{PyArray2, PyReadonlyArray2};
+use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
 use crate::detector::points;
 use crate::error::refused;
-use crate::mesh::{Mesh, rows};
+use crate::mesh::{Mesh, Table, rows};
 
 /// Vertices, faces and loose edges.
-type Arrays<'py> = (
-    Bound<'py, PyArray2<f64>>,
-    Bound<'py, PyArray2<u32>>,
-    Bound<'py, PyArray2<u32>>,
-);
+type Arrays<'py> = (Table<'py, f64>, Table<'py, u32>, Table<'py, u32>);
 
 fn arrays(py: Python<'_>, Frame { mesh, positions }: Frame) -> PyResult<Arrays<'_>> {
     Ok((
@@ -111,12 +107,7 @@ impl Welding {
     }
 
     /// The faces and loose edges of a mesh with the new vertices.
-    #[expect(clippy::type_complexity, reason = "a tuple for Python")]
-    fn primitives<'py>(
-        &self,
-        py: Python<'py>,
-        mesh: &Mesh,
-    ) -> PyResult<(Bound<'py, PyArray2<u32>>, Bound<'py, PyArray2<u32>>)> {
+    fn primitives<'py>(&self, py: Python<'py>, mesh: &Mesh) -> PyResult<(Table<'py, u32>, Table<'py, u32>)> {
         let welded = py.detach(|| self.0.mesh(mesh.mesh())).map_err(refused)?;
         Ok((
             rows(py, welded.faces().iter().copied())?,
@@ -129,7 +120,7 @@ impl Welding {
         &self,
         py: Python<'py>,
         positions: PyReadonlyArray2<'_, f64>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    ) -> PyResult<Table<'py, f64>> {
         let positions = points(&positions)?;
         rows(py, py.detach(|| self.0.positions(positions)))
     }

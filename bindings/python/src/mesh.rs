@@ -92,13 +92,13 @@ impl Mesh {
 
     /// The faces.
     #[getter]
-    fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+    fn faces<'py>(&self, py: Python<'py>) -> PyResult<Table<'py, u32>> {
         rows(py, self.mesh.faces().iter().copied())
     }
 
     /// The edges of the faces, then the loose edges.
     #[getter]
-    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Table<'py, u32>> {
         rows(py, self.mesh.edges().iter().copied())
     }
 
@@ -109,11 +109,17 @@ impl Mesh {
     }
 }
 
+/// An array of one dimension.
+pub(crate) type List<'py, T> = Bound<'py, PyArray1<T>>;
+
+/// An array of two dimensions.
+pub(crate) type Table<'py, T> = Bound<'py, PyArray2<T>>;
+
 /// An array of rows.
 pub(crate) fn rows<T: numpy::Element + Copy, const N: usize>(
     py: Python<'_>,
     rows: impl IntoIterator<Item = [T; N]>,
-) -> PyResult<Bound<'_, PyArray2<T>>> {
+) -> PyResult<Table<'_, T>> {
     let rows: Vec<[T; N]> = rows.into_iter().collect();
     let shape = [rows.len(), N];
     PyArray1::from_vec(py, rows.into_flattened()).reshape(shape)

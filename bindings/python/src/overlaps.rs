@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use exact_ccd::{Point, Separation};
 use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, PairCollector, TooManyPrimitives, check_positions};
-use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -13,7 +13,7 @@ use crate::broad_phase::Interruptible;
 use crate::compute::{Watch, compute};
 use crate::detector::points;
 use crate::error::refused;
-use crate::mesh::rows;
+use crate::mesh::{Table, rows};
 
 /// Pairs of primitives, one of each array, without a common vertex, whose boxes over the step meet, each
 /// enlarged by `inflation` on every side. Each row of an array has the vertices of a primitive.
@@ -26,7 +26,7 @@ pub(crate) fn overlaps<'py>(
     x1: PyReadonlyArray2<'py, f64>,
     inflation: f64,
     threads: Option<usize>,
-) -> PyResult<Bound<'py, PyArray2<u32>>> {
+) -> PyResult<Table<'py, u32>> {
     let (x0, x1) = (points(&x0)?, points(&x1)?);
     let (a, b) = (Primitives::new(&first)?, Primitives::new(&second)?);
     let watch = Arc::<Watch>::default();

@@ -1,7 +1,7 @@
 //! Threads.
 
-use std::{mem, process};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::{mem, process};
 
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;

@@ -1,13 +1,13 @@
 //! The answers to queries in arrays.
 
 use exact_ccd::Collision;
-use numpy::{PyArray1, PyArray2};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::batch::{Arrays, Settings, answers};
 use crate::impact::{COLUMNS, columns_of_query};
 use crate::kind::{ArrayKind, for_kind};
-use crate::mesh::rows;
+use crate::mesh::{List, Table, rows};
 
 /// Contact or none.
 #[pyfunction]
@@ -15,7 +15,7 @@ pub(crate) fn collides<'py>(
     py: Python<'py>,
     queries: Arrays<'py>,
     settings: Settings,
-) -> PyResult<Bound<'py, PyArray1<bool>>> {
+) -> PyResult<List<'py, bool>> {
     let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, false, |_| true))?;
     Ok(PyArray1::from_vec(py, answers))
 }
@@ -26,7 +26,7 @@ pub(crate) fn time_of_impact<'py>(
     py: Python<'py>,
     queries: Arrays<'py>,
     settings: Settings,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
+) -> PyResult<List<'py, f64>> {
     let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, f64::NAN, time))?;
     Ok(PyArray1::from_vec(py, answers))
 }
@@ -38,12 +38,11 @@ fn time<K: ArrayKind>(collision: &Collision<'_, K>) -> f64 {
 /// The first time of contact, rounded down, or NaN, and the number of contact times: −1 for infinitely many;
 /// with a distance, the number of intervals.
 #[pyfunction]
-#[expect(clippy::type_complexity, reason = "a tuple for Python")]
 pub(crate) fn time_and_count<'py>(
     py: Python<'py>,
     queries: Arrays<'py>,
     settings: Settings,
-) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>)> {
+) -> PyResult<(List<'py, f64>, List<'py, i64>)> {
     let answers = for_kind!(queries.0, K => {
         let of = |collision: &Collision<'_, K>| (time(collision), count(collision));
         answers::<K, _>(py, &queries, &settings, (f64::NAN, 0), of)
@@ -65,12 +64,11 @@ fn count<K: ArrayKind>(collision: &Collision<'_, K>) -> i64 {
 
 /// The index of the first interval of contact of each query, and the ends of the intervals, rounded down.
 #[pyfunction]
-#[expect(clippy::type_complexity, reason = "a tuple for Python")]
 pub(crate) fn intervals<'py>(
     py: Python<'py>,
     queries: Arrays<'py>,
     settings: Settings,
-) -> PyResult<(Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<f64>>)> {
+) -> PyResult<(List<'py, i64>, Table<'py, f64>)> {
     let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, Vec::new(), ends))?;
     let offsets = offsets(py, answers.iter().map(Vec::len));
     Ok((offsets, rows(py, answers.into_iter().flatten())?))
@@ -84,7 +82,7 @@ fn ends<K: ArrayKind>(collision: &Collision<'_, K>) -> Vec<[f64; 2]> {
 }
 
 /// The places at which parts of these lengths begin, and the end of the last one.
-pub(crate) fn offsets(py: Python<'_>, lengths: impl Iterator<Item = usize>) -> Bound<'_, PyArray1<i64>> {
+pub(crate) fn offsets(py: Python<'_>, lengths: impl Iterator<Item = usize>) -> List<'_, i64> {
     let mut end = 0;
     let ends = lengths.map(|length| {
         end += length as i64;
@@ -99,7 +97,7 @@ pub(crate) fn impact<'py>(
     py: Python<'py>,
     queries: Arrays<'py>,
     settings: Settings,
-) -> PyResult<Bound<'py, PyArray2<f64>>> {
+) -> PyResult<Table<'py, f64>> {
     let none = [f64::NAN; COLUMNS];
     let answers = for_kind!(queries.0, K => {
         let of = |collision: &Collision<'_, K>| columns_of_query(collision.query(), &collision.impact());

@@ -29,8 +29,8 @@ pub(crate) struct Search {
     rules: Rules,
     min_distance: MinDistance,
     watch: Arc<Watch>,
-    /// True if the start of each step is checked. Without a rule, `open` does so, and knows the ends of free
-    /// steps.
+    /// True if the start of each step is checked. Without a rule, `open` does so, and skips the ends of
+    /// free steps.
     checks_start: bool,
     /// The bits of the last start that was checked here.
     checked: Vec<[u64; 3]>,

@@ -15,7 +15,7 @@ use crate::root_finder::{RootFinder, Verdict};
 struct Answer {
     /// The data of the page.
     page: BTreeMap<String, String>,
-    /// None for kinds that the root finder does not know.
+    /// None for kinds without a root finder.
     root_finder: Option<Verdict>,
 }
 

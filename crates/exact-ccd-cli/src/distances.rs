@@ -12,7 +12,7 @@ use crate::shortest::shortest;
 #[derive(Clone, Copy, Serialize)]
 pub(crate) struct Distances {
     min_distance: f64,
-    /// That of pairs that start within the minimum distance, if it is another one.
+    /// The distance of pairs that start within the minimum distance, if it is another one.
     #[serde(skip_serializing_if = "Option::is_none")]
     inner_distance: Option<f64>,
 }

@@ -121,7 +121,7 @@ pub enum DataError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
-    /// The number of fields in the line is not that of the format, or not that of the first line.
+    /// The line has more or fewer fields than the format, or than the first line.
     #[error("expected {expected}, found {found}")]
     Fields {
         /// The expected numbers.

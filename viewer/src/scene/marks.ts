@@ -108,7 +108,7 @@ export class Marks {
     const lines = new LineSegments2(geometry, material);
     if (dash > 0) lines.computeLineDistances();
     lines.frustumCulled = false;
-    // What is not hidden by faces is drawn after them.
+    // Lines that faces do not hide are drawn after them.
     lines.renderOrder = depthTest ? 0 : 1;
     this.group.add(lines);
   }

@@ -35,7 +35,7 @@ function exactly(mantissa: bigint, exponent: number): number | null {
   if (mantissa === 0n) return 0;
   while (mantissa % 2n === 0n) [mantissa, exponent] = [mantissa / 2n, exponent + 1];
   const bits = mantissa.toString(2).length;
-  // The lowest bit is at least that of the least f64, and the highest at most that of the largest.
+  // No bit is below the lowest one of an f64, and none above the highest one.
   if (bits > 53 || exponent < -1074 || bits + exponent > 1024) return null;
   // Both factors are f64, and so are both products.
   const half = Math.trunc(exponent / 2);

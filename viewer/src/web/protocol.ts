@@ -14,7 +14,7 @@ export interface Verdict {
 export interface QueryAnswer {
   /** The texts of the page, by their ids. */
   page: Record<string, string>;
-  /** None for kinds that the root finder does not know. */
+  /** None for kinds without a root finder. */
   rootFinder: Verdict | null;
 }
 

@@ -186,9 +186,7 @@ class Detector(Searcher):
 
         Parameters
         ----------
-        x0, x1 : array of shape (V, 3)
-            As for :meth:`collides`.
-        until : float
+        x0, x1, until : array, array and float
             As for :meth:`collides`.
 
         Returns
@@ -203,9 +201,7 @@ class Detector(Searcher):
 
         Parameters
         ----------
-        x0, x1 : array of shape (V, 3)
-            As for :meth:`collides`.
-        until : float
+        x0, x1, until : array, array and float
             As for :meth:`collides`.
 
         Returns
@@ -220,9 +216,7 @@ class Detector(Searcher):
 
         Parameters
         ----------
-        x0, x1 : array of shape (V, 3)
-            As for :meth:`collides`.
-        until : float
+        x0, x1, until : array, array and float
             As for :meth:`collides`.
 
         Returns

@@ -145,9 +145,7 @@ class Worlds(Searcher):
 
         Parameters
         ----------
-        x0, x1 : array of shape (W, V, 3)
-            As for :meth:`collides`.
-        until : float
+        x0, x1, until : array, array and float
             As for :meth:`collides`.
 
         Returns
@@ -163,9 +161,7 @@ class Worlds(Searcher):
 
         Parameters
         ----------
-        x0, x1 : array of shape (W, V, 3)
-            As for :meth:`collides`.
-        until : float
+        x0, x1, until : array, array and float
             As for :meth:`collides`.
 
         Returns

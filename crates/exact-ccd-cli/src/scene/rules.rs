@@ -47,7 +47,7 @@ impl fmt::Display for PartPair {
     }
 }
 
-/// The pairs of a scene that can collide: those of the rules, without those of two obstacles.
+/// The pairs of a scene that can collide: all that the rules allow, except pairs of two obstacles.
 ///
 /// Parts have no vertices in common, but groups may have. `--ignore` leaves out primitives all of whose
 /// vertices are in a group; `--only` keeps those with any vertex in it. Both rules allow the faces of an edge

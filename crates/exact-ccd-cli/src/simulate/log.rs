@@ -24,8 +24,8 @@ impl<R: Serialize + DeserializeOwned> Log<R> {
         Self::with(file, &[])
     }
 
-    /// The log in a file, without the rows after a time step, which is that of a row by `step`. Empty if there
-    /// is no file.
+    /// The log in a file, without the rows after the time step `last`; `step` has the time step of a row.
+    /// Empty if there is no file.
     pub(super) fn resume(file: PathBuf, last: u64, step: impl Fn(&R) -> u64) -> Result<Self, Failure> {
         let mut rows: Vec<R> = read(&file)?;
         rows.retain(|row| step(row) <= last);
@@ -81,8 +81,8 @@ pub(super) fn write_rows(file: &Path, rows: &[impl Serialize]) -> Result<(), Fai
     })
 }
 
-/// The rows of a file. Empty if there is no file. A last line without a line break is ignored: the program was
-/// ended in the middle of it.
+/// The rows of a file. Empty if there is no file. A last line without a line break is ignored: the program
+/// was ended in the middle of it.
 fn read<R: DeserializeOwned>(path: &Path) -> Result<Vec<R>, Failure> {
     let failed = |source: csv::Error| Failure::of(path, source);
     let bytes = match std::fs::read(path) {

@@ -51,7 +51,7 @@ pub fn write_vtp(
         }
     }
     let arrays: Vec<String> = data.iter().map(|(name, array)| array.element(name)).collect();
-    let cells = |ids: std::ops::Range<i64>| encoded(ids.flat_map(i64::to_le_bytes));
+    let cells = |ids: std::ops::Range<i64>| encoded(ids.map(i64::to_le_bytes));
     let file = format!(
         r#"<?xml version="1.0"?>
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
@@ -90,18 +90,12 @@ impl PointArray<'_> {
 
     fn element(&self, name: &str) -> String {
         match self {
-            Self::Integers(values) => data_array(
-                "Int64",
-                name,
-                1,
-                values.iter().flat_map(|value| value.to_le_bytes()),
-            ),
-            Self::Reals(values) => data_array(
-                "Float64",
-                name,
-                1,
-                values.iter().flat_map(|value| value.to_le_bytes()),
-            ),
+            Self::Integers(values) => {
+                data_array("Int64", name, 1, values.iter().map(|value| value.to_le_bytes()))
+            }
+            Self::Reals(values) => {
+                data_array("Float64", name, 1, values.iter().map(|value| value.to_le_bytes()))
+            }
             Self::Vectors(values) => vectors(name, values),
         }
     }

@@ -57,9 +57,9 @@ pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGri
         grid.positions.len(),
         cells.types.len(),
         vectors("Points", grid.positions),
-        encoded(cells.corners.iter().flat_map(|corner| corner.to_le_bytes())),
-        encoded(cells.ends.iter().flat_map(|end| end.to_le_bytes())),
-        encoded(cells.types.iter().copied()),
+        encoded(cells.corners.iter().map(|corner| corner.to_le_bytes())),
+        encoded(cells.ends.iter().map(|end| end.to_le_bytes())),
+        encoded(cells.types.iter().map(|kind| [*kind])),
     );
     writer.write_all(file.as_bytes())
 }
@@ -75,12 +75,7 @@ impl Data {
     fn new(grid: &UnstructuredGrid<'_>, cells: &Cells) -> Self {
         let velocities = grid.velocities.map(|velocities| vectors("velocity", velocities));
         let body = |bodies: &mut dyn Iterator<Item = u32>| {
-            data_array(
-                "Int32",
-                "body",
-                1,
-                bodies.flat_map(|body| (body as i32).to_le_bytes()),
-            )
+            data_array("Int32", "body", 1, bodies.map(|body| (body as i32).to_le_bytes()))
         };
         let of_vertices = grid.bodies.map(|bodies| body(&mut bodies.iter().copied()));
         let of_cells = grid.bodies.map(|bodies| {
@@ -99,7 +94,7 @@ impl Data {
             ""
         };
         let ids = grid.ids.map(|ids| {
-            let data = ids.iter().flat_map(|&id| i64::from(id).to_le_bytes());
+            let data = ids.iter().map(|&id| i64::from(id).to_le_bytes());
             data_array("Int64", "id", 1, data)
         });
         let of_points = velocities.into_iter().chain(of_vertices).chain(ids).collect();
@@ -134,16 +129,17 @@ impl Cells {
 
 /// An array of three components for each vertex.
 pub(super) fn vectors(name: &str, vectors: &[Point]) -> String {
-    data_array(
-        "Float64",
-        name,
-        3,
-        vectors.as_flattened().iter().flat_map(|x| x.to_le_bytes()),
-    )
+    let coordinates = vectors.as_flattened().iter();
+    data_array("Float64", name, 3, coordinates.map(|x| x.to_le_bytes()))
 }
 
 /// An array of this type with this number of components for each vertex.
-pub(super) fn data_array(kind: &str, name: &str, components: u8, data: impl Iterator<Item = u8>) -> String {
+pub(super) fn data_array<const N: usize>(
+    kind: &str,
+    name: &str,
+    components: u8,
+    data: impl Iterator<Item = [u8; N]>,
+) -> String {
     let data = encoded(data);
     format!(
         "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" \
@@ -151,10 +147,10 @@ pub(super) fn data_array(kind: &str, name: &str, components: u8, data: impl Iter
     )
 }
 
-/// The number of bytes, as 64 bits, and the bytes, in base64.
-pub(super) fn encoded(data: impl Iterator<Item = u8>) -> String {
+/// The number of bytes, as 64 bits, and the bytes of some numbers, in base64.
+pub(super) fn encoded<const N: usize>(data: impl Iterator<Item = [u8; N]>) -> String {
     let mut bytes = vec![0; 8];
-    bytes.extend(data);
+    bytes.extend(data.flatten());
     let length = bytes.len() as u64 - 8;
     bytes[..8].copy_from_slice(&length.to_le_bytes());
     STANDARD.encode(bytes)

@@ -5,6 +5,7 @@
 mod arrays;
 mod contents;
 mod encodings;
+mod frame_order;
 mod gmsh;
 mod groups;
 mod hostile_input;

@@ -11,8 +11,8 @@ use crate::mesh::TriangleMesh;
 /// thickness of the vertices. The default is 0, which is contact.
 ///
 /// Two primitives *touch* if their distance is at most the minimum distance of the pair, and all that
-/// is said about contact holds for this. The distance is taken exactly; with
-/// [thicknesses](Self::thickness), that of a pair is the sum of those of both primitives, rounded up.
+/// is said about contact holds for this. The distance is taken exactly. With
+/// [thicknesses](Self::thickness), the minimum distance of a pair is the sum of both thicknesses, rounded up.
 /// Primitives that share a vertex do not form a pair, and a vertex and an edge that another edge connects
 /// touch at distance 0 only, whatever the minimum distance: see [`Pair`](crate::Pair). The minimum distance
 /// should be smaller than the edges of the mesh: primitives that are two edges apart along the surface come

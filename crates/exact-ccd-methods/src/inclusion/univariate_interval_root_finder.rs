@@ -10,8 +10,8 @@ use crate::interval::Interval;
 use crate::vector::{Vector, cross, dot, minus};
 
 /// UIRF, the univariate interval root finder: bisects t, and keeps the intervals in which the four
-/// points may be coplanar, until they are short; then it tests in interval arithmetic whether the
-/// primitives meet.
+/// points may be coplanar, until they are short. An interval counts as contact if the primitives may
+/// meet in it, in interval arithmetic.
 ///
 /// S. Redon, A. Kheddar and S. Coquillart, *Fast Continuous Collision Detection between Rigid
 /// Bodies*, Computer Graphics Forum 21(3), 2002, with the root finder of J. M. Snyder, *Interval

@@ -45,38 +45,23 @@ impl Signed for Approximate {
     }
 }
 
-impl Add for Approximate {
-    type Output = Self;
+/// An operation on values, and the one on the sums of the magnitudes of their terms.
+macro_rules! operation {
+    ($operation:ident, $name:ident, $of_values:tt, $of_magnitudes:tt) => {
+        impl $operation for Approximate {
+            type Output = Self;
 
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            magnitude: self.magnitude + other.magnitude,
+            #[inline]
+            fn $name(self, other: Self) -> Self {
+                Self {
+                    value: self.value $of_values other.value,
+                    magnitude: self.magnitude $of_magnitudes other.magnitude,
+                }
+            }
         }
-    }
+    };
 }
 
-impl Sub for Approximate {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self {
-            value: self.value - other.value,
-            magnitude: self.magnitude + other.magnitude,
-        }
-    }
-}
-
-impl Mul for Approximate {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        Self {
-            value: self.value * other.value,
-            magnitude: self.magnitude * other.magnitude,
-        }
-    }
-}
+operation!(Add, add, +, +);
+operation!(Sub, sub, -, +);
+operation!(Mul, mul, *, *);

@@ -30,8 +30,8 @@ const AROUND_13: [[usize; 3]; 2] = [[0, 1, 3], [1, 2, 3]];
 
 /// The triangles that stand for a patch, as indices of its corners; `None` if the origin is on the patch.
 ///
-/// `covers` decides whether a patch contains the origin, which is in the hull of its corners and in one
-/// plane with them.
+/// `covers` is true for a patch that contains the origin. It is called only if the origin is in the hull of
+/// the corners and in one plane with them.
 #[inline]
 pub(super) fn stand_in(
     image: &impl Image,

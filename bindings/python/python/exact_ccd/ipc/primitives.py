@@ -61,7 +61,7 @@ class Primitives(NamedTuple):
 
 
 def primitives(mesh: SurfaceMesh) -> Primitives:
-    """The primitives of a mesh: loose vertices are those of no edge, loose edges those of no face."""
+    """The primitives of a mesh: a loose vertex is in no edge, and a loose edge in no face."""
     edges = indices("edges", mesh.edges, (None, 2))
     faces = indices("faces", mesh.faces, (None, 3))
     for name, rows in (("edges", edges), ("faces", faces)):

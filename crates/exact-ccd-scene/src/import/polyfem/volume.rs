@@ -11,7 +11,7 @@ use crate::description::{BodyDescription, RegionDescription};
 use crate::group::GroupKey;
 use crate::mesh::Mesh;
 
-/// The ids of the tetrahedra of a body: those of physical groups of its mesh, and that of the rest.
+/// The ids of the tetrahedra of a body: one for each physical group of its mesh, and one for the rest.
 pub(super) struct Volumes {
     /// The tags of the groups, and the ids of their tetrahedra.
     groups: Vec<(u32, i64)>,
