@@ -16,7 +16,7 @@
 //!   left out, r²⁰ / 20!, is below 10⁻⁴ u.
 //!
 //! So the error is at most 1.55 u |x| if k = 0, of which the bound is 2 u |x|; otherwise at most (2.37 + 2.02) u, of
-//! which the bound is 6 u.
+//! which the bound is 5 u.
 
 /// u, the largest relative error of one operation.
 const UNIT: f64 = f64::EPSILON / 2.0;
@@ -70,6 +70,6 @@ pub(crate) fn sine(x: f64) -> (f64, f64) {
         1.0 + z * series(&COSINE)
     };
     let value = if quarters & 2 == 0 { magnitude } else { -magnitude };
-    let error = if quarters == 0 { 2.0 * x.abs() } else { 6.0 };
+    let error = if quarters == 0 { 2.0 * x.abs() } else { 5.0 };
     (value, error * UNIT)
 }

@@ -205,26 +205,22 @@ fn linear_functions_at_a_moment() {
         slope: 1.0,
         rising: true,
     };
-    let sign = |units: f64, root| {
-        let moment = Moment::Root(Window::STEP, root);
+    let sign = |units: f64| {
+        let moment = Moment::Root(Window::STEP, bracket);
         moment.sign_of_linear([1.0 + 2.0 * units * UNIT, -1.0])
     };
     let threshold = 2.0 * power(7);
-    assert_eq!(sign(threshold, bracket), None);
-    assert_eq!(sign(threshold + 1.0, bracket), Some(Ordering::Greater));
-    // Next to the root, the value changes by at most the slope, |d₀| + |d₁|, of which the bound has twice.
-    let wide = Root { low: 0.25, ..bracket };
-    assert_eq!(sign(0.99 / UNIT, wide), None);
     assert_eq!(
-        sign(
-            1.0 / UNIT,
-            Root {
-                low: 0.375,
-                ..bracket
-            }
-        ),
-        Some(Ordering::Greater)
+        [sign(threshold), sign(threshold + 1.0)],
+        [None, Some(Ordering::Greater)]
     );
+    // In a bracket of this radius, the value changes by at most the slope, |d₀| + |d₁|, of which the bound has twice.
+    let wide = Root {
+        low: 0.375,
+        ..bracket
+    };
+    let at = |start: f64| Moment::Root(Window::STEP, wide).sign_of_linear([start, -1.0]);
+    assert_eq!([at(2.99), at(3.01)], [None, Some(Ordering::Greater)]);
 }
 
 #[test]
@@ -330,19 +326,15 @@ fn absolute_errors() {
     coefficient.check();
     /// The parameter that stands for all times.
     const TIME: f64 = 0.375;
-    let Expansion {
-        coefficients,
-        magnitude,
-        ..
-    } = Expansion::<Precise<true>>::new::<EdgeEdge>(&points);
-    let Precise(value) = PreciseCubic::new(coefficients, magnitude).value(TIME);
+    let given = [(); 4].map(|()| Precise::<true>(Symbol::input(0.5)));
+    let Precise(value) = PreciseCubic::new(given, 1.0).value(TIME);
     let twice = Script {
         name: "precise_cubic",
-        about: "the cubic at a time in twice the precision: n = 16 and a permanent of 27 · 6 have 2592 units",
+        about: "a cubic at a time in twice the precision: n = 9 and a permanent of 15 have 135 units",
         is_twice: true,
         parameters: &[TIME],
         value,
-        units: 1500,
+        units: 135,
         ..volume
     };
     twice.check();
