@@ -316,8 +316,8 @@ fn none_of_10_000_changes_of_a_field_proves_anything_false() {
     change_fields(10_000);
 }
 
-/// Each field is changed so many times, to other bytes: nothing false is accepted. Another number of rows, other ids
-/// of a row and another T⁺ never are.
+/// Each field is changed so many times, to other bytes: nothing false is accepted. Another number of rows,
+/// other ids of a row and another T⁺ never are.
 fn change_fields(count: usize) {
     let scenes = certified(50, |certificate| certificate[FLAGS] & FREE != 0);
     let mut random = Random(14);

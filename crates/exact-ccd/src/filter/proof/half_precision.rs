@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 use crate::non_negative::NonNegative;
 use crate::time::ContactTime;
 
-/// All finite numbers of half precision that are not negative: subnormal ones are multiples of 2⁻²⁴, the others
-/// have ten binary digits after the first.
+/// All finite numbers of half precision that are not negative: subnormal ones are multiples of 2⁻²⁴, the
+/// others have ten binary digits after the first.
 fn half_precision() -> impl Iterator<Item = f64> {
     (0..31_u32 << 10).map(|bits| {
         let (exponent, fraction) = (bits >> 10, f64::from(bits & 1023));

@@ -189,8 +189,8 @@ fn quadratics_at_a_moment() {
 
 #[test]
 fn linear_functions_at_a_moment() {
-    // The time of a place in a window, by its three roundings, and the value, of coefficients rounded once. The
-    // terms of 1 − t, counted, add up to 2, so those of the value to 2 |d₀| + |d₁|.
+    // The time of a place in a window, by its three roundings, and the value, of coefficients rounded once.
+    // The terms of 1 − t, counted, add up to 2, so those of the value to 2 |d₀| + |d₁|.
     let [low, high, place] = [0.25, 0.5, 0.5].map(Symbol::exactly);
     let t = low + place * (high - low);
     assert_eq!(t.roundings, 3);
@@ -214,7 +214,8 @@ fn linear_functions_at_a_moment() {
         [sign(threshold), sign(threshold + 1.0)],
         [None, Some(Ordering::Greater)]
     );
-    // In a bracket of this radius, the value changes by at most the slope, |d₀| + |d₁|, of which the bound has twice.
+    // In a bracket of this radius, the value changes by at most the slope, |d₀| + |d₁|, of which the bound
+    // has twice.
     let wide = Root {
         low: 0.375,
         ..bracket
