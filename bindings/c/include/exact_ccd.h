@@ -256,8 +256,8 @@ enum exact_ccd_status_t exact_ccd_certificate_data(const struct exact_ccd_certif
 void exact_ccd_certificate_free(struct exact_ccd_certificate_t *certificate);
 
 // The proof of the answer to a step: that it is free of contact until its earliest one, and has that one;
-// and with `at_rest`, that no edge passes through a face at `x0`. It has the bytes of `exact-ccd step
-// --certificate`, and is freed with `exact_ccd_certificate_free`. Other arguments as in
+// and with `at_rest`, that no edge passes through a face at `x0`. It has the bytes of
+// `exact-ccd step --certificate`, and is freed with `exact_ccd_certificate_free`. Other arguments as in
 // `exact_ccd_detector_collides`.
 //
 // The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, `EXACT_CCD_STATUS_CROSSING` if
@@ -273,10 +273,9 @@ enum exact_ccd_status_t exact_ccd_detector_certificate(struct exact_ccd_detector
 // Makes a certificate of all frames that follow. No frame may have been examined.
 enum exact_ccd_status_t exact_ccd_audit_certify(struct exact_ccd_audit_t *audit);
 
-// The proof of the results of an audit so far, after `exact_ccd_audit_certify`: the bytes of `exact-ccd
-// audit
-// --certificate`, about the frames up to the last one that was examined, or up to the first violation. It is
-// freed with `exact_ccd_certificate_free`.
+// The proof of the results of an audit so far, after `exact_ccd_audit_certify`: the bytes of
+// `exact-ccd audit --certificate`, about the frames up to the last one that was examined, or up to the first
+// violation. It is freed with `exact_ccd_certificate_free`.
 //
 // The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, and if there is nothing to
 // prove: of a single frame, or if the first one has a violation.

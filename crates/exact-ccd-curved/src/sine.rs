@@ -4,26 +4,20 @@
 //! is ± sin r or ± cos r, which are sums of their series. All bounds are to first order in u = 2⁻⁵³;
 //! underflow, below 2⁻¹⁰⁰⁰ in total, is left to the caller.
 //!
-//! - *The remainder r* is x if k = 0. Else, for |x| ≤ 2²⁰, the products of k, of 20 bits, and the parts of π
-//! / 2, of
-//! 33 bits, are exact. Each of three differences is at most 0.786 in magnitude and has one rounding, and the
-//! rest
-//! of π / 2 is below 2⁻¹⁰³, so that r is off by 3 · 0.786 u + 2⁻⁸³ < 2.37 u, and sine and cosine by no more.
+//! - *The remainder r* is x if k = 0. Else, for |x| ≤ 2²⁰, the products of k, of 20 bits, and the parts of
+//!   π / 2, of 33 bits, are exact. Each of three differences is at most 0.786 in magnitude and has one
+//!   rounding, and the rest of π / 2 is below 2⁻¹⁰³, so that r is off by 3 · 0.786 u + 2⁻⁸³ < 2.37 u, and sine
+//!   and cosine by no more.
 //! - *The sine* is r + r (z p), with z = r² ≤ 0.618 and p the series from −1/3!. The terms of p behind the
-//! first,
-//! of magnitude z / 120, are off by less than 0.026 u; with the rounded coefficient and its sum, p is off by
-//! (1/6 +
-//! 1/6 + 0.026) u = 0.36 u, z p by 0.618 · 0.36 u + 2 u · 0.618 / 6 < 0.43 u, r (z p) by (0.43 + 0.11) u |r|,
-//! and
-//!   the sum by 1.54 u |r|. The first term left out, r¹⁹ / 19!, is below 0.002 u |r|.
+//!   first, of magnitude z / 120, are off by less than 0.026 u; with the rounded coefficient and its sum, p is
+//!   off by (1/6 + 1/6 + 0.026) u = 0.36 u, z p by 0.618 · 0.36 u + 2 u · 0.618 / 6 < 0.43 u, r (z p) by
+//!   (0.43 + 0.11) u |r|, and the sum by 1.54 u |r|. The first term left out, r¹⁹ / 19!, is below 0.002 u |r|.
 //! - *The cosine* is 1 + z h, with h the series from −1/2!. The terms of h behind the first are off by less
-//! than
-//! 0.13 u, h by (0.13 + 0.5) u, z h by 0.618 · 0.63 u + 2 u · 0.309 < 1.01 u, and the sum by 2.01 u. The
-//! first term
-//!   left out, r²⁰ / 20!, is below 10⁻⁴ u.
+//!   than 0.13 u, h by (0.13 + 0.5) u, z h by 0.618 · 0.63 u + 2 u · 0.309 < 1.01 u, and the sum by 2.01 u.
+//!   The first term left out, r²⁰ / 20!, is below 10⁻⁴ u.
 //!
-//! So the error is at most 1.55 u |x| if k = 0, of which the bound is 2 u |x|; otherwise at most (2.37 +
-//! 2.02) u, of which the bound is 5 u.
+//! So the error is at most 1.55 u |x| if k = 0, of which the bound is 2 u |x|; otherwise at most
+//! (2.37 + 2.02) u, of which the bound is 5 u.
 
 /// u, the largest relative error of one operation.
 const UNIT: f64 = f64::EPSILON / 2.0;
