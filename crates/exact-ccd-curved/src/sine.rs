@@ -11,7 +11,8 @@
 //! - *The sine* is r + r (z p), with z = r² ≤ 0.618 and p the series from −1/3!. The terms of p behind the
 //!   first, of magnitude z / 120, are off by less than 0.026 u; with the rounded coefficient and its sum, p is
 //!   off by (1/6 + 1/6 + 0.026) u = 0.36 u, z p by 0.618 · 0.36 u + 2 u · 0.618 / 6 < 0.43 u, r (z p) by
-//!   (0.43 + 0.11) u |r|, and the sum by 1.54 u |r|. The first term left out, r¹⁹ / 19!, is below 0.002 u |r|.
+//!   (0.43 + 0.11) u |r|, and the sum by 1.54 u |r|. The first term left out, r¹⁹ / 19!, is below
+//!   0.002 u |r|.
 //! - *The cosine* is 1 + z h, with h the series from −1/2!. The terms of h behind the first are off by less
 //!   than 0.13 u, h by (0.13 + 0.5) u, z h by 0.618 · 0.63 u + 2 u · 0.309 < 1.01 u, and the sum by 2.01 u.
 //!   The first term left out, r²⁰ / 20!, is below 10⁻⁴ u.
