@@ -9,8 +9,8 @@
 //!   rounding, and the rest of π / 2 is below 2⁻¹⁰³, so that r is off by 3 · 0.786 u + 2⁻⁸³ < 2.37 u, and sine
 //!   and cosine by no more.
 //! - *The sine* is r + r (z p), with z = r² ≤ 0.618 and p the series from −1/3!. The terms of p behind the
-//!   first, of magnitude z / 120, are off by less than 0.026 u; with the rounded coefficient and its sum, p is
-//!   off by (1/6 + 1/6 + 0.026) u = 0.36 u, z p by 0.618 · 0.36 u + 2 u · 0.618 / 6 < 0.43 u, r (z p) by
+//!   first, of magnitude z / 120, are off by less than 0.026 u; with the rounded coefficient and its sum, p
+//!   is off by (1/6 + 1/6 + 0.026) u = 0.36 u, z p by 0.618 · 0.36 u + 2 u · 0.618 / 6 < 0.43 u, r (z p) by
 //!   (0.43 + 0.11) u |r|, and the sum by 1.54 u |r|. The first term left out, r¹⁹ / 19!, is below
 //!   0.002 u |r|.
 //! - *The cosine* is 1 + z h, with h the series from −1/2!. The terms of h behind the first are off by less
