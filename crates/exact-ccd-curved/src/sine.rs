@@ -6,8 +6,8 @@
 //!
 //! - *The remainder r* is x if k = 0. Else, for |x| ≤ 2²⁰, the products of k, of 20 bits, and the parts of
 //!   π / 2, of 33 bits, are exact. Each of three differences is at most 0.786 in magnitude and has one
-//!   rounding, and the rest of π / 2 is below 2⁻¹⁰³, so that r is off by 3 · 0.786 u + 2⁻⁸³ < 2.37 u, and sine
-//!   and cosine by no more.
+//!   rounding, and the rest of π / 2 is below 2⁻¹⁰³, so that r is off by 3 · 0.786 u + 2⁻⁸³ < 2.37 u, and
+//!   sine and cosine by no more.
 //! - *The sine* is r + r (z p), with z = r² ≤ 0.618 and p the series from −1/3!. The terms of p behind the
 //!   first, of magnitude z / 120, are off by less than 0.026 u; with the rounded coefficient and its sum, p
 //!   is off by (1/6 + 1/6 + 0.026) u = 0.36 u, z p by 0.618 · 0.36 u + 2 u · 0.618 / 6 < 0.43 u, r (z p) by
