@@ -42,13 +42,13 @@ pub unsafe extern "C" fn exact_ccd_certificate_free(certificate: *mut Certificat
 }
 
 /// The proof of the answer to a step: that it is free of contact until its earliest one, and has that one;
-/// and with `at_rest`, that no edge passes through a face at `x0`. It has the bytes of `exact-ccd step
-/// --certificate`, and is freed with `exact_ccd_certificate_free`. Other arguments as in
+/// and with `at_rest`, that no edge passes through a face at `x0`. It has the bytes of
+/// `exact-ccd step --certificate`, and is freed with `exact_ccd_certificate_free`. Other arguments as in
 /// `exact_ccd_detector_collides`.
 ///
-/// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, `EXACT_CCD_STATUS_CROSSING` if an
-/// edge passes through a face where that is to be excluded, and `EXACT_CCD_STATUS_INVALID_ARGUMENT` for a detector
-/// with groups, a callback, thicknesses or an inner distance.
+/// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, `EXACT_CCD_STATUS_CROSSING` if
+/// an edge passes through a face where that is to be excluded, and `EXACT_CCD_STATUS_INVALID_ARGUMENT` for a
+/// detector with groups, a callback, thicknesses or an inner distance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_certificate(
     detector: *mut Detector,
@@ -89,12 +89,12 @@ pub unsafe extern "C" fn exact_ccd_audit_certify(audit: *mut Audit) -> Status {
     })
 }
 
-/// The proof of the results of an audit so far, after `exact_ccd_audit_certify`: the bytes of `exact-ccd audit
-/// --certificate`, about the frames up to the last one that was examined, or up to the first violation. It is
-/// freed with `exact_ccd_certificate_free`.
+/// The proof of the results of an audit so far, after `exact_ccd_audit_certify`: the bytes of
+/// `exact-ccd audit --certificate`, about the frames up to the last one that was examined, or up to the first
+/// violation. It is freed with `exact_ccd_certificate_free`.
 ///
-/// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, and if there is nothing to prove: of a
-/// single frame, or if the first one has a violation.
+/// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, and if there is nothing to
+/// prove: of a single frame, or if the first one has a violation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_audit_certificate(
     audit: *const Audit,

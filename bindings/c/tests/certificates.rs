@@ -108,7 +108,11 @@ fn audit(heights: &[f64]) -> Result<Vec<u8>, Status> {
                 exact_ccd_audit_examine(audit, x.as_ptr().cast(), 6, &raw mut result, &raw mut contact);
             assert_eq!(status, Status::Ok);
         }
-        let too_late = if heights.is_empty() { Status::Ok } else { Status::InvalidArgument };
+        let too_late = if heights.is_empty() {
+            Status::Ok
+        } else {
+            Status::InvalidArgument
+        };
         assert_eq!(exact_ccd_audit_certify(audit), too_late);
         let status = exact_ccd_audit_certificate(audit, &raw mut certificate);
         exact_ccd_audit_free(audit);

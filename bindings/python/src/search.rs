@@ -229,8 +229,8 @@ impl Search {
         StepReport::with_options(step, &self.broad_phase(), &options, &progress).map_err(Refusal::new)
     }
 
-    /// The proof of the answer to a step, as a certificate or as a part that continues one. With `rest`, it says
-    /// that no edge passes through a face at the start.
+    /// The proof of the answer to a step, as a certificate or as a part that continues one. With `rest`, it
+    /// says that no edge passes through a face at the start.
     pub(crate) fn certificate(
         &mut self,
         x0: &[Point],

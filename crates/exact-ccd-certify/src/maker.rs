@@ -70,8 +70,8 @@ impl Maker {
         maker
     }
 
-    /// A part without steps, to be put behind a certificate about the same distance, or behind another part of it: the
-    /// bytes of all parts, one after the other, are those of the certificate of all steps.
+    /// A part without steps, to be written behind a certificate about the same distance, or behind another
+    /// part of it: the bytes of all parts, one after the other, are those of the certificate of all steps.
     #[must_use]
     pub fn continued(distance: Separation) -> Self {
         Self {

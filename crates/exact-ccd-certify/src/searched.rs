@@ -8,12 +8,12 @@ use exact_ccd_mesh::{
 use crate::maker::{Maker, MakerError};
 
 impl Maker {
-    /// Adds the step of the mesh of a detector from `x0` to `x1`, with the earliest contact that the detector finds,
-    /// and with `rest`, that no edge pierces a face at its start.
+    /// Adds the step of the mesh of a detector from `x0` to `x1`, with the earliest contact that the detector
+    /// finds, and with `rest`, that no edge pierces a face at its start.
     ///
     /// # Errors
-    /// [`MakerError::Rules`] if not all pairs can collide; [`MakerError::Step`] for positions that are no step, and with
-    /// `rest`, for an edge that pierces a face.
+    /// [`MakerError::Rules`] if not all pairs can collide; [`MakerError::Step`] for positions that are no
+    /// step, and with `rest`, for an edge that pierces a face.
     pub fn add_step_of<B: BroadPhase>(
         &mut self,
         detector: &mut Detector<B>,

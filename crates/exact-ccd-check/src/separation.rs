@@ -33,8 +33,8 @@ pub struct Stretch {
     pub to: Point,
 }
 
-/// Returns true if stretches prove that a pair is not within its distance at any time from 0 to the end of the
-/// last one. Each begins where the one before it ends, so that no time is left out, whatever their order.
+/// Returns true if stretches prove that a pair is not within its distance at any time from 0 to the end of
+/// the last one. Each begins where the one before it ends, so that no time is left out, whatever their order.
 pub fn is_apart(motion: &Motion, kind: Kind, pair: &Pair<'_>, stretches: &[Stretch]) -> bool {
     let starts = std::iter::once(0.0).chain(stretches.iter().map(|stretch| stretch.end));
     stretches.iter().zip(starts).all(|(stretch, start)| stretch.holds(motion, kind, pair, start))

@@ -49,6 +49,7 @@ mod proximity;
 mod rigid;
 mod rounding;
 mod search;
+mod sine;
 mod step;
 mod step_answer;
 mod straight;

@@ -3,6 +3,7 @@
 use exact_ccd::Point;
 
 use crate::rounding::{FLOOR, UNIT, above, cross, length, sum};
+use crate::sine::sine;
 use crate::trajectory::{Position, Trajectory};
 
 /// A rigid motion at constant speed: rotation about an axis that itself moves in a straight line.
@@ -137,10 +138,8 @@ impl Trajectory for RigidPoint {
     /// The bound of the error is a sum of five parts, each with the constants of first order rounded up:
     ///
     /// - φ = fl(θ t) is off by u |φ|, and sine and cosine by no more.
-    /// - The sine of libm is assumed to be off by 4 u of its value, two units in the last place. Its
-    ///   algorithm, of FreeBSD's msun (`s_sin.c`, `k_sin.c`, `e_rem_pio2.c`), has an error below one unit;
-    ///   a test of this crate compares it with series in integers. With h = sin(φ / 2), off by η, 2 h²
-    ///   is off by 2 η (2 |h| + η), and by 2 u · 2 h² from its two roundings.
+    /// - The [`sine`] comes with a bound of its error. With h = sin(φ / 2), off by η, 2 h² is off by
+    ///   2 η (2 |h| + η), and by 2 u · 2 h² from its two roundings.
     /// - ρ and w are off by the constant error of the point.
     /// - The products and sums of ρ (2 h²), w sin(φ) and t v have at most three roundings each: 4 u of
     ///   their lengths.
@@ -157,7 +156,7 @@ impl Trajectory for RigidPoint {
             return Position::exactly(*start);
         }
         let phi = motion.angle * time;
-        let (sine, half) = (libm::sin(phi), libm::sin(0.5 * phi));
+        let [(sine, sine_error), (half, half_error)] = [phi, 0.5 * phi].map(sine);
         let versine = 2.0 * half * half;
         let offset = [0, 1, 2].map(|axis: usize| {
             (sine * tangent[axis] - versine * radius[axis]) + time * motion.displacement[axis]
@@ -171,8 +170,8 @@ impl Trajectory for RigidPoint {
             let error = if last == 0.0 { 0.0 } else { above(last) };
             return Position { point, error };
         }
-        let sine_error = 4.0 * UNIT * sine.abs() + 2.0 * UNIT * phi.abs() + FLOOR;
-        let half_error = 4.0 * UNIT * half.abs() + UNIT * phi.abs() + FLOOR;
+        let sine_error = sine_error + 2.0 * UNIT * phi.abs() + FLOOR;
+        let half_error = half_error + UNIT * phi.abs() + FLOOR;
         let versine_error = 2.0 * half_error * (2.0 * half.abs() + half_error) + 2.0 * UNIT * versine + FLOOR;
         let (w, rho) = (length(*tangent), length(*radius));
         let inexact_factors = w * sine_error + rho * versine_error;

@@ -51,8 +51,8 @@ fn certify(command: &[&str], frames: &[PathBuf]) -> (Vec<u8>, Vec<Step>) {
     (certificate, steps)
 }
 
-/// The certificates of the first contact of a published step, and of the step to the time before it, both with
-/// a distance of 0 and of 5e-8. The meshes pass through their obstacles at t = 0.
+/// The certificates of the first contact of a published step, and of the step to the time before it, both
+/// with a distance of 0 and of 5e-8. The meshes pass through their obstacles at t = 0.
 fn certify_scene(name: &str) {
     let data = std::env::var_os("EXACT_CCD_DATA");
     let data = data.map_or_else(|| Path::new(REPOSITORY).join("../shared/data"), PathBuf::from);

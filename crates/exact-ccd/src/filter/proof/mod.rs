@@ -5,6 +5,7 @@
 
 mod assertions;
 mod gappa;
+mod half_precision;
 mod operators;
 mod precise;
 mod roundings;

@@ -3,6 +3,7 @@
 //! The inputs of a test make the magnitude of the bound equal to the permanent, so that the quotient of both
 //! is the constant of the bound.
 
+use core::cmp::Ordering;
 use core::ops::RangeInclusive;
 
 use super::assertions::{assert_bound, assert_counts, assert_in_range, opposite_points, power, symbols};
@@ -12,13 +13,14 @@ use crate::filter::cubic::{Cubic, Root};
 use crate::filter::double_double::ROUNDOFF;
 use crate::filter::gap::{Touching, Within};
 use crate::filter::hull::{Hull, diagonal_limit};
-use crate::filter::moment;
+use crate::filter::moment::{self, Moment};
 use crate::filter::number::Lanes;
 use crate::filter::planar::Planar;
 use crate::filter::position::NearRoot;
 use crate::filter::precise_cubic::PreciseCubic;
 use crate::filter::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
 use crate::filter::vector::{cross, cross_along, interpolate};
+use crate::filter::window::Window;
 use crate::kind::{EdgeEdge, Kind, VertexFace};
 use crate::predicates::{determinant, error_of_determinant};
 use crate::query::Query;
@@ -186,6 +188,43 @@ fn quadratics_at_a_moment() {
 }
 
 #[test]
+fn linear_functions_at_a_moment() {
+    // The time of a place in a window, by its three roundings, and the value, of coefficients rounded once.
+    // The terms of 1 − t, counted, add up to 2, so those of the value to 2 |d₀| + |d₁|.
+    let [low, high, place] = [0.25, 0.5, 0.5].map(Symbol::exactly);
+    let t = low + place * (high - low);
+    assert_eq!(t.roundings, 3);
+    let coefficient = || Symbol::exactly(1.0).of_degree(1).rounded();
+    let value = (-t + 1.0) * coefficient() + t * coefficient();
+    assert_counts(&[value], 7, 1, 3.0);
+    // Of the value j u, the sign is certain from just above 2 margin(7) on.
+    let bracket = Root {
+        low: 0.5,
+        high: 0.5,
+        near: 0.5,
+        slope: 1.0,
+        rising: true,
+    };
+    let sign = |units: f64| {
+        let moment = Moment::Root(Window::STEP, bracket);
+        moment.sign_of_linear([1.0 + 2.0 * units * UNIT, -1.0])
+    };
+    let threshold = 2.0 * power(7);
+    assert_eq!(
+        [sign(threshold), sign(threshold + 1.0)],
+        [None, Some(Ordering::Greater)]
+    );
+    // In a bracket of this radius, the value changes by at most the slope, |d₀| + |d₁|, of which the bound
+    // has twice.
+    let wide = Root {
+        low: 0.375,
+        ..bracket
+    };
+    let at = |start: f64| Moment::Root(Window::STEP, wide).sign_of_linear([start, -1.0]);
+    assert_eq!([at(2.99), at(3.01)], [None, Some(Ordering::Greater)]);
+}
+
+#[test]
 fn positions_near_a_root() {
     for seed in SEEDS {
         let points = opposite_points(seed);
@@ -286,4 +325,18 @@ fn absolute_errors() {
         ..volume
     };
     coefficient.check();
+    /// The parameter that stands for all times.
+    const TIME: f64 = 0.375;
+    let given = [(); 4].map(|()| Precise::<true>(Symbol::input(0.5)));
+    let Precise(value) = PreciseCubic::new(given, 1.0).value(TIME);
+    let twice = Script {
+        name: "precise_cubic",
+        about: "a cubic at a time in twice the precision: n = 9 and a permanent of 15 have 135 units",
+        is_twice: true,
+        parameters: &[TIME],
+        value,
+        units: 135,
+        ..volume
+    };
+    twice.check();
 }
