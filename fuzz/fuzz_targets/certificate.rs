@@ -15,13 +15,13 @@ const VERTICES: usize = 7;
 
 fuzz_target!(|bytes: &[u8]| {
     // Too few bytes are no certificate.
-    let _ = decide(&mut Unstructured::new(bytes));
+    let _ = decide(Unstructured::new(bytes));
 });
 
-fn decide(bytes: &mut Unstructured) -> Result<()> {
-    let [x0, x1] = positions(bytes, VERTICES)?;
+fn decide(mut bytes: Unstructured) -> Result<()> {
+    let [x0, x1] = positions(&mut bytes, VERTICES)?;
     let d = f64::from(bytes.int_in_range(0..=2)?) / 2.0;
-    let mesh = Mesh::new(VERTICES as u32, FACES.to_vec(), &[]).expect("all vertices exist");
+    let mesh = Mesh::new(VERTICES, FACES.to_vec(), &[]).expect("all vertices exist");
     let frame = |positions: &[_]| Ok(Frame { mesh: mesh.clone(), positions: positions.to_vec() });
     let certificate = [MAGIC, &d.to_le_bytes(), bytes.take_rest()].concat();
     let Ok(proved) = check(&certificate, [frame(&x0), frame(&x1)]) else {

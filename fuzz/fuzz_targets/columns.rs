@@ -18,13 +18,13 @@ static FILE: LazyLock<PathBuf> = LazyLock::new(|| {
 
 fuzz_target!(|bytes: &[u8]| {
     // Too few bytes are no file.
-    let _ = check(&mut Unstructured::new(bytes));
+    let _ = check(Unstructured::new(bytes));
 });
 
-fn check(bytes: &mut Unstructured) -> Result<()> {
+fn check(mut bytes: Unstructured) -> Result<()> {
     let mut records = Vec::new();
     for _ in 0..bytes.int_in_range(0..=3)? {
-        let [start, end] = positions(bytes, 4)?;
+        let [start, end] = positions(&mut bytes, 4)?;
         let four = |x: &[_]| [x[0], x[1], x[2], x[3]];
         let Ok(query) = Query::new(four(&start), four(&end)) else {
             continue;
