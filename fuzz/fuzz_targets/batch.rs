@@ -32,13 +32,20 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     check_kind::<VertexVertex>(&trajectories, bytes, options)
 }
 
-fn check_kind<K: Kind>(trajectories: &Trajectories, bytes: &mut Unstructured, options: Options) -> Result<()> {
+fn check_kind<K: Kind>(
+    trajectories: &Trajectories,
+    bytes: &mut Unstructured,
+    options: Options,
+) -> Result<()> {
     // More than the lanes of a vector, and more than one vector.
     let mut queries = vec![K::Vertices::default(); bytes.int_in_range(0..=20)?];
     for vertex in queries.iter_mut().flat_map(AsMut::as_mut) {
         *vertex = bytes.int_in_range(0..=VERTICES as u32 - 1)?;
     }
-    let single: Vec<Query<K>> = queries.iter().filter_map(|vertices| trajectories.query(*vertices)).collect();
+    let single: Vec<Query<K>> = queries
+        .iter()
+        .filter_map(|vertices| trajectories.query(*vertices))
+        .collect();
     assert_eq!(single.len(), queries.len(), "all vertices exist");
     let expected: Vec<(usize, ContactTime)> = (single.iter().enumerate())
         .filter_map(|(index, query)| Some((index, query.collision(options)?.time())))

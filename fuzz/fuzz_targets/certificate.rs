@@ -22,18 +22,26 @@ fn decide(mut bytes: Unstructured) -> Result<()> {
     let [x0, x1] = positions(&mut bytes, VERTICES)?;
     let d = f64::from(bytes.int_in_range(0..=2)?) / 2.0;
     let mesh = Mesh::new(VERTICES, FACES.to_vec(), &[]).expect("all vertices exist");
-    let frame = |positions: &[_]| Ok(Frame { mesh: mesh.clone(), positions: positions.to_vec() });
+    let frame = |positions: &[_]| {
+        Ok(Frame {
+            mesh: mesh.clone(),
+            positions: positions.to_vec(),
+        })
+    };
     let certificate = [MAGIC, &d.to_le_bytes(), bytes.take_rest()].concat();
     let Ok(proved) = check(&certificate, [frame(&x0), frame(&x1)]) else {
         return Ok(());
     };
-    let mut detector = Detector::new(TriangleMesh::new(VERTICES, FACES.to_vec()).expect("all vertices exist"));
+    let mut detector =
+        Detector::new(TriangleMesh::new(VERTICES, FACES.to_vec()).expect("all vertices exist"));
     let options = Options::within(Separation::new(d).expect("it is a distance"));
     for step in &proved.steps {
         let Some(until) = step.head.free else {
             continue;
         };
-        let contact = detector.collision(&x0, &x1, options.until(until)).expect("the positions are finite");
+        let contact = detector
+            .collision(&x0, &x1, options.until(until))
+            .expect("the positions are finite");
         assert_eq!(contact, None, "{proved:?}: {x0:?}, {x1:?}");
     }
     Ok(())

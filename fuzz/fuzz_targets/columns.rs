@@ -12,9 +12,8 @@ use exact_ccd_data::{ColumnReader, ColumnWriter, Record, Sample};
 use exact_ccd_fuzz::positions;
 use libfuzzer_sys::fuzz_target;
 
-static FILE: LazyLock<PathBuf> = LazyLock::new(|| {
-    std::env::temp_dir().join(format!("exact-ccd-columns-{}.parquet", std::process::id()))
-});
+static FILE: LazyLock<PathBuf> =
+    LazyLock::new(|| std::env::temp_dir().join(format!("exact-ccd-columns-{}.parquet", std::process::id())));
 
 fuzz_target!(|bytes: &[u8]| {
     // Too few bytes are no file.
@@ -30,7 +29,10 @@ fn check(mut bytes: Unstructured) -> Result<()> {
             continue;
         };
         records.push(Record {
-            sample: Sample { query, truth: bytes.arbitrary()? },
+            sample: Sample {
+                query,
+                truth: bytes.arbitrary()?,
+            },
             count: bytes.arbitrary()?,
             toi: None,
             scene: None,
@@ -51,12 +53,18 @@ fn check(mut bytes: Unstructured) -> Result<()> {
 
 fn written(records: &[Record<VertexFace>]) -> Vec<u8> {
     let mut writer = ColumnWriter::new(Vec::new()).expect("writing into memory cannot fail");
-    records.iter().for_each(|record| writer.write(record.clone()).expect("there are no ids"));
+    records
+        .iter()
+        .for_each(|record| writer.write(record.clone()).expect("there are no ids"));
     writer.finish().expect("writing into memory cannot fail")
 }
 
 /// The queries, if there is no error.
 fn read(bytes: &[u8]) -> Option<Vec<Record<VertexFace>>> {
     fs::write(&*FILE, bytes).expect("a temporary file");
-    ColumnReader::open(&FILE).ok()?.records().collect::<std::result::Result<_, _>>().ok()
+    ColumnReader::open(&FILE)
+        .ok()?
+        .records()
+        .collect::<std::result::Result<_, _>>()
+        .ok()
 }

@@ -15,7 +15,9 @@ fuzz_target!(|bytes: &[u8]| {
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
     let d = Separation::new(coordinate(bytes)?.abs()).unwrap_or(Separation::ZERO);
-    let options = SearchOptions::default().with_time_tolerance(1e-3).with_chord_limit(200);
+    let options = SearchOptions::default()
+        .with_time_tolerance(1e-3)
+        .with_chord_limit(200);
     let [x0, x1] = positions(bytes, 4)?;
     let [middle, _] = positions(bytes, 4)?;
     let curves = [0, 1, 2, 3].map(|i: usize| Polynomial::new([x0[i], middle[i], x1[i]]));
@@ -36,26 +38,38 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     if let Ok(query) = Query::<VertexFace>::new(four(&x0), four(&x1))
         && let Ok(answer) = time_of_impact::<VertexFace, _>(&lines, d, &options)
     {
-        assert_exact(&answer, query.collision(d).map(|collision| collision.time().upper()));
+        assert_exact(
+            &answer,
+            query.collision(d).map(|collision| collision.time().upper()),
+        );
     }
     if let Ok(query) = Query::<EdgeEdge>::new(four(&x0), four(&x1))
         && let Ok(answer) = time_of_impact::<EdgeEdge, _>(&lines, d, &options)
     {
-        assert_exact(&answer, query.collision(d).map(|collision| collision.time().upper()));
+        assert_exact(
+            &answer,
+            query.collision(d).map(|collision| collision.time().upper()),
+        );
     }
     Ok(())
 }
 
 fn assert_ordered(answer: &Answer) {
     assert!((0.0..=1.0).contains(&answer.free_until), "{answer:?}");
-    assert!(answer.within.is_none_or(|within| answer.free_until <= within.by), "{answer:?}");
+    assert!(
+        answer.within.is_none_or(|within| answer.free_until <= within.by),
+        "{answer:?}"
+    );
 }
 
 /// What is certainly free is free by the exact query.
 fn assert_exact(answer: &Answer, first: Option<f64>) {
     assert_ordered(answer);
     match first {
-        Some(first) => assert!(!answer.is_free() && answer.free_until <= first, "{answer:?}, {first}"),
+        Some(first) => assert!(
+            !answer.is_free() && answer.free_until <= first,
+            "{answer:?}, {first}"
+        ),
         None => assert!(answer.free_until >= 0.0),
     }
 }

@@ -7,8 +7,8 @@ use arbitrary::{Result, Unstructured};
 use exact_ccd::Separation;
 use exact_ccd_fuzz::{coordinate, positions};
 use exact_ccd_mesh::{
-    AllPairs, Bvh, CandidateOptions, Candidates, Detector, FreeStepOptions, MinDistance, Options, Step, Sweep,
-    TriangleMesh,
+    AllPairs, Bvh, CandidateOptions, Candidates, Detector, FreeStepOptions, MinDistance, Options, Step,
+    Sweep, TriangleMesh,
 };
 use libfuzzer_sys::fuzz_target;
 
@@ -40,19 +40,29 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
         Candidates::with_options(step, &Bvh, &near).map(|candidates| candidates.collisions(step, options)),
         Candidates::with_options(step, &Sweep, &near).map(|candidates| candidates.collisions(step, options)),
     ] {
-        assert_eq!(found.expect("the options fit the mesh"), expected, "{step:?}, {d:?}");
+        assert_eq!(
+            found.expect("the options fit the mesh"),
+            expected,
+            "{step:?}, {d:?}"
+        );
     }
     let mut detector = Detector::new(mesh.clone());
-    let found = detector.collisions(&x0, &x1, options).expect("the positions fit the mesh");
+    let found = detector
+        .collisions(&x0, &x1, options)
+        .expect("the positions fit the mesh");
     assert_eq!(found, expected, "{step:?}, {d:?}");
-    let first = detector.collision(&x0, &x1, options).expect("the positions fit the mesh");
+    let first = detector
+        .collision(&x0, &x1, options)
+        .expect("the positions fit the mesh");
     assert_eq!(first.as_ref(), expected.first(), "{step:?}, {d:?}");
 
     let free = detector.free_step(&x0, &x1, &FreeStepOptions::default().with_min_distance(d));
     if let Ok(free) = free
         && free.size > 0.0
     {
-        let contact = detector.collision(&x0, &free.positions, options).expect("the positions fit the mesh");
+        let contact = detector
+            .collision(&x0, &free.positions, options)
+            .expect("the positions fit the mesh");
         assert_eq!(contact, None, "{step:?}, {d:?}, {free:?}");
     }
     Ok(())
