@@ -2,9 +2,10 @@
 //!
 //! `cargo run --release -p exact-ccd-bench --example hard_cases -- OUT.parquet [COUNT]`
 //!
-//! COUNT queries of each family and kind are about contact, and as many about a distance; 40 is the default.
-//! The integers of `exact_ccd::exact` compute the answers. Before a row is written, an independent implementation
-//! of the definition, in rational arithmetic, has to find the same. docs/hard-cases.md describes the columns.
+//! COUNT queries of each family and kind are about contact, and as many about a distance; 40 is the
+//! default. The integers of `exact_ccd::exact` compute the answers. Before a row is written, an independent
+//! implementation of the definition, in rational arithmetic, has to find the same. docs/hard-cases.md
+//! describes the columns.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 

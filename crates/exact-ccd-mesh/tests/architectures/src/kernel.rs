@@ -1,5 +1,5 @@
-//! The answers of the kernel: to single queries, by the filters and by integers, and to batches with every set of
-//! vector instructions of this processor.
+//! The answers of the kernel: to single queries, by the filters and by integers, and to batches with every
+//! set of vector instructions of this processor.
 
 use exact_ccd::batch::{Instructions, Queries};
 use exact_ccd::predicates::{EdgeFace, orient3d};

@@ -1,5 +1,6 @@
-//! The answers to the queries of a file: for each 26 little-endian f64, which are the kind (0 for a vertex and a
-//! face, 1 for two edges), the distance, and the coordinates of the four points at t = 0 and at t = 1.
+//! The answers to the queries of a file: for each 26 little-endian f64, which are the kind (0 for a vertex
+//! and a face, 1 for two edges), the distance, and the coordinates of the four points at t = 0 and at t =
+//! 1.
 //!
 //! The example `raw_queries` of `exact-ccd-bench` writes such files of the published queries.
 
