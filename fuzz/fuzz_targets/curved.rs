@@ -62,7 +62,7 @@ fn assert_ordered(answer: &Answer) {
     );
 }
 
-/// What is certainly free is free by the exact query.
+/// Checks that the free times of an answer are free by the exact query.
 fn assert_exact(answer: &Answer, first: Option<f64>) {
     assert_ordered(answer);
     match first {
