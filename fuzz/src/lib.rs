@@ -4,6 +4,7 @@
 mod alphabet;
 
 use arbitrary::{Result, Unstructured};
+use exact_ccd::Point;
 
 use alphabet::ALPHABET;
 
@@ -15,6 +16,19 @@ pub fn coordinate(bytes: &mut Unstructured) -> Result<f64> {
         kind @ 0x80..0xff => ALPHABET[usize::from(kind) % ALPHABET.len()],
         0xff => f64::from_bits(bytes.arbitrary()?),
     })
+}
+
+/// The positions of vertices at t = 0 and at t = 1, with few values, so that many coordinates are equal.
+pub fn positions(bytes: &mut Unstructured, vertices: usize) -> Result<[Vec<Point>; 2]> {
+    let mut values = [0.0; 8];
+    for value in &mut values {
+        *value = coordinate(bytes)?;
+    }
+    let mut positions = [(); 2].map(|()| vec![Point::default(); vertices]);
+    for x in positions.iter_mut().flat_map(|now| now.as_flattened_mut()) {
+        *x = *bytes.choose(&values)?;
+    }
+    Ok(positions)
 }
 
 /// A file: words that mean something in its format, numbers as text and as bits, and raw bytes.

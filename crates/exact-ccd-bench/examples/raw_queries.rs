@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p exact-ccd-bench --example raw_queries -- OUT`
 //!
-//! Each query is 26 little-endian f64: the kind (0 for a vertex and a face, 1 for two edges), the distance 0, and
-//! the coordinates of the four points at t = 0 and at t = 1.
+//! Each query is 26 little-endian f64: the kind (0 for a vertex and a face, 1 for two edges), the distance
+//! 0, and the coordinates of the four points at t = 0 and at t = 1.
 
 use std::error::Error;
 use std::fs::File;

@@ -2,9 +2,10 @@
 //!
 //! `cargo run --release -p exact-ccd-bench --example hard_cases -- OUT.parquet [COUNT]`
 //!
-//! COUNT queries of each family and kind are about contact, and as many about a distance; 100 is the default.
-//! The integers of `exact_ccd::exact` compute the answers. Before a row is written, an independent implementation
-//! of the definition, in rational arithmetic, has to find the same. docs/hard-cases.md describes the columns.
+//! COUNT queries of each family and kind are about contact, and as many about a distance; 40 is the
+//! default. The integers of `exact_ccd::exact` compute the answers. Before a row is written, an independent
+//! implementation of the definition, in rational arithmetic, has to find the same. docs/hard-cases.md
+//! describes the columns.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -30,7 +31,7 @@ use hard_cases::hard::Hard;
 use hard_cases::{Case, cases};
 use table::Row;
 
-const COUNT: usize = 100;
+const COUNT: usize = 40;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);

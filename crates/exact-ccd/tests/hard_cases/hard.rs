@@ -4,8 +4,8 @@ use exact_ccd::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 
 use crate::primitives::Primitives;
 
-/// A kind of query, made of four points like one of two primitives of a mesh. A vertex of an edge is that edge
-/// at a parameter that is fixed.
+/// A kind of query, made of four points like one of two primitives of a mesh. A vertex of an edge is that
+/// edge at a parameter that is fixed.
 pub(crate) trait Hard: Kind {
     /// The kind of query with four points.
     type Four: Primitives;

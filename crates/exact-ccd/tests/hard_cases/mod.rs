@@ -1,7 +1,8 @@
-//! Hard cases: queries of all kinds with a distance, from families that have one difficulty each, with fixed seeds.
+//! Hard cases: queries of all kinds with a distance, from families that have one difficulty each, with
+//! fixed seeds.
 //!
-//! They are the same on every machine. The root of a program with this module has the module `primitives` of the
-//! test target `queries`. docs/hard-cases.md describes the families.
+//! They are the same on every machine. The root of a program with this module has the module `primitives`
+//! of the test target `queries`. docs/hard-cases.md describes the families.
 
 #[path = "../queries/generators/alphabet.rs"]
 mod alphabet;

@@ -1,11 +1,11 @@
-//! The answers of the kernel: to single queries, by the filters and by integers, and to batches with every set of
-//! vector instructions of this processor.
+//! The answers of the kernel: to single queries, by the filters and by integers, and to batches with every
+//! set of vector instructions of this processor.
 
 use exact_ccd::batch::{Instructions, Queries};
 use exact_ccd::predicates::{EdgeFace, orient3d};
 use exact_ccd::{
-    DistanceBounds, EdgeEdge, Gradient, Intervals, Kind, NotDifferentiable, Options, Point, Query, Separation,
-    VertexEdge, VertexFace, VertexVertex, exact,
+    DistanceBounds, EdgeEdge, Gradient, Intervals, Kind, NotDifferentiable, Options, Point, Query,
+    Separation, VertexEdge, VertexFace, VertexVertex, exact,
 };
 
 use crate::hard_cases::digest::Digest;
@@ -49,7 +49,9 @@ fn add_kind<K: Hard>(digest: &mut Digest) {
 pub(crate) fn add_answers<K: Kind>(digest: &mut Digest, query: &Query<K>, d: Separation) {
     // The stage too: the filters compute the same bits.
     let (collision, stage) = query.decide(d);
-    format!("{stage:?}").bytes().for_each(|byte| digest.add(byte.into()));
+    format!("{stage:?}")
+        .bytes()
+        .for_each(|byte| digest.add(byte.into()));
     digest.add(collision.is_some().into());
     if let Some(collision) = collision {
         digest.add_time(collision.time());
@@ -85,7 +87,9 @@ fn add_gradient<K: Kind>(digest: &mut Digest, gradient: Result<Gradient<K>, NotD
         Ok(gradient) => (gradient.points.iter())
             .flat_map(|now| now.as_ref().as_flattened())
             .for_each(|&x| digest.add_number(x)),
-        Err(reason) => format!("{reason:?}").bytes().for_each(|byte| digest.add(byte.into())),
+        Err(reason) => format!("{reason:?}")
+            .bytes()
+            .for_each(|byte| digest.add(byte.into())),
     }
 }
 

@@ -2,15 +2,19 @@
 
 use exact_ccd::Separation;
 use exact_ccd_mesh::{
-    Bvh, CONTACT, Contact, Detector, FreeStepOptions, IntersectionOptions, Options, Point, Step, intersections,
+    Bvh, CONTACT, Contact, Detector, FreeStepOptions, IntersectionOptions, Options, Point, Step,
+    intersections,
 };
 
 use crate::cloth::Cloth;
 use crate::hard_cases::digest::Digest;
 
 /// The numbers of threads: WebAssembly has one.
-pub(crate) const THREADS: std::ops::RangeInclusive<usize> =
-    if cfg!(target_family = "wasm") { 1..=1 } else { 1..=8 };
+pub(crate) const THREADS: std::ops::RangeInclusive<usize> = if cfg!(target_family = "wasm") {
+    1..=1
+} else {
+    1..=8
+};
 
 pub(crate) fn digest(threads: usize) -> u64 {
     if cfg!(target_family = "wasm") {
@@ -32,12 +36,19 @@ fn of_steps() -> u64 {
 fn add_step(digest: &mut Digest, step: Step<'_>) {
     let [x0, x1] = step.positions();
     let mut detector = Detector::new(step.mesh().clone());
-    add_contact(digest, detector.collision(x0, x1, CONTACT).unwrap_or_default().as_ref());
+    add_contact(
+        digest,
+        detector.collision(x0, x1, CONTACT).unwrap_or_default().as_ref(),
+    );
     for d in [0.0, 0.05] {
         let d = Separation::new(d).unwrap_or(Separation::ZERO);
-        let contacts = detector.collisions(x0, x1, Options::within(d)).unwrap_or_default();
+        let contacts = detector
+            .collisions(x0, x1, Options::within(d))
+            .unwrap_or_default();
         digest.add(contacts.len() as u64);
-        contacts.iter().for_each(|contact| add_contact(digest, Some(contact)));
+        contacts
+            .iter()
+            .for_each(|contact| add_contact(digest, Some(contact)));
     }
     let options = FreeStepOptions::default();
     if let Ok(free) = detector.free_step(x0, x1, &options) {
@@ -58,7 +69,13 @@ fn add_step(digest: &mut Digest, step: Step<'_>) {
 
 fn add_contact(digest: &mut Digest, contact: Option<&Contact>) {
     digest.add(contact.is_some().into());
-    if let Some(Contact { pair, impact, distance, .. }) = contact {
+    if let Some(Contact {
+        pair,
+        impact,
+        distance,
+        ..
+    }) = contact
+    {
         pair.ids().into_iter().for_each(|id| digest.add(id.into()));
         digest.add_impact(Some(*impact));
         digest.add_number(distance.lower);
@@ -67,5 +84,8 @@ fn add_contact(digest: &mut Digest, contact: Option<&Contact>) {
 }
 
 fn add_positions(digest: &mut Digest, positions: &[Point]) {
-    positions.as_flattened().iter().for_each(|&x| digest.add_number(x));
+    positions
+        .as_flattened()
+        .iter()
+        .for_each(|&x| digest.add_number(x));
 }
