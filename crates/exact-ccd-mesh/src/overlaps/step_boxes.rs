@@ -202,7 +202,7 @@ impl<const T: usize> StepBoxes<T> {
     }
 
     /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked, in any order. Those of two
-    /// marked primitives are found twice, and passed on once.
+    /// marked primitives are found twice, and passed on once. Of two primitives of one set, the smaller index comes first.
     pub(crate) fn pairs_of_marked<K: Searched>(
         &self,
         mesh: &TriangleMesh,
@@ -219,18 +219,17 @@ impl<const T: usize> StepBoxes<T> {
             PrimitiveSet::Edges | PrimitiveSet::LooseEdges => any(&mesh.edges()[id as usize]),
         };
         let only = |set: PrimitiveSet| self.get(set).only(|id| is_marked(set, id));
-        let once = |pairs: &[[u32; 2]], counts: &dyn Fn(&[u32; 2]) -> bool| {
-            let pairs: Vec<_> = pairs.iter().copied().filter(counts).collect();
-            uncovered(&pairs)
-        };
         if first == second {
             return broad_phase.between(&only(first), self.get(first), &|pairs| {
-                once(pairs, &|&[a, b]| a < b || !is_marked(first, b))
+                let once = pairs.iter().filter(|&&[a, b]| a < b || !is_marked(first, b));
+                let sorted = once.map(|&[a, b]| [a.min(b), a.max(b)]);
+                uncovered(&sorted.collect::<Vec<_>>())
             });
         }
         broad_phase.between(&only(first), self.get(second), &uncovered)?;
         broad_phase.between(self.get(first), &only(second), &|pairs| {
-            once(pairs, &|&[a, _]| !is_marked(first, a))
+            let once = pairs.iter().copied().filter(|&[a, _]| !is_marked(first, a));
+            uncovered(&once.collect::<Vec<_>>())
         })
     }
 

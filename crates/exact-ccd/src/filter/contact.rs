@@ -108,13 +108,12 @@ impl Contact {
         by_roundoff.or_else(|| fixed_width::first(query))
     }
 
-    /// Returns true if the earliest contact certainly is after a time: its root is above the lower end of the
-    /// bracket.
+    /// Two times between which the earliest contact certainly is.
     #[inline]
-    pub(crate) fn is_after(&self, time: f64) -> bool {
+    pub(crate) fn bracket(&self) -> Option<[f64; 2]> {
         match self {
-            Self::AtRoot(at_root) => at_root.since_first().is_some_and(|(root, _)| root.low >= time),
-            Self::At(_) | Self::Sliding(_) | Self::Coincident(_) | Self::AtMoment(_) => false,
+            Self::AtRoot(at_root) => at_root.since_first().map(|(root, _)| [root.low, root.high]),
+            Self::At(_) | Self::Sliding(_) | Self::Coincident(_) | Self::AtMoment(_) => None,
         }
     }
 
