@@ -16,6 +16,9 @@ use crate::steps::Step;
 /// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at
 /// rest, each around the whole path of a primitive (T = 1).
 ///
+/// A box contains its primitive until the time for which it is placed, and in a motion to rounded positions before
+/// that (`path.rs`).
+///
 /// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come
 /// where the first of their vertices does. The order is kept from step to step until it has become
 /// too long.

@@ -100,13 +100,13 @@ impl<B: BroadPhase> CulledSearch<B> {
         self.memory.kept = kept.into_candidates();
     }
 
-    /// Passes all candidates of a part of the last step to the collector.
+    /// Passes all candidates of a part of the last step to the collector: those that the last search kept, if it
+    /// did.
     ///
     /// The part is from the same positions to those of [`Step::at`] or [`advance`](crate::advance) at a time at
-    /// which the collector of the last search ended, or before. If that search kept candidates, they are
-    /// candidates of the part. Their boxes contain the paths until that time, and more, by at least 5 ε (|x₀| +
-    /// |x₁|) as derived at `overlaps/path.rs`, while the rounded positions are off the path by at most 3 ε times
-    /// that, in any direction of rounding, and never beyond the start. So a box at rest contains them.
+    /// which the collector of the last search ended, or before. These are at most 3 ε (|x₀| + |x₁|) off the path,
+    /// in any direction of rounding, so that the boxes of the last search
+    /// contain the part (`overlaps/path.rs`).
     pub(crate) fn run_in_part(
         &mut self,
         part: &Step<'_>,
@@ -266,14 +266,10 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
         }
         let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
         match self.kept.filter(|_| sample.is_none()) {
-            Some(kept) if T == 1 => boxes.pairs::<K>(mesh, self.broad_phase, sample, &|pairs: &[_]| {
+            Some(kept) => boxes.pairs::<K>(mesh, self.broad_phase, sample, &|pairs: &[_]| {
                 examine(&kept.add::<K>(mesh, pairs))
             }),
-            kept => {
-                // Boxes that move contain rounded positions at the end of the step only.
-                kept.inspect(|kept| kept.give_up());
-                boxes.pairs::<K>(mesh, self.broad_phase, sample, &examine)
-            }
+            None => boxes.pairs::<K>(mesh, self.broad_phase, sample, &examine),
         }
     }
 }

@@ -42,11 +42,6 @@ impl Kept {
         apart
     }
 
-    /// Gives up: some pairs do not hold for a part of the step.
-    pub(super) fn give_up(&self) {
-        self.count.store(self.most + 1, Ordering::Relaxed);
-    }
-
     /// All pairs, if they are complete.
     pub(super) fn into_candidates(self) -> Option<Candidates> {
         let is_complete = self.count.into_inner() <= self.most;
