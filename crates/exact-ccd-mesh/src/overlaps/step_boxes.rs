@@ -16,8 +16,8 @@ use crate::steps::Step;
 /// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at
 /// rest, each around the whole path of a primitive (T = 1).
 ///
-/// A box contains its primitive until the time for which it is placed, and in a motion to rounded positions before
-/// that (`path.rs`).
+/// A box contains its primitive until the time for which it is placed, and in a motion to rounded positions
+/// before that (`path.rs`).
 ///
 /// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come
 /// where the first of their vertices does. The order is kept from step to step until it has become
@@ -204,8 +204,9 @@ impl<const T: usize> StepBoxes<T> {
         self.has_begun && K::SETS.iter().any(|&set| self.get(set).is_empty())
     }
 
-    /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked, in any order. Those of two
-    /// marked primitives are found twice, and passed on once. Of two primitives of one set, the smaller index comes first.
+    /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked, in any order. Those of
+    /// two marked primitives are found twice, and passed on once. Of two primitives of one set, the smaller
+    /// index comes first.
     pub(crate) fn pairs_of_marked<K: Searched>(
         &self,
         mesh: &TriangleMesh,

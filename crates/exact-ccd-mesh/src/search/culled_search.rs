@@ -88,7 +88,8 @@ impl<B: BroadPhase> CulledSearch<B> {
         self.pass(step, min_distance, collector, None);
     }
 
-    /// The same, for a search in a part of the step afterwards, which [`run_in_part`](Self::run_in_part) makes.
+    /// The same, for a search in a part of the step afterwards, which [`run_in_part`](Self::run_in_part)
+    /// makes.
     pub(crate) fn run_keeping(
         &mut self,
         step: &Step<'_>,
@@ -100,13 +101,13 @@ impl<B: BroadPhase> CulledSearch<B> {
         self.memory.kept = kept.into_candidates();
     }
 
-    /// Passes all candidates of a part of the last step to the collector: those that the last search kept, if it
-    /// did.
+    /// Passes all candidates of a part of the last step to the collector: those that the last search kept,
+    /// if it did.
     ///
-    /// The part is from the same positions to those of [`Step::at`] or [`advance`](crate::advance) at a time at
-    /// which the collector of the last search ended, or before. These are at most 3 ε (|x₀| + |x₁|) off the path,
-    /// in any direction of rounding, so that the boxes of the last search
-    /// contain the part (`overlaps/path.rs`).
+    /// The part is from the same positions to those of [`Step::at`] or [`advance`](crate::advance) at a
+    /// time at which the collector of the last search ended, or before. These are at most 3 ε (|x₀| + |x₁|)
+    /// off the path, in any direction of rounding, so that the boxes of the last search contain the part
+    /// (`overlaps/path.rs`).
     pub(crate) fn run_in_part(
         &mut self,
         part: &Step<'_>,

@@ -39,8 +39,8 @@ pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], Opti
     (parts.map(integer), unit)
 }
 
-/// One bit more than an f64 has: the largest f64 that is not above a number with so many bits is not above its integral
-/// part.
+/// One bit more than an f64 has: the largest f64 that is not above a number with so many bits is not above
+/// its integral part.
 pub(super) const ENOUGH_BITS: isize = 54;
 
 /// The bits of the largest f64 that is not above m 2ᵏ, for an integer m ≥ 0, and true if it is that number.
@@ -51,8 +51,8 @@ pub(super) fn rounded_down(m: &IBig, k: isize) -> (u64, bool) {
     if m.is_zero() {
         return (0, true);
     }
-    // The exponent of a unit in the last place. A number of j units above the least exponent has j in the bits
-    // above those of its significand, to which the first bit of a normal significand adds 1.
+    // The exponent of a unit in the last place. A number of j units above the least exponent has j in the
+    // bits above those of its significand, to which the first bit of a normal significand adds 1.
     let unit = (k + m.bit_len() as isize - DIGITS).max(LEAST);
     let significand = shifted(m, k - unit);
     let is_equal = shifted(&significand, unit - k) == *m;

@@ -97,8 +97,8 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
 ///
 /// The bounds of [`Cubic::new`] hold with the largest coefficient as magnitude: each coefficient is rounded
 /// once, n = 1 of the ten roundings there, and the largest rounded one is below its integer by one rounding
-/// at most. Coefficients are below 2²⁵² ([`Length`](super::length::Length)): nothing overflows. The largest is at
-/// least 1, so that what underflows is far below the bounds.
+/// at most. Coefficients are below 2²⁵² ([`Length`](super::length::Length)): nothing overflows. The largest
+/// is at least 1, so that what underflows is far below the bounds.
 fn flat_moments(cubic: &[Volume; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
     let (inner, [at_start, at_end]) = without_ends(*cubic);
     let values = inner.map(|c| c.approximate().high);

@@ -13,8 +13,8 @@ use crate::time::ContactTime;
 
 /// An integer of 512 bits.
 ///
-/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴, and three weights
-/// of 2⁶² each make them 2¹⁸⁶ times as large.
+/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴, and three
+/// weights of 2⁶² each make them 2¹⁸⁶ times as large.
 type Integer = Wide<8>;
 
 /// The binary digits of a time.
