@@ -44,3 +44,53 @@ pub(super) fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T
         _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use exact_ccd::Point;
+    use fastrand::Rng;
+
+    use super::until;
+    use crate::mesh::TriangleMesh;
+    use crate::steps::Step;
+
+    /// Points of which some move by a few units in the last place, and others far.
+    fn points(rng: &mut Rng) -> Vec<[Point; 2]> {
+        let coordinates = |rng: &mut Rng| {
+            let size = 10_f64.powi(rng.i32(-12..1));
+            let start = [0, 1, 2].map(|_| 2.0 * rng.f64() - 1.0);
+            let end = start.map(|x| x + size * (2.0 * rng.f64() - 1.0));
+            [start, end]
+        };
+        (0..64).map(|_| coordinates(rng)).collect()
+    }
+
+    #[test]
+    fn boxes_contain_motions_to_rounded_positions_before_their_time() {
+        let mut rng = Rng::with_seed(0);
+        let mesh = TriangleMesh::new(64, Vec::new()).expect("there are no faces");
+        for _ in 0..1000 {
+            let (x0, x1): (Vec<_>, Vec<_>) = points(&mut rng).into_iter().map(|[a, b]| (a, b)).unzip();
+            let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+            let time = rng.f64();
+            let size = time * [1.0, rng.f64(), 1e-9][rng.usize(..3)];
+            let along = |(a, b): (&Point, &Point)| [0, 1, 2].map(|k: usize| a[k] + size * (b[k] - a[k]));
+            let advanced = x0.iter().zip(&x1).map(along).collect();
+            for ends in [step.at(size), advanced] {
+                for (vertex, end) in ends.into_iter().enumerate() {
+                    let [rest] = until::<1>(time, x0[vertex], x1[vertex]);
+                    let moving = until::<2>(time, x0[vertex], x1[vertex]);
+                    let part = size / time;
+                    for axis in 0..3 {
+                        let at = |[start, end]: [f64; 2]| start + part * (end - start);
+                        let lower = at(moving.each_ref().map(|place| place.lower[axis]));
+                        let upper = at(moving.each_ref().map(|place| place.upper[axis]));
+                        let x = end[axis];
+                        assert!(rest.lower[axis] < x && x < rest.upper[axis], "{x0:?} {x1:?}");
+                        assert!(lower < x && x < upper, "{x0:?} {x1:?} {time} {size}");
+                    }
+                }
+            }
+        }
+    }
+}

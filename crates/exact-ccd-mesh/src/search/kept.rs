@@ -8,7 +8,7 @@ use crate::mesh::TriangleMesh;
 use crate::pairs::{ByKind, Searched};
 
 /// A limit for the number of kept pairs: this many for each vertex. They take as much memory as the boxes.
-const MOST_PER_VERTEX: usize = 32;
+const MOST_PER_VERTEX: usize = 64;
 
 /// The pairs without a common vertex whose boxes meet, unless they are too many.
 pub(super) struct Kept {
