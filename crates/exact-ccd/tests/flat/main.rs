@@ -7,7 +7,7 @@ mod scenes;
 
 use std::collections::BTreeSet;
 
-use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Point, Query, Stage, VertexFace, exact};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Impact, Kind, Point, Query, Stage, VertexFace, exact};
 
 use random::{Random, families};
 use scenes::{Scene, scenes};
@@ -36,7 +36,7 @@ fn checked_stage<K: Kind>(query: &Query<K>) -> Stage {
     let first = intervals.first_time();
     assert_eq!(collision.map(|c| c.time()), first, "{stage:?} {query:?}");
     // The last time that counts may be next to the contact, or its time.
-    let last = first.map_or(1.0, |first| first.upper());
+    let last = first.map_or(1.0, ContactTime::upper);
     for until in [1.0, last, last.next_down(), 0.5] {
         let options = CONTACT.until(until);
         assert_eq!(
