@@ -116,7 +116,7 @@ impl<'a, K: Kind> Collision<'a, K> {
         }
         if let Proof::Filter(contact) = &self.proof
             && environment::is_default()
-            && contact.is_after(until)
+            && contact.bracket().is_some_and(|[low, _]| low >= until)
         {
             return None;
         }
@@ -125,6 +125,24 @@ impl<'a, K: Kind> Collision<'a, K> {
             first: Some(first),
             ..self
         })
+    }
+
+    /// Returns true if the primitives first touch before a time. This takes less time than
+    /// [`time`](Self::time) where an interval of the first time suffices.
+    #[must_use]
+    pub fn is_before(&self, time: f64) -> bool {
+        if let Proof::Filter(contact) = &self.proof
+            && environment::is_default()
+            && let Some([low, high]) = contact.bracket()
+        {
+            if low >= time {
+                return false;
+            }
+            if high <= time {
+                return true;
+            }
+        }
+        self.time().lower() < time
     }
 
     pub(crate) fn determine_time(&self) -> ContactTime {

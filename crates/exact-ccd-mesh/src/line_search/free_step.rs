@@ -6,11 +6,11 @@ use exact_ccd::{Options, Point};
 
 use super::advance::advance;
 use super::error::LineSearchError;
-use super::watched::{Watch, Watched};
+use super::watched::{Watch, watched};
 use crate::broad_phase::BroadPhase;
 use crate::mesh::check_positions;
 use crate::pairs::{MinDistance, PairCounts};
-use crate::search::{AnyContact, Collect, Contact, CulledSearch, Detector, Earliest};
+use crate::search::{AnyContact, Contact, CulledSearch, Detector, Earliest};
 use crate::steps::Step;
 
 /// Options of [`Detector::free_step`].
@@ -191,7 +191,9 @@ pub(super) fn free_step<B: BroadPhase>(
 ) -> Result<FreeStep, LineSearchError> {
     let keep = options.checked_keep()?;
     let watch = Watch::new(options);
-    let earliest = watched(search, &step, options, Earliest::with_touching(), &watch)?;
+    let earliest = watched(Earliest::with_touching(), &watch, |watched| {
+        search.run_keeping(&step, &options.min_distance, watched);
+    })?;
     let [x0, x1] = step.positions();
     let contact = earliest.pair().and_then(|pair| search.contact(&step, pair));
     let touching = earliest.touching();
@@ -228,27 +230,14 @@ pub(super) fn certified<B: BroadPhase>(
     while size.to_bits() > 0 {
         let positions = at(size);
         let shorter = Step::new(step.mesh(), x0, &positions)?;
-        if !watched(search, &shorter, options, AnyContact::new(1.0, |_| true), watch)?.is_found() {
+        let contact = watched(AnyContact::new(1.0, |_| true), watch, |watched| {
+            search.run_in_part(&shorter, &options.min_distance, watched);
+        })?;
+        if !contact.is_found() {
             return Ok(Some((size, positions)));
         }
         size = f64::from_bits(first.to_bits().saturating_sub(retreat));
         retreat *= 2;
     }
     Ok(None)
-}
-
-/// Runs a search that can be cancelled.
-fn watched<B: BroadPhase, C: Collect>(
-    search: &mut CulledSearch<B>,
-    step: &Step<'_>,
-    options: &FreeStepOptions<'_>,
-    collector: C,
-    watch: &Watch<'_>,
-) -> Result<C, LineSearchError> {
-    let watched = Watched { collector, watch };
-    search.run(step, &options.min_distance, &watched);
-    if watch.is_cancelled() {
-        return Err(LineSearchError::Cancelled);
-    }
-    Ok(watched.collector)
 }

@@ -98,21 +98,22 @@ impl Collect for Retreats<'_> {
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
-        // Rounding depends on the order of the primitives, which must not be that in which they are found.
-        let pairs: Vec<[u32; 2]> = pairs.iter().map(|&ids| K::pair(ids).ids()).collect();
         let mut stuck = Vec::new();
-        narrow_phase.approaches::<K>(mesh, &pairs, self.until(), |ids, approach| {
+        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
             let Some((collision, vertices)) = approach.contact().zip(K::vertices(mesh, ids)) else {
                 return;
             };
             let able = self.able(vertices.as_ref());
-            let time = collision.time().lower();
-            if able.is_empty() {
+            let Some(last) = able.iter().map(|&vertex| self.first(vertex)).max() else {
                 stuck.push(K::pair(ids));
-            } else if able.iter().any(|&vertex| time.to_bits() < self.first(vertex)) {
-                // Otherwise, earlier contacts hold back whichever of them this one does.
-                for vertex in self.held_back::<K>(vertices.as_ref(), &collision.impact()) {
-                    self.times[vertex as usize].fetch_min(time.to_bits(), Ordering::Relaxed);
+                return;
+            };
+            // Otherwise, earlier contacts hold back whichever of them this one does.
+            if collision.is_before(f64::from_bits(last)) {
+                let impact = collision.impact();
+                let time = impact.time.lower().to_bits();
+                for vertex in self.held_back::<K>(vertices.as_ref(), &impact) {
+                    self.times[vertex as usize].fetch_min(time, Ordering::Relaxed);
                 }
             }
         });

@@ -4,7 +4,7 @@ use exact_ccd::Point;
 
 use super::error::LineSearchError;
 use super::retreat::Retreats;
-use super::watched::{Watch, Watched};
+use super::watched::{Watch, watched};
 use crate::broad_phase::BroadPhase;
 use crate::pairs::{MinDistance, Pair};
 use crate::search::CulledSearch;
@@ -68,16 +68,12 @@ impl<'a> Sizes<'a> {
     ) -> Result<(Vec<f64>, Vec<Pair>), LineSearchError> {
         let [x0, _] = self.step.positions();
         let step = Step::new(self.step.mesh(), x0, &self.positions)?;
-        let collector = Retreats::new(step, &self.can_retreat);
-        let watched = Watched { collector, watch };
-        match &self.has_fallen {
-            Some(has_fallen) => search.run_marked(&step, min_distance, has_fallen, &watched),
-            None => search.run(&step, min_distance, &watched),
-        }
-        if watch.is_cancelled() {
-            return Err(LineSearchError::Cancelled);
-        }
-        Ok(watched.collector.found())
+        let retreats = Retreats::new(step, &self.can_retreat);
+        let retreats = watched(retreats, watch, |watched| match &self.has_fallen {
+            Some(has_fallen) => search.run_marked(&step, min_distance, has_fallen, watched),
+            None => search.run(&step, min_distance, watched),
+        })?;
+        Ok(retreats.found())
     }
 
     /// Holds vertices back: to `kept` times the time of the first contact that does, from the size before.

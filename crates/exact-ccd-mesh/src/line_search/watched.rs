@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::error::LineSearchError;
 use super::free_step::FreeStepOptions;
 use crate::mesh::TriangleMesh;
 use crate::pairs::PairKind;
@@ -33,10 +34,24 @@ impl<'a> Watch<'a> {
     }
 }
 
+/// The collector after a search, unless the caller has cancelled it.
+pub(super) fn watched<C>(
+    collector: C,
+    watch: &Watch<'_>,
+    search: impl FnOnce(&Watched<'_, C>),
+) -> Result<C, LineSearchError> {
+    let watched = Watched { collector, watch };
+    search(&watched);
+    if watch.is_cancelled() {
+        return Err(LineSearchError::Cancelled);
+    }
+    Ok(watched.collector)
+}
+
 /// A collector that reports progress and ends when the search is cancelled.
 pub(super) struct Watched<'a, C> {
-    pub(super) collector: C,
-    pub(super) watch: &'a Watch<'a>,
+    collector: C,
+    watch: &'a Watch<'a>,
 }
 
 impl<C: Collect> Collect for Watched<'_, C> {

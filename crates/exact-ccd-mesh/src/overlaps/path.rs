@@ -23,18 +23,74 @@ pub(super) fn between(time: f64, x0: Point, x1: Point) -> Point {
 /// rounded once more, by at most ε (|near| + e) ≤ ε s (1 + 9 ε), as |near| ≤ s. So 8 ε s covers 4 ε s and
 /// all terms with ε². Where subnormal numbers are flushed to zero, each of the six operands and results is
 /// off by less than 2⁻¹⁰²².
+///
+/// The box at t = 0 is as much larger than the point. So at all times, the place on the path is at least 4
+/// ε s inside of the box: of the 8 ε s, at most 3 ε s are for the place at `time`, and one for the side.
+/// Hence a straight motion from x₀ to a place that is at most 3 ε s off the path, at `time` or before, is
+/// in the box too.
 pub(super) fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
-    let mut end = Aabb::EMPTY;
+    let (mut start, mut end) = (Aabb::EMPTY, Aabb::EMPTY);
     let place = between(time, x0, x1);
     for axis in 0..3 {
         let (a, b, near) = (x0[axis], x1[axis], place[axis]);
         let error = 8.0 * f64::EPSILON * a.abs() + 8.0 * f64::EPSILON * b.abs() + 8.0 * f64::MIN_POSITIVE;
+        start.lower[axis] = a - error;
+        start.upper[axis] = a + error;
         end.lower[axis] = near - error;
         end.upper[axis] = near + error;
     }
-    let start = Aabb::of(x0);
     match T {
         1 => [start.union(&end); T],
         _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use exact_ccd::Point;
+    use fastrand::Rng;
+
+    use super::until;
+    use crate::mesh::TriangleMesh;
+    use crate::steps::Step;
+
+    /// Points of which some move by a few units in the last place, and others far.
+    fn points(rng: &mut Rng) -> Vec<[Point; 2]> {
+        let coordinates = |rng: &mut Rng| {
+            let size = 10_f64.powi(rng.i32(-12..1));
+            let start = [0, 1, 2].map(|_| 2.0 * rng.f64() - 1.0);
+            let end = start.map(|x| x + size * (2.0 * rng.f64() - 1.0));
+            [start, end]
+        };
+        (0..64).map(|_| coordinates(rng)).collect()
+    }
+
+    #[test]
+    fn boxes_contain_motions_to_rounded_positions_before_their_time() {
+        let mut rng = Rng::with_seed(0);
+        let mesh = TriangleMesh::new(64, Vec::new()).expect("there are no faces");
+        for _ in 0..1000 {
+            let (x0, x1): (Vec<_>, Vec<_>) = points(&mut rng).into_iter().map(|[a, b]| (a, b)).unzip();
+            let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+            let time = rng.f64();
+            let size = time * [1.0, rng.f64(), 1e-9][rng.usize(..3)];
+            let along = |(a, b): (&Point, &Point)| [0, 1, 2].map(|k: usize| a[k] + size * (b[k] - a[k]));
+            let advanced = x0.iter().zip(&x1).map(along).collect();
+            for ends in [step.at(size), advanced] {
+                for (vertex, end) in ends.into_iter().enumerate() {
+                    let [rest] = until::<1>(time, x0[vertex], x1[vertex]);
+                    let moving = until::<2>(time, x0[vertex], x1[vertex]);
+                    let part = size / time;
+                    for axis in 0..3 {
+                        let at = |[start, end]: [f64; 2]| start + part * (end - start);
+                        let lower = at(moving.each_ref().map(|place| place.lower[axis]));
+                        let upper = at(moving.each_ref().map(|place| place.upper[axis]));
+                        let x = end[axis];
+                        assert!(rest.lower[axis] < x && x < rest.upper[axis], "{x0:?} {x1:?}");
+                        assert!(lower < x && x < upper, "{x0:?} {x1:?} {time} {size}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -16,6 +16,9 @@ use crate::steps::Step;
 /// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at
 /// rest, each around the whole path of a primitive (T = 1).
 ///
+/// A box contains its primitive until the time for which it is placed, and in a motion to rounded positions
+/// before that (`path.rs`).
+///
 /// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come
 /// where the first of their vertices does. The order is kept from step to step until it has become
 /// too long.
@@ -201,8 +204,9 @@ impl<const T: usize> StepBoxes<T> {
         self.has_begun && K::SETS.iter().any(|&set| self.get(set).is_empty())
     }
 
-    /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked, in any order. Those of two
-    /// marked primitives are found twice, and passed on once.
+    /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked, in any order. Those of
+    /// two marked primitives are found twice, and passed on once. Of two primitives of one set, the smaller
+    /// index comes first.
     pub(crate) fn pairs_of_marked<K: Searched>(
         &self,
         mesh: &TriangleMesh,
@@ -219,18 +223,17 @@ impl<const T: usize> StepBoxes<T> {
             PrimitiveSet::Edges | PrimitiveSet::LooseEdges => any(&mesh.edges()[id as usize]),
         };
         let only = |set: PrimitiveSet| self.get(set).only(|id| is_marked(set, id));
-        let once = |pairs: &[[u32; 2]], counts: &dyn Fn(&[u32; 2]) -> bool| {
-            let pairs: Vec<_> = pairs.iter().copied().filter(counts).collect();
-            uncovered(&pairs)
-        };
         if first == second {
             return broad_phase.between(&only(first), self.get(first), &|pairs| {
-                once(pairs, &|&[a, b]| a < b || !is_marked(first, b))
+                let once = pairs.iter().filter(|&&[a, b]| a < b || !is_marked(first, b));
+                let sorted = once.map(|&[a, b]| [a.min(b), a.max(b)]);
+                uncovered(&sorted.collect::<Vec<_>>())
             });
         }
         broad_phase.between(&only(first), self.get(second), &uncovered)?;
         broad_phase.between(self.get(first), &only(second), &|pairs| {
-            once(pairs, &|&[a, _]| !is_marked(first, a))
+            let once = pairs.iter().copied().filter(|&[a, _]| !is_marked(first, a));
+            uncovered(&once.collect::<Vec<_>>())
         })
     }
 
@@ -252,18 +255,19 @@ impl<const T: usize> StepBoxes<T> {
         }
     }
 
-    /// Finds the pairs of a kind whose boxes meet; of a sample of the first primitives, if there is a stride.
+    /// Finds the pairs of a kind whose boxes meet; of a sample of the first primitives, if there are its first
+    /// block and a stride.
     pub(crate) fn pairs<K: Searched>(
         &self,
         mesh: &TriangleMesh,
         broad_phase: &impl BroadPhase,
-        sample: Option<usize>,
+        sample: Option<[usize; 2]>,
         sink: &PairSink<'_>,
     ) -> ControlFlow<()> {
         let sink = &self.uncovered::<K>(mesh, sink);
         let [first, second] = K::SETS;
         match sample {
-            Some(stride) => broad_phase.between(&self.get(first).sample(stride), self.get(second), sink),
+            Some(sample) => broad_phase.between(&self.get(first).sample(sample), self.get(second), sink),
             None if first == second => broad_phase.within(self.get(first), sink),
             None => broad_phase.between(self.get(first), self.get(second), sink),
         }

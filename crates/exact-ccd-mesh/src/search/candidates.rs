@@ -94,6 +94,15 @@ impl Candidates {
         overlaps::stream(step, broad_phase, options, &Sink(sink))
     }
 
+    /// Lists of pairs without a common vertex, in any order.
+    pub(super) fn from_lists(lists: ByKind<Vec<[u32; 2]>>) -> Self {
+        Self(lists)
+    }
+
+    pub(super) fn into_lists(self) -> ByKind<Vec<[u32; 2]>> {
+        self.0
+    }
+
     /// Pairs of a vertex and a face that it is no corner of, sorted.
     #[must_use]
     pub fn vertex_face(&self) -> &[[u32; 2]] {
@@ -184,14 +193,14 @@ impl Candidates {
         rayon::scope(|_| {
             let min_distance = min_distance.extended_to(step.mesh());
             let narrow_phase = NarrowPhase::of(&step, min_distance);
-            let _ = self.examine_all(step, &narrow_phase, collector);
+            let _ = self.examine_all(&step, &narrow_phase, collector);
             narrow_phase
         })
     }
 
-    fn examine_all(
+    pub(super) fn examine_all(
         &self,
-        step: Step<'_>,
+        step: &Step<'_>,
         narrow_phase: &NarrowPhase,
         collector: &impl Collect,
     ) -> ControlFlow<()> {
@@ -203,7 +212,7 @@ impl Candidates {
 
     fn examine_kind<K: Searched>(
         &self,
-        step: Step<'_>,
+        step: &Step<'_>,
         narrow_phase: &NarrowPhase,
         collector: &impl Collect,
     ) -> ControlFlow<()> {

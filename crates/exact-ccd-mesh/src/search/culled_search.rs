@@ -4,8 +4,10 @@ use std::ops::ControlFlow;
 
 use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 
+use super::candidates::Candidates;
 use super::collect::Collect;
 use super::contact::Contact;
+use super::kept::Kept;
 use super::narrow_phase::NarrowPhase;
 use crate::broad_phase::BroadPhase;
 use crate::overlaps::{Margin, StepBoxes};
@@ -25,11 +27,16 @@ struct Memory {
     narrow_phase: NarrowPhase,
     resting: StepBoxes<1>,
     moving: StepBoxes<2>,
+    /// The candidates of the last search, if they were kept.
+    kept: Option<Candidates>,
 }
 
-/// One block of primitives in this many is examined first: enough to find an early contact among
-/// many.
+/// One block of primitives in this many is a sample, which is examined first: enough to find an early
+/// contact among many.
 const SAMPLE_STRIDE: usize = 64;
+
+/// The largest number of samples.
+const MOST_SAMPLES: usize = 4;
 
 /// Displacements below this fraction of the mean edge length count as short. The box around a short
 /// path is hardly larger than a box that moves along it, and its tests are cheaper.
@@ -45,6 +52,7 @@ impl Memory {
             narrow_phase: NarrowPhase::new(can_collide),
             resting: StepBoxes::default(),
             moving: StepBoxes::default(),
+            kept: None,
         }
     }
 }
@@ -79,11 +87,61 @@ impl<B: BroadPhase> CulledSearch<B> {
     /// Passes all candidates until the collector's time to the collector, possibly with others: those that
     /// come within a distance. The search ends early if the collector breaks.
     pub(crate) fn run(&mut self, step: &Step<'_>, min_distance: &MinDistance, collector: &impl Collect) {
+        self.memory.kept = None;
+        self.pass(step, min_distance, collector, None);
+    }
+
+    /// The same, for a search in a part of the step afterwards, which [`run_in_part`](Self::run_in_part)
+    /// makes.
+    pub(crate) fn run_keeping(
+        &mut self,
+        step: &Step<'_>,
+        min_distance: &MinDistance,
+        collector: &impl Collect,
+    ) {
+        let kept = Kept::new(step.mesh(), self.memory.kept.take().unwrap_or_default());
+        self.pass(step, min_distance, collector, Some(&kept));
+        self.memory.kept = kept.into_candidates();
+    }
+
+    /// Passes all candidates of a part of the last step to the collector: those that the last search kept,
+    /// if it did.
+    ///
+    /// The part is from the same positions to those of [`Step::at`] or [`advance`](crate::advance) at a
+    /// time at which the collector of the last search ended, or before. These are at most 3 ε (|x₀| + |x₁|)
+    /// off the path, in any direction of rounding, so that the boxes of the last search contain the part
+    /// (`overlaps/path.rs`).
+    pub(crate) fn run_in_part(
+        &mut self,
+        part: &Step<'_>,
+        min_distance: &MinDistance,
+        collector: &impl Collect,
+    ) {
+        let Memory {
+            narrow_phase, kept, ..
+        } = &mut self.memory;
+        let Some(kept) = kept else {
+            return self.run(part, min_distance, collector);
+        };
+        let _ = rayon::scope(|_| {
+            narrow_phase.begin(part, min_distance.clone());
+            kept.examine_all(part, narrow_phase, collector)
+        });
+    }
+
+    fn pass(
+        &mut self,
+        step: &Step<'_>,
+        min_distance: &MinDistance,
+        collector: &impl Collect,
+        kept: Option<&Kept>,
+    ) {
         let Self { broad_phase, memory } = self;
         let Memory {
             narrow_phase,
             resting,
             moving,
+            ..
         } = memory;
         // All on threads of the pool: entering it from outside costs a context switch each time.
         let _ = rayon::scope(|_| {
@@ -96,6 +154,7 @@ impl<B: BroadPhase> CulledSearch<B> {
                 broad_phase: &*broad_phase,
                 narrow_phase: &*narrow_phase,
                 collector,
+                kept,
                 short: time_of_short_displacements(step),
             };
             pass.examine::<VertexFace>(resting, moving)?;
@@ -118,8 +177,12 @@ impl<B: BroadPhase> CulledSearch<B> {
     ) {
         let Self { broad_phase, memory } = self;
         let Memory {
-            narrow_phase, moving, ..
+            narrow_phase,
+            moving,
+            kept,
+            ..
         } = memory;
+        *kept = None;
         let _ = rayon::scope(|_| {
             narrow_phase.begin(step, min_distance.clone());
             let is_placed = moving.move_marked(step, marked);
@@ -162,35 +225,61 @@ struct Pass<'a, B, C> {
     broad_phase: &'a B,
     narrow_phase: &'a NarrowPhase,
     collector: &'a C,
+    kept: Option<&'a Kept>,
     /// The time until which all displacements are short.
     short: f64,
 }
 
 impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
-    /// Examines the candidates of one kind, by the better boxes.
+    /// Examines the candidates of one kind: first those of samples, as long as these shorten the search.
     fn examine<K: Searched>(&self, resting: &mut StepBoxes<1>, moving: &mut StepBoxes<2>) -> ControlFlow<()> {
         if resting.lacks::<K>() || moving.lacks::<K>() {
-            ControlFlow::Continue(())
-        } else if self.collector.until() < self.short {
-            self.examine_among::<K, 1>(resting)
-        } else {
-            self.examine_among::<K, 2>(moving)
+            return ControlFlow::Continue(());
+        }
+        let mut sample = C::PROFITS_FROM_SAMPLE.then_some(0);
+        let mut placed = None;
+        loop {
+            let time = self.collector.until();
+            // The better boxes.
+            let is_short = time < self.short;
+            let stay = placed
+                .is_some_and(|(was_short, before)| was_short == is_short && time >= SHRUNK_TIME * before);
+            let new_time = (!stay).then_some(time);
+            if is_short {
+                self.examine_among::<K, 1>(resting, new_time, sample)?;
+            } else {
+                self.examine_among::<K, 2>(moving, new_time, sample)?;
+            }
+            if !stay {
+                placed = Some((is_short, time));
+            }
+            let Some(number) = sample else {
+                return ControlFlow::Continue(());
+            };
+            let has_shrunk = self.collector.until() < SHRUNK_TIME * time;
+            sample = (has_shrunk && number + 1 < MOST_SAMPLES).then_some(number + 1);
         }
     }
 
-    fn examine_among<K: Searched, const T: usize>(&self, boxes: &mut StepBoxes<T>) -> ControlFlow<()> {
-        let can_collide = self.narrow_phase.can_collide();
+    /// Examines the candidates of one kind, or of a sample, after the boxes have been placed for a new time.
+    fn examine_among<K: Searched, const T: usize>(
+        &self,
+        boxes: &mut StepBoxes<T>,
+        new_time: Option<f64>,
+        sample: Option<usize>,
+    ) -> ControlFlow<()> {
         let mesh = self.step.mesh();
-        let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
-        let time = self.collector.until();
-        boxes.place::<K>(self.step, can_collide, time);
-        if C::PROFITS_FROM_SAMPLE {
-            boxes.pairs::<K>(mesh, self.broad_phase, Some(SAMPLE_STRIDE), &examine)?;
-            if self.collector.until() < SHRUNK_TIME * time {
-                boxes.place::<K>(self.step, can_collide, self.collector.until());
-            }
+        let sample = sample.map(|number| [number, SAMPLE_STRIDE]);
+        if let Some(time) = new_time {
+            boxes.place::<K>(self.step, self.narrow_phase.can_collide(), time);
         }
-        boxes.pairs::<K>(mesh, self.broad_phase, None, &examine)
+        let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
+        match self.kept.filter(|_| sample.is_none()) {
+            Some(kept) => boxes.pairs::<K>(mesh, self.broad_phase, sample, &|pairs: &[_]| {
+                examine(&kept.add::<K>(mesh, pairs))
+            }),
+            None => boxes.pairs::<K>(mesh, self.broad_phase, sample, &examine),
+        }
     }
 }
 

@@ -11,6 +11,7 @@ mod contact_points;
 mod culled_search;
 mod detector;
 mod first_contacts;
+mod kept;
 mod method;
 mod narrow_phase;
 mod report;

@@ -1,6 +1,9 @@
 //! Finite f64 as dyadic rationals m 2ᵉ, and sets of them as integers of one unit.
 
 use dashu_int::IBig;
+use dashu_int::ops::BitTest;
+
+use super::approximation::shifted;
 
 /// (m, e) with x = m · 2ᵉ, for finite x; m is odd or zero. Only the bit pattern is read.
 pub(crate) fn decompose(x: f64) -> (i64, i32) {
@@ -34,4 +37,30 @@ pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], Opti
         (_, Some(unit)) => IBig::from(mantissa) << (exponent - unit) as usize,
     };
     (parts.map(integer), unit)
+}
+
+/// One bit more than an f64 has: the largest f64 that is not above a number with so many bits is not above
+/// its integral part.
+pub(super) const ENOUGH_BITS: isize = 54;
+
+/// The bits of the largest f64 that is not above m 2ᵏ, for an integer m ≥ 0, and true if it is that number.
+pub(super) fn rounded_down(m: &IBig, k: isize) -> (u64, bool) {
+    const DIGITS: isize = f64::MANTISSA_DIGITS as isize;
+    const LEAST: isize = -1074;
+    const LARGEST: u64 = f64::MAX.to_bits();
+    if m.is_zero() {
+        return (0, true);
+    }
+    // The exponent of a unit in the last place. A number of j units above the least exponent has j in the
+    // bits above those of its significand, to which the first bit of a normal significand adds 1.
+    let unit = (k + m.bit_len() as isize - DIGITS).max(LEAST);
+    let significand = shifted(m, k - unit);
+    let is_equal = shifted(&significand, unit - k) == *m;
+    let above = (unit - LEAST) as u64;
+    let significand = u64::try_from(significand).unwrap_or(u64::MAX);
+    let bits = above.min(1 << 11) << (DIGITS - 1);
+    match bits.checked_add(significand) {
+        Some(bits) if bits <= LARGEST => (bits, is_equal),
+        _ => (LARGEST, false),
+    }
 }

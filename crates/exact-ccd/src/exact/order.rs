@@ -65,24 +65,19 @@ impl Instant {
         Split::between(this.bounds().1, later.bounds().0)
     }
 
-    /// The time as an f64 or between two adjacent ones, by bisection over bit patterns, which are
-    /// ordered like the numbers.
+    /// The time as an f64 or between two adjacent ones.
     pub(crate) fn round(&self) -> ContactTime {
         let mut narrow = self.clone();
-        // At most a few f64 are then in the bracket, where the comparison takes long.
+        // At most a few f64 are then in the bracket.
         narrow.narrow_to(64);
-        let (mut low, mut high) = (0.0f64.to_bits(), 1.0f64.to_bits() + 1);
         let compare = |bits| narrow.compare(&Split::from_unit(f64::from_bits(bits)));
-        while high - low > 1 {
-            let middle = low + (high - low) / 2;
-            if compare(middle).is_ge() {
-                low = middle;
-            } else {
-                high = middle;
-            }
+        let mut floor = narrow.bounds().0.floor();
+        while floor < 1.0f64.to_bits() && compare(floor + 1).is_ge() {
+            floor += 1;
         }
-        let floor = f64::from_bits(low);
-        if compare(low).is_eq() {
+        let is_exact = compare(floor).is_eq();
+        let floor = f64::from_bits(floor);
+        if is_exact {
             ContactTime::exactly(floor)
         } else {
             ContactTime::just_above(floor)

@@ -5,7 +5,8 @@ use core::cmp::Ordering;
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
-use super::dyadic::decompose;
+use super::approximation::shifted;
+use super::dyadic::{ENOUGH_BITS, decompose, rounded_down};
 
 /// The time t with t / (1 − t) = a 2ᵏ / b for integers a, b ≥ 0 that are not both zero.
 ///
@@ -52,6 +53,15 @@ impl Split {
             left,
             exponent: 0,
         }
+    }
+
+    /// The bits of the largest f64 that is not above the time.
+    pub(super) fn floor(&self) -> u64 {
+        let elapsed = shifted(&self.elapsed, self.exponent.max(0));
+        let whole = &elapsed + shifted(&self.left, (-self.exponent).max(0));
+        let by = ENOUGH_BITS + whole.bit_len() as isize - elapsed.bit_len() as isize;
+        let (floor, _) = rounded_down(&(shifted(&elapsed, by) / whole), -by);
+        floor
     }
 
     /// The ratios a 2ᵏ : 1 next to this one with a of at most 64 bits, or this one at an end.

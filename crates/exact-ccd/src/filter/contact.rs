@@ -22,6 +22,8 @@ use crate::time::ContactTime;
 pub(crate) enum Contact {
     /// The primitives are coplanar exactly at some roots, and touch at one of them.
     AtRoot(AtRoot),
+    /// The primitives first touch at this root, which is an f64.
+    At(Root),
     /// The primitives are coplanar at all times, and in contact for an interval that begins like
     /// this.
     Sliding(Event),
@@ -81,7 +83,7 @@ impl Contact {
     #[inline]
     pub(crate) fn stage(&self) -> Stage {
         match self {
-            Self::AtRoot(_) => Stage::Roots,
+            Self::AtRoot(_) | Self::At(_) => Stage::Roots,
             Self::Sliding(_) => Stage::Planar,
             Self::Coincident(_) => Stage::Coincident,
             Self::AtMoment(_) => Stage::FixedWidth,
@@ -98,6 +100,7 @@ impl Contact {
                 }
                 None => None,
             },
+            Self::At(root) => return Some(ContactTime::exactly(root.near)),
             Self::Sliding(beginning) => Planar::new(query).and_then(|planar| planar.round(beginning)),
             Self::Coincident(coincidence) => coincidence.first,
             Self::AtMoment(moment) => return fixed_width::time(query, moment),
@@ -105,13 +108,12 @@ impl Contact {
         by_roundoff.or_else(|| fixed_width::first(query))
     }
 
-    /// Returns true if the earliest contact certainly is after a time: its root is above the lower end of the
-    /// bracket.
+    /// Two times between which the earliest contact certainly is.
     #[inline]
-    pub(crate) fn is_after(&self, time: f64) -> bool {
+    pub(crate) fn bracket(&self) -> Option<[f64; 2]> {
         match self {
-            Self::AtRoot(at_root) => at_root.since_first().is_some_and(|(root, _)| root.low >= time),
-            Self::Sliding(_) | Self::Coincident(_) | Self::AtMoment(_) => false,
+            Self::AtRoot(at_root) => at_root.since_first().map(|(root, _)| [root.low, root.high]),
+            Self::At(_) | Self::Sliding(_) | Self::Coincident(_) | Self::AtMoment(_) => None,
         }
     }
 
@@ -121,28 +123,27 @@ impl Contact {
             Self::AtRoot(at_root) => at_root.since_first().and_then(|roots| moments(query, roots)),
             Self::Sliding(_) => Planar::new(query).and_then(|planar| planar.intervals()),
             Self::Coincident(coincidence) => coincidence.intervals(),
-            Self::AtMoment(_) => None,
+            Self::At(_) | Self::AtMoment(_) => None,
         };
         by_roundoff.or_else(|| fixed_width::moments(query))
     }
 
     /// The earliest contact, if the filters determine it.
     pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
-        match self {
-            Self::AtRoot(at_root) => {
-                let (root, _) = at_root.since_first()?;
-                let time = self.first(query)?;
-                let (parameters, normal) = parameters_and_normal(query, &root.at(time))?;
-                let normal = Some(normal);
-                Some(Impact {
-                    time,
-                    parameters,
-                    normal,
-                })
-            }
-            Self::Coincident(_) => coincident::impact(query),
-            Self::Sliding(_) | Self::AtMoment(_) => None,
-        }
+        let root = match self {
+            Self::AtRoot(at_root) => at_root.since_first()?.0,
+            Self::At(root) => root,
+            Self::Coincident(_) => return coincident::impact(query),
+            Self::Sliding(_) | Self::AtMoment(_) => return None,
+        };
+        let time = self.first(query)?;
+        let (parameters, normal) = parameters_and_normal(query, &root.at(time))?;
+        let normal = Some(normal);
+        Some(Impact {
+            time,
+            parameters,
+            normal,
+        })
     }
 }
 

@@ -33,6 +33,22 @@ pub(crate) struct Root {
 }
 
 impl Root {
+    /// The root at a time, of a cubic with this sign before it.
+    pub(super) fn exactly(time: f64, before: Ordering) -> Self {
+        Self {
+            low: time,
+            high: time,
+            near: time,
+            slope: 0.0,
+            rising: before.is_lt(),
+        }
+    }
+
+    /// A bound of the distance of the root from `near`; both are exact, or rounded once.
+    pub(super) fn radius(&self) -> f64 {
+        (self.high - self.near).max(self.near - self.low)
+    }
+
     /// The root in the narrowest bracket, given its time.
     pub(super) fn at(&self, time: ContactTime) -> Self {
         Self {
@@ -161,16 +177,27 @@ impl Cubic<f64> {
         }
         let mut low = 0.0;
         for high in self.cuts().into_iter().chain([1.0]) {
-            let coefficients = [
-                self.blossom(low, low, low),
-                self.blossom(low, low, high),
-                self.blossom(low, high, high),
-                self.blossom(high, high, high),
-            ];
-            self.isolate(low, high, coefficients, &mut roots)?;
+            self.isolate(low, high, self.piece(low, high), &mut roots)?;
             low = high;
         }
         Some(roots)
+    }
+
+    /// The sign of c at t = 0, if it certainly is that of c at all times before a time at which c does not
+    /// have the opposite sign; and the sign there, if it is certain.
+    pub(super) fn signs_until(&self, end: f64) -> Option<[Option<Ordering>; 2]> {
+        let [first, second, third, last] = self.piece(0.0, end).map(|value| self.sign(value));
+        (first.is_some() && second == first && third == first).then_some([first, last])
+    }
+
+    /// The Bernstein coefficients in [low, high].
+    fn piece(&self, low: f64, high: f64) -> [f64; 4] {
+        [
+            self.blossom(low, low, low),
+            self.blossom(low, low, high),
+            self.blossom(low, high, high),
+            self.blossom(high, high, high),
+        ]
     }
 
     /// Appends the root in a piece with these Bernstein coefficients, if there certainly is one;

@@ -5,6 +5,8 @@
 //! is that of four points at rest. Later, the roots of the cubic are those of its exact coefficients, each
 //! rounded only once.
 
+use core::cmp::Ordering;
+
 use arrayvec::ArrayVec;
 
 use super::cubic::{Cubic, Root};
@@ -95,8 +97,8 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
 ///
 /// The bounds of [`Cubic::new`] hold with the largest coefficient as magnitude: each coefficient is rounded
 /// once, n = 1 of the ten roundings there, and the largest rounded one is below its integer by one rounding
-/// at most. Coefficients are below 2²⁵⁵, squares of them below 2⁵¹⁴: nothing overflows. The largest is at
-/// least 1, so that what underflows is far below the bounds.
+/// at most. Coefficients are below 2²⁵² ([`Length`](super::length::Length)): nothing overflows. The largest
+/// is at least 1, so that what underflows is far below the bounds.
 fn flat_moments(cubic: &[Volume; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
     let (inner, [at_start, at_end]) = without_ends(*cubic);
     let values = inner.map(|c| c.approximate().high);
@@ -196,15 +198,32 @@ fn at_fraction(bits: u32, &[c0, c1, c2, c3]: &[Volume; 4], elapsed: i64) -> Opti
 }
 
 /// The root in a bracket between two adjacent f64, if the signs of the cubic at both are certain.
-///
-/// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
-/// off by 2⁻¹⁰⁴ of itself, less than one operation, of which seven lead to a coefficient there.
 fn between_adjacent(cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
-    let values = cubic.map(Wide::approximate);
-    let [c0, c1, c2, c3] = values.map(|value| value.high);
+    let (precise, [c0, c1, c2, c3]) = precise(cubic);
     // The slope in the units of the integers.
     let [a1, a2, a3] = [c1 - 3.0 * c0, c2 - 2.0 * c1 + 3.0 * c0, c3 - c2 + c1 - c0];
     let slope = (3.0 * a3 * root.near + 2.0 * a2) * root.near + a1;
-    let precise = PreciseCubic::new(values, largest([c0, c1, c2, c3]));
     precise.round(&Root { slope, ..*root })
+}
+
+/// The sign of the coplanarity cubic at a time, if it is certain.
+#[inline(never)]
+pub(super) fn sign_at<K: Kind>(query: &Query<K>, time: f64) -> Option<Ordering> {
+    let integers = Integers::new(query)?;
+    let cubic = integers.cubic();
+    let elapsed = time * PARTS as f64;
+    if elapsed == libm::trunc(elapsed) && at_fraction(integers.bits(), &cubic, elapsed as i64).is_some() {
+        return Some(Ordering::Equal);
+    }
+    precise(&cubic).0.sign_at(time)
+}
+
+/// The cubic in twice the precision, and its coefficients, rounded.
+///
+/// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
+/// off by 2⁻¹⁰⁴ of itself, less than one operation, of which seven lead to a coefficient there.
+fn precise(cubic: &[Volume; 4]) -> (PreciseCubic, [f64; 4]) {
+    let values = cubic.map(Wide::approximate);
+    let rounded = values.map(|value| value.high);
+    (PreciseCubic::new(values, largest(rounded)), rounded)
 }

@@ -10,6 +10,10 @@ use super::wide::Wide;
 pub(super) type Volume = Wide<4>;
 
 /// A difference of two coordinates.
+///
+/// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹, the terms of a coefficient of the cubic below
+/// 2³ᵇ⁺³, and there are at most 18 of them. Without [the roots at the ends](super::lattice::without_ends),
+/// a coefficient is a sum of at most three: below 54 · 2³ᵇ⁺³, which is less than 2²⁵² for b = 81.
 pub(super) trait Length: Copy {
     /// The largest number of bits of coordinates.
     const MOST_BITS: u32;
@@ -102,9 +106,6 @@ impl Area for i128 {
     }
 }
 
-/// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹, the terms of a coefficient of the cubic below 2³ᵇ⁺³,
-/// and there are at most 18 of them: it is below 2³ᵇ⁺⁸. [`without_ends`](super::lattice::without_ends) makes
-/// it at most 2³ times as large: below 2²⁵⁴ for b = 81.
 impl Length for i128 {
     const MOST_BITS: u32 = 81;
     type Area = Volume;

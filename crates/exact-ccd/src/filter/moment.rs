@@ -7,6 +7,7 @@ use super::cubic::Root;
 use super::length::Area;
 use super::number::Lanes;
 use super::roundoff::{UNIT, certain_sign, margin};
+use super::vector::interpolate;
 use super::window::Window;
 
 /// A time or an interval of times.
@@ -49,16 +50,16 @@ impl Moment {
     ///
     /// The value results from n = 7 roundings: that of the coefficient, three of t, which its place in the
     /// window determines, those of 1 − t, a product and a sum. Terms are at most |d₀| + |d₁|, which bounds
-    /// the slope, too.
+    /// the slope, too. The radius is one in time: that in the window times its width, with a factor of two
+    /// for roundings.
     pub(super) fn sign_of_linear(&self, [start, end]: [f64; 2]) -> Option<Ordering> {
         let Self::Root(window, root) = self else {
             return None;
         };
         let t = window.time_at(root.near);
-        let value = (1.0 - t) * start + t * end;
-        let radius = (root.high - root.near).max(root.near - root.low);
+        let radius = window.width() * root.radius();
         certain_sign(
-            value,
+            interpolate(start, end, t),
             (start.abs() + end.abs()) * (2.0 * radius + margin(7) * UNIT),
         )
     }
@@ -74,8 +75,10 @@ fn near<A: Area>(quadratic: [A; 3], window: &Window, root: &Root) -> Option<Orde
         return Some(Ordering::Equal);
     }
     let quadratic = window.quadratic(quadratic)?;
-    let radius = (root.high - root.near).max(root.near - root.low);
-    certain_sign(value_at(quadratic, root.near), error_near(quadratic, radius))
+    certain_sign(
+        value_at(quadratic, root.near),
+        error_near(quadratic, root.radius()),
+    )
 }
 
 /// q₀ (1−t)² + q₁ (1−t) t + q₂ t².

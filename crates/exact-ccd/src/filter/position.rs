@@ -91,11 +91,10 @@ pub(super) struct NearRoot<'a, K: Kind> {
 
 impl<'a, K: Kind> NearRoot<'a, K> {
     pub(super) fn new(query: &'a Query<K>, root: &Root) -> Self {
-        let radius = (root.high - root.near).max(root.near - root.low);
         Self {
             query,
             near: root.near,
-            slack: margin(4) * UNIT + 4.0 * radius,
+            slack: margin(4) * UNIT + 4.0 * root.radius(),
         }
     }
 

@@ -45,6 +45,11 @@ impl PreciseCubic {
         self.value(t).high.abs() * (1.0 - UNIT) > self.error + bound * (1.0 + 4.0 * UNIT)
     }
 
+    /// The sign of c(t), if it is certainly not zero.
+    pub(super) fn sign_at(&self, t: f64) -> Option<Ordering> {
+        self.sign(self.value(t))
+    }
+
     /// The sign of a value, if it is certainly not zero.
     fn sign(&self, value: DoubleDouble) -> Option<Ordering> {
         certain_sign(value.high, self.error)
@@ -72,7 +77,7 @@ impl PreciseCubic {
                 if floor < root.low || floor.next_up() > root.high {
                     return None;
                 }
-                let above = self.sign(self.value(floor.next_up()))?;
+                let above = self.sign_at(floor.next_up())?;
                 let proved = self.sign(value)? == below && above == below.reverse();
                 return proved.then(|| ContactTime::just_above(floor));
             }

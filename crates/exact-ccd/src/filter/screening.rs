@@ -5,13 +5,14 @@ use super::alongside;
 use super::coincident::coincidence;
 use super::contact::{Contact, Unknown};
 use super::coplanarity::Coplanarity;
-use super::cubic::Cubic;
+use super::cubic::{Cubic, Root};
 use super::fixed_width;
 use super::gap::{Gap, Touching, Within};
 use super::hull::Hull;
 use super::nearness;
 use super::number::{Lanes, Points};
 use super::planar::Planar;
+use super::position::{self, Position};
 use crate::kind::Kind;
 use crate::options::Options;
 use crate::query::Query;
@@ -42,7 +43,7 @@ pub(crate) fn decide<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
         return decide_within(query, options);
     }
     match screen(query, &Hull::new::<K>(&query.four()), Touching) {
-        Ok(Some(cubic)) => decide_near_plane(query, &cubic),
+        Ok(Some(cubic)) => decide_near_plane(query, &cubic, options.until),
         Ok(None) => Decision::Unknown,
         Err(stage) => Decision::Free(stage),
     }
@@ -112,11 +113,17 @@ pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>, gap: impl Gap
     }
 }
 
-/// The last stages of contact, for a query in range that the stages before have not settled.
+/// The last stages of contact until a time, for a query in range that the stages before have not settled. A
+/// contact that is later may be found or not.
 ///
 /// Few candidates get here. It is not inlined, so that the stages above stay small.
 #[inline(never)]
-pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Decision {
+pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Decision {
+    if (0.0..1.0).contains(&until)
+        && let Some(decision) = decide_until(query, cubic, until)
+    {
+        return decision;
+    }
     if let Some(roots) = cubic.roots() {
         return match Contact::at_roots(query, roots) {
             Ok(Some(contact)) => Decision::Collision(Proved::Contact(contact)),
@@ -141,6 +148,26 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
             decision => decision,
         },
     }
+}
+
+/// The decision if the primitives certainly are not coplanar before a time, by the cubic there, which is
+/// computed in integers where its sign is not certain.
+///
+/// In a search for the earliest contact, many pairs may touch at almost the same time, or at the same one.
+fn decide_until<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Option<Decision> {
+    let [before, at_end] = cubic.signs_until(until)?;
+    let (before, at_end) = (before?, at_end.or_else(|| fixed_width::sign_at(query, until))?);
+    if at_end == before {
+        return Some(Decision::Free(Stage::Roots));
+    }
+    if at_end.is_ne() {
+        return None;
+    }
+    let root = Root::exactly(until, before);
+    Some(match position::at(query, &root)? {
+        Position::Inside => Decision::Collision(Proved::Contact(Contact::At(root))),
+        Position::Outside => Decision::Free(Stage::Roots),
+    })
 }
 
 /// The stage of integers of fixed width.

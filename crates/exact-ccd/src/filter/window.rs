@@ -13,8 +13,8 @@ use crate::time::ContactTime;
 
 /// An integer of 512 bits.
 ///
-/// Coefficients of a cubic are below 2²⁵², 3 of them below 2²⁵⁴, and three weights of 2⁶² each make them 2¹⁸⁶
-/// times as large.
+/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴, and three
+/// weights of 2⁶² each make them 2¹⁸⁶ times as large.
 type Integer = Wide<8>;
 
 /// The binary digits of a time.
@@ -37,9 +37,14 @@ impl Window {
         is_valid.then_some(Self { low, high })
     }
 
+    /// The length of this window, rounded.
+    pub(super) fn width(&self) -> f64 {
+        self.high - self.low
+    }
+
     /// The time at a place of this window, from 0 to 1; within three roundings.
     pub(super) fn time_at(&self, place: f64) -> f64 {
-        self.low + place * (self.high - self.low)
+        self.low + place * self.width()
     }
 
     /// Three times the Bernstein coefficients of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ in this
@@ -74,7 +79,7 @@ impl Window {
     /// 2⁻ᵏ and an f64 near the root is a multiple of 2⁻⁶², then its place in the window is exact.
     pub(super) fn time<const N: usize>(&self, cubic: &[Wide<N>; 4], root: &Root) -> Option<ContactTime> {
         const STEPS: usize = 8;
-        let width = self.high - self.low;
+        let width = self.width();
         let is_exact = width.to_bits().trailing_zeros() >= 52;
         let place = |t: f64| (is_exact && parts(t).is_some()).then(|| (t - self.low) / width);
         let below = if root.rising {

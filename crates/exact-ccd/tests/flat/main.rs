@@ -7,7 +7,7 @@ mod scenes;
 
 use std::collections::BTreeSet;
 
-use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Point, Query, Stage, VertexFace, exact};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Impact, Kind, Point, Query, Stage, VertexFace, exact};
 
 use random::{Random, families};
 use scenes::{Scene, scenes};
@@ -35,10 +35,20 @@ fn checked_stage<K: Kind>(query: &Query<K>) -> Stage {
     assert_eq!(query.intervals(CONTACT), intervals, "{stage:?} {query:?}");
     let first = intervals.first_time();
     assert_eq!(collision.map(|c| c.time()), first, "{stage:?} {query:?}");
-    match (query.impact(CONTACT), exact::impact(query, CONTACT)) {
-        (None, None) => {}
-        (Some(a), Some(b)) if is_near(&a, &b) => {}
-        (a, b) => panic!("{a:?}, exactly {b:?}: {stage:?} {query:?}"),
+    // The last time that counts may be next to the contact, or its time.
+    let last = first.map_or(1.0, ContactTime::upper);
+    for until in [1.0, last, last.next_down(), 0.5] {
+        let options = CONTACT.until(until);
+        assert_eq!(
+            query.intervals(options),
+            exact::intervals(query, options),
+            "{until} {query:?}"
+        );
+        match (query.impact(options), exact::impact(query, options)) {
+            (None, None) => {}
+            (Some(a), Some(b)) if is_near(&a, &b) => {}
+            (a, b) => panic!("{a:?}, exactly {b:?}: {until} {query:?}"),
+        }
     }
     stage
 }

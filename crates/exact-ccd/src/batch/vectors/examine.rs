@@ -53,7 +53,7 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
                         } else if !is_settled {
                             let query = query_of(rows, &queries[index]);
                             let decision = match rest.cubic(lane) {
-                                Some(cubic) => decide_near_plane(&query, &cubic),
+                                Some(cubic) => decide_near_plane(&query, &cubic, until),
                                 None => Decision::Unknown,
                             };
                             report(index, &query, Separation::ZERO, decision);

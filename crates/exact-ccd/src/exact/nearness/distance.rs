@@ -1,12 +1,11 @@
 //! The distance at one time, between two adjacent f64.
 
-use core::cmp::Ordering;
-
 use dashu_int::IBig;
+use dashu_int::ops::{BitTest, SquareRoot};
 
 use super::approach::Approach;
 use crate::distance::DistanceBounds;
-use crate::exact::dyadic::decompose;
+use crate::exact::dyadic::{ENOUGH_BITS, rounded_down};
 use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
@@ -14,8 +13,7 @@ use crate::exact::split::Split;
 use crate::kind::Kind;
 use crate::query::Query;
 
-/// The distance of the primitives at a time, by bisection over the bit patterns of f64, which are
-/// ordered like the numbers.
+/// The distance of the primitives at a time, by the integral part of a square root.
 pub(super) fn bounds<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
     let approach = Approach::at(query, t);
     // All polynomials are constant.
@@ -28,37 +26,46 @@ pub(super) fn bounds<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
     let [numerator, denominator] = closest.map_or([IBig::ZERO, IBig::ONE], |feature| {
         feature.squared_distance().map(Polynomial::at_start)
     });
-    // (m 2ᵉ)² against numerator / denominator, in units of 4 to the power of `unit`.
-    let compare = |bits: u64| {
-        let (mantissa, exponent) = decompose(f64::from_bits(bits));
-        if mantissa == 0 {
-            return IBig::ZERO.cmp(&numerator);
-        }
-        let square = IBig::from(mantissa) * IBig::from(mantissa) * &denominator;
-        let shift = 2 * (exponent - approach.unit);
-        let by = shift.unsigned_abs() as usize;
-        if shift < 0 {
-            square.cmp(&(&numerator << by))
-        } else {
-            (square << by).cmp(&numerator)
-        }
+    let square = Quotient {
+        numerator,
+        denominator,
     };
-    let (mut low, mut high) = (0.0f64.to_bits(), f64::INFINITY.to_bits());
-    while high - low > 1 {
-        let middle = low + (high - low) / 2;
-        if compare(middle).is_le() {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let upper = if compare(low) == Ordering::Equal {
-        low
-    } else {
-        high
-    };
+    let (lower, is_exact) = square.root(approach.unit as isize);
     DistanceBounds {
-        lower: f64::from_bits(low),
-        upper: f64::from_bits(upper),
+        lower: f64::from_bits(lower),
+        upper: f64::from_bits(lower + u64::from(!is_exact)),
+    }
+}
+
+/// A quotient of integers, not negative.
+struct Quotient {
+    numerator: IBig,
+    denominator: IBig,
+}
+
+impl Quotient {
+    /// The bits of the largest f64 that is not above the square root times 2ᵏ; and true if it is that number.
+    fn root(self, k: isize) -> (u64, bool) {
+        let Self {
+            numerator,
+            denominator,
+        } = self;
+        if numerator.is_zero() {
+            return (0, true);
+        }
+        // Scaled by 4ˢ, the quotient has at least twice enough bits, and its root enough.
+        let bits = numerator.bit_len() as isize - denominator.bit_len() as isize;
+        let s = ENOUGH_BITS - bits.div_euclid(2);
+        let by = 2 * s.unsigned_abs();
+        let [numerator, denominator] = if s < 0 {
+            [numerator, denominator << by]
+        } else {
+            [numerator << by, denominator]
+        };
+        // The root of a number and that of its integral part have the same integral part.
+        let root = IBig::from((&numerator / &denominator).sqrt());
+        let is_exact = &root * &root * denominator == numerator;
+        let (floor, is_equal) = rounded_down(&root, k - s);
+        (floor, is_equal && is_exact)
     }
 }

@@ -27,7 +27,7 @@ pub(super) fn first_after<K: Kind>(
         return None;
     }
     let planes = Coplanarity::new::<K>(&query.four());
-    let Decision::Collision(Proved::Contact(contact)) = decide_near_plane(query, &planes.cubic) else {
+    let Decision::Collision(Proved::Contact(contact)) = decide_near_plane(query, &planes.cubic, 1.0) else {
         return None;
     };
     let contact = contact.first(query)?;

@@ -1,0 +1,51 @@
+//! The candidates of a search, kept for a search in a part of the same step.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use super::candidates::Candidates;
+use crate::mesh::TriangleMesh;
+use crate::pairs::{ByKind, Searched};
+
+/// A limit for the number of kept pairs: this many for each vertex. They take as much memory as the boxes.
+const MOST_PER_VERTEX: usize = 64;
+
+/// The pairs without a common vertex whose boxes meet, unless they are too many.
+pub(super) struct Kept {
+    pairs: ByKind<Mutex<Vec<[u32; 2]>>>,
+    count: AtomicUsize,
+    most: usize,
+}
+
+impl Kept {
+    /// No pairs of a mesh yet, in the memory of others.
+    pub(super) fn new(mesh: &TriangleMesh, memory: Candidates) -> Self {
+        let cleared = |mut pairs: Vec<_>| {
+            pairs.clear();
+            Mutex::new(pairs)
+        };
+        Self {
+            pairs: memory.into_lists().map(cleared),
+            count: AtomicUsize::new(0),
+            most: MOST_PER_VERTEX * mesh.vertex_count(),
+        }
+    }
+
+    /// Keeps those of the pairs that have no common vertex, and returns them.
+    pub(super) fn add<K: Searched>(&self, mesh: &TriangleMesh, pairs: &[[u32; 2]]) -> Vec<[u32; 2]> {
+        let is_apart = |&ids: &[u32; 2]| K::vertices(mesh, ids).is_some_and(|pair| K::are_apart(&pair));
+        let apart: Vec<[u32; 2]> = pairs.iter().copied().filter(is_apart).collect();
+        if self.count.fetch_add(apart.len(), Ordering::Relaxed) + apart.len() <= self.most {
+            let mut all = K::of(&self.pairs).lock().unwrap_or_else(PoisonError::into_inner);
+            all.extend_from_slice(&apart);
+        }
+        apart
+    }
+
+    /// All pairs, if they are complete.
+    pub(super) fn into_candidates(self) -> Option<Candidates> {
+        let is_complete = self.count.into_inner() <= self.most;
+        let list = |pairs: Mutex<_>| pairs.into_inner().unwrap_or_else(PoisonError::into_inner);
+        is_complete.then(|| Candidates::from_lists(self.pairs.map(list)))
+    }
+}
