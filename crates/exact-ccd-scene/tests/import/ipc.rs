@@ -62,6 +62,7 @@ fn each_keyword_changes_its_setting() {
         ("stiffness 2e4 0.3", "young = 20000.0\npoisson = 0.3"),
         ("turnOffGravity", "gravity = [0.0, 0.0, 0.0]"),
         ("energy NH", "energy = \"neo-hookean\""),
+        ("energy FCR", "energy = \"fixed-corotated\""),
         ("timeIntegration BE", "integrator = \"implicit-euler\""),
         ("dampingRatio 0", "damping = 0.0"),
         ("selfFric 0.3", "[settings.friction]\ncoefficient = 0.3\nlags = 1"),

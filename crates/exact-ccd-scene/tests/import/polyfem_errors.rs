@@ -65,7 +65,7 @@ fn errors_name_the_pointer() {
             "/space/remesh: exact-ccd has no counterpart of meshes that change",
         ),
         (
-            json!({ "materials": [{ "type": "SaintVenant" }] }),
+            json!({ "materials": [{ "type": "MooneyRivlin" }] }),
             "/materials/0/type: exact-ccd has no counterpart of this material",
         ),
         (
@@ -117,12 +117,12 @@ fn errors_name_the_pointer() {
             "/boundary_conditions/dirichlet_boundary/0: exact-ccd has no counterpart of an id that no selection of the file gives",
         ),
         (
-            json!({ "geometry": { "surface_selection": x }, "boundary_conditions": held(json!([0, "x*t", 0])) }),
+            json!({ "geometry": { "surface_selection": x }, "boundary_conditions": held(json!([0, "tan(t)", 0])) }),
             "/boundary_conditions/dirichlet_boundary/0/value/1: exact-ccd has no counterpart of this function",
         ),
         (
             json!({ "geometry": { "surface_selection": x }, "boundary_conditions": held(json!([0, 0])) }),
-            "/boundary_conditions/dirichlet_boundary/0/value: found [0,0], expected three numbers or functions of t",
+            "/boundary_conditions/dirichlet_boundary/0/value: found [0,0], expected three numbers or functions of x, y, z, t",
         ),
         (
             json!({ "boundary_conditions": { "periodic_boundary": { "enabled": true } } }),

@@ -1,7 +1,7 @@
 //! From the text of a scene to its entries.
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::{HalfSpace, Length};
+use exact_ccd_sim::{HalfSpace, Length, SolidMaterial};
 
 use super::super::fault::{Fault, Problem};
 use super::super::notes::Notes;
@@ -77,7 +77,18 @@ impl File {
                     return Err(line.unsupported("damping proportional to the stiffness", instead));
                 }
             }
-            "energy" | "timeIntegration" | "constraintSolver" => only(keyword, line)?,
+            "energy" => {
+                self.material.energy = match line.word("a name")? {
+                    "NH" => SolidMaterial::NeoHookean,
+                    "FCR" => SolidMaterial::FixedCorotated,
+                    _ => {
+                        return Err(
+                            line.unsupported("this elastic energy", "write `energy NH` or `energy FCR`")
+                        );
+                    }
+                }
+            }
+            "timeIntegration" | "constraintSolver" => only(keyword, line)?,
             "section" => skip_section(line, text)?,
             "ground" => {
                 let [friction, height] = line.numbers("the friction coefficient and the height")?;
@@ -172,7 +183,6 @@ fn ignored(keyword: &str, line: &mut Line<'_>, notes: &Notes) -> Result<(), Faul
 /// Checks that the next word is the one that has a counterpart.
 fn only(keyword: &str, line: &mut Line<'_>) -> Result<(), Fault> {
     let (allowed, what) = match keyword {
-        "energy" => ("NH", "another elastic energy than neo-Hookean (`NH`)"),
         "timeIntegration" => ("BE", "another time integration than implicit Euler (`BE`)"),
         _ => ("interiorPoint", "another treatment of contact than by barriers"),
     };
