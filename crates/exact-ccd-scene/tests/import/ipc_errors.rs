@@ -64,8 +64,8 @@ fn errors_name_line_and_keyword() {
             "`density`: found `nan`, expected a density in kg/m³",
         ),
         (
-            "fricIterAmt 0",
-            "`fricIterAmt`: found `0`, expected at least 1: lags until convergence have no bound",
+            "fricIterAmt x",
+            "`fricIterAmt`: found `x`, expected an integer",
         ),
         (
             "tol 2\n1e-3",

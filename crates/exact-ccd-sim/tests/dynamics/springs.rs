@@ -94,7 +94,7 @@ fn joints_open_by_force_over_stiffness() {
     let system = system.with_springs(springs.collect()).unwrap();
     let settings = Settings {
         integrator: Integrator::QuasiStatic,
-        tolerance: Length::Absolute(1e-10),
+        tolerance: Length::Absolute(1e-7),
         ..Settings::default()
     };
     let mut simulation = Simulation::new(system, settings).unwrap();

@@ -9,6 +9,9 @@ use super::file::{File, Obstacle, Script, TOLERANCE};
 use super::shape;
 use super::words::{Line, Text};
 
+/// A number of friction lags at which they have converged.
+const CONVERGED: usize = 100;
+
 /// Keywords that do not change the motion, with blanks between them, and the reason.
 const IGNORED: [(&str, &str); 5] = [
     (
@@ -116,9 +119,11 @@ impl File {
             "tol" => settings.tolerance = Length::Relative(tolerance(line, text)?),
             "fricIterAmt" => {
                 let word = line.word("a number of lags")?;
-                let lags = word.parse().ok().filter(|&lags| lags > 0);
-                settings.friction.lags = lags
-                    .ok_or_else(|| line.invalid(word, "at least 1: lags until convergence have no bound"))?;
+                let lags: i32 = word
+                    .parse()
+                    .map_err(|_| line.invalid(word, "an integer"))?;
+                // 0 and less stand for convergence.
+                settings.friction.lags = usize::try_from(lags).ok().filter(|&lags| lags > 0).unwrap_or(CONVERGED);
             }
             "DBCTimeRange" => self.dirichlet_times = line.numbers("two times in s")?,
             "NBCTimeRange" => self.neumann_times = line.numbers("two times in s")?,
