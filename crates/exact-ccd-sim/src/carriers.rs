@@ -1,11 +1,11 @@
 //! The linear map from the unknowns of a system to its vertices.
 //!
-//! A vertex is an unknown itself, or four nodes carry it: x = Σ wₖ qₖ with constant weights of sum 1. An affine
-//! body is such a set of vertices (L. Lan, D. Kaufman, M. Li, C. Jiang, Y. Yang, *Affine Body Dynamics*, ACM
-//! Transactions on Graphics 41(4), 2022): its nodes are four of the vertices of the system, whose twelve
-//! coordinates determine an affine map. All energies are functions of vertices. Derivatives by the nodes follow
-//! from those by vertices, with the transposed map. In a step in which nodes move in straight lines, so do the
-//! vertices that they carry.
+//! A vertex is an unknown itself, or four nodes carry it: x = Σ wₖ qₖ with constant weights of sum 1. An
+//! affine body is such a set of vertices (L. Lan, D. Kaufman, M. Li, C. Jiang, Y. Yang, *Affine Body
+//! Dynamics*, ACM Transactions on Graphics 41(4), 2022): its nodes are four of the vertices of the system,
+//! whose twelve coordinates determine an affine map. All energies are functions of vertices. Derivatives by
+//! the nodes follow from those by vertices, with the transposed map. In a step in which nodes move in
+//! straight lines, so do the vertices that they carry.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -75,8 +75,9 @@ impl Carriers {
         [0, 1, 2, 3].map(|node| carried.end + node)
     }
 
-    /// The carrier of the point at a position, in the affine body of these vertices, with the positions of all
-    /// vertices. Its weights are barycentric coordinates in the tetrahedron of the nodes, which is not flat.
+    /// The carrier of the point at a position, in the affine body of these vertices, with the positions of
+    /// all vertices. Its weights are barycentric coordinates in the tetrahedron of the nodes, which is not
+    /// flat.
     pub(crate) fn carrier_at(&self, carried: &Range<u32>, points: &[Point], at: Point) -> Carrier {
         let [a, b, c, d] = self
             .nodes(carried)

@@ -7,7 +7,8 @@ use crate::digest::{Digest, Hash};
 use crate::energy::{Energy, Projection};
 use crate::range::{OutOfRange, check_finite, check_not_negative, check_positive};
 
-/// A spring. One without length holds its two ends together: a ball joint of affine bodies, a stitch of others.
+/// A spring. One without length holds its two ends together: a ball joint of affine bodies, a stitch of
+/// others.
 ///
 /// The energy is ½ k (d − l)² for the distance d of the ends. A joint is this energy, not an elimination of
 /// unknowns: so chains and loops of joints are alike, and a joint that a force F pulls is open by F / k.

@@ -254,8 +254,8 @@ fn displacements_are_functions_of_time() {
     }
 }
 
-/// Functions of the place move each vertex in its own way, and `if` chooses by the sign of its first argument.
-/// Two conditions can hold common vertices along different axes, or by the same motion.
+/// Functions of the place move each vertex in its own way, and `if` chooses by the sign of its first
+/// argument. Two conditions can hold common vertices along different axes, or by the same motion.
 #[test]
 fn displacements_are_functions_of_place() {
     let folder = Folder::new("polyfem-places");

@@ -161,3 +161,21 @@ fn a_file_that_is_not_json_is_an_error() {
         "{error}"
     );
 }
+
+/// All keys without a counterpart are in one error, up to the first entry without which nothing can be read.
+#[test]
+fn all_errors_are_reported_at_once() {
+    let folder = Folder::new("polyfem-all-errors");
+    let patch = json!({ "colour": 1, "constraints": [2], "space": { "discr_order": 2 }, "geometry": { "mesh": "none.msh" } });
+    let error = folder.import("scene.json", &scene(&patch)).unwrap_err();
+    let lines: Vec<&str> = error.lines().collect();
+    let places = ["/colour", "/constraints", "/space/discr_order", "/geometry/mesh"];
+    assert_eq!(lines.len(), places.len(), "{error}");
+    for place in places {
+        let line = format!("scene.json, {place}: ");
+        assert!(
+            lines.iter().any(|found| found.starts_with(&line)),
+            "{place}: {error}"
+        );
+    }
+}

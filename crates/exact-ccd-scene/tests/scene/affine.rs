@@ -33,7 +33,7 @@ length = 0.0
 [[spring]]
 between = ["ring", "cube"]
 at = [[0.0, 1.0, 0.0], [0.05, 0.05, 0.05]]
-stiffness = 1e4
+stiffness = 10.0
 "#;
 
 #[test]
@@ -102,7 +102,7 @@ fn errors_are_at_their_fields() {
             "spring[0].at: found 0 positions, expected one or two",
         ),
         (
-            "stiffness = 1e4",
+            "stiffness = 10.0",
             "stiffness = -1.0",
             "spring[1].stiffness: `stiffness` is -1, expected a positive number",
         ),

@@ -157,8 +157,8 @@ pub fn sphere(subdivisions: u8, radius: f64) -> Body {
     Body::new(points, BodyKind::Obstacle { faces })
 }
 
-/// A torus about the y axis as an obstacle: a circle of `radius` with a tube of the radius `tube`, of `segments`
-/// around the axis and around the tube, at least three each. The normals point outward.
+/// A torus about the y axis as an obstacle: a circle of `radius` with a tube of the radius `tube`, of
+/// `segments` around the axis and around the tube, at least three each. The normals point outward.
 #[must_use]
 pub fn torus(segments: [u16; 2], radius: f64, tube: f64) -> Body {
     let [around, across] = segments.map(|count| u32::from(count.max(3)));

@@ -145,9 +145,9 @@ fn default_settings_obey_coulombs_law() {
     }
 }
 
-/// A block that lands while it slides: with updates of the normal forces until they converge, friction takes μ
-/// times the normal impulse in each time step, the impact included. With one update, it does not: at the start
-/// of the step of the impact, there is no contact.
+/// A block that lands while it slides: with updates of the normal forces until they converge, friction
+/// takes μ times the normal impulse in each time step, the impact included. With one update, it does not:
+/// at the start of the step of the impact, there is no contact.
 #[test]
 fn converged_lags_obey_coulombs_law_in_an_impact() {
     const MU: f64 = 0.2;
@@ -168,8 +168,7 @@ fn converged_lags_obey_coulombs_law_in_an_impact() {
             tolerance: Length::Absolute(1e-7),
             ..Settings::default()
         };
-        let (time_step, mut simulation) =
-            (settings.time_step, Simulation::new(system, settings).unwrap());
+        let (time_step, mut simulation) = (settings.time_step, Simulation::new(system, settings).unwrap());
         let (mut worst, mut taken) = (0.0_f64, 0.0);
         let mut before = momentum(&simulation);
         for _ in 0..5 {

@@ -28,10 +28,10 @@ fn stiff(mut body: Body) -> Body {
     body
 }
 
-/// A symmetric top on a ball joint, inclined by θ, that starts with its steady precession Ω: the solution of
-/// I₁ Ω² cos θ − I₃ ω₃ Ω + m g r = 0, for the moments of inertia I₁ about an axis through the joint across the
-/// top, and I₃ about its own axis, the component ω₃ of its angular velocity along that axis, and the distance
-/// r of the joint from the center.
+/// A symmetric top on a ball joint, inclined by θ, that starts with its steady precession Ω: the solution
+/// of I₁ Ω² cos θ − I₃ ω₃ Ω + m g r = 0, for the moments of inertia I₁ about an axis through the joint
+/// across the top, and I₃ about its own axis, the component ω₃ of its angular velocity along that axis, and
+/// the distance r of the joint from the center.
 #[test]
 fn a_spinning_top_precesses() {
     let (width, height, r, spin, tilt) = (0.2, 0.1, 0.15, 60.0, 0.5_f64);

@@ -36,14 +36,21 @@ const IGNORED: [(&str, &str); 5] = [
     ),
 ];
 
+/// Keywords of entries that have further lines.
+const SPANNING: [&str; 5] = ["shapes", "shapeMatrix", "section", "tuning", "tol"];
+
 impl File {
     /// The entries of a text.
     pub(super) fn parse(text: &str, notes: &Notes) -> Result<Self, Fault> {
         let mut file = Self::default();
         let mut text = Text::new(text);
         while let Some(mut line) = text.line() {
-            file.entry(&mut line, &mut text, notes)?;
-            line.note_rest(notes);
+            match file.entry(&mut line, &mut text, notes) {
+                Ok(()) => line.note_rest(notes),
+                // The lines that belong to the entry are not known.
+                Err(fault) if line.place().has_keyword(&SPANNING) => return Err(fault),
+                Err(fault) => notes.fail(fault),
+            }
         }
         Ok(file)
     }
@@ -119,11 +126,12 @@ impl File {
             "tol" => settings.tolerance = Length::Relative(tolerance(line, text)?),
             "fricIterAmt" => {
                 let word = line.word("a number of lags")?;
-                let lags: i32 = word
-                    .parse()
-                    .map_err(|_| line.invalid(word, "an integer"))?;
+                let lags: i32 = word.parse().map_err(|_| line.invalid(word, "an integer"))?;
                 // 0 and less stand for convergence.
-                settings.friction.lags = usize::try_from(lags).ok().filter(|&lags| lags > 0).unwrap_or(CONVERGED);
+                settings.friction.lags = usize::try_from(lags)
+                    .ok()
+                    .filter(|&lags| lags > 0)
+                    .unwrap_or(CONVERGED);
             }
             "DBCTimeRange" => self.dirichlet_times = line.numbers("two times in s")?,
             "NBCTimeRange" => self.neumann_times = line.numbers("two times in s")?,

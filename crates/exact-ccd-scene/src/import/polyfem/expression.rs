@@ -7,9 +7,9 @@ use exact_ccd_mesh::Point;
 /// The deepest nesting of an expression.
 const DEPTH: usize = 64;
 
-/// The value of an expression of the time `t` and the place `x`, `y`, `z`: numbers, `pi`, `+ - * /`, parentheses,
-/// and the functions `sin`, `cos`, `sqrt`, `abs`, `min`, `max` and `if`, whose second argument counts where the
-/// first one is not negative, and otherwise the third one. `None` for any other text.
+/// The value of an expression of the time `t` and the place `x`, `y`, `z`: numbers, `pi`, `+ - * /`,
+/// parentheses, and the functions `sin`, `cos`, `sqrt`, `abs`, `min`, `max` and `if`, whose second argument
+/// counts where the first one is not negative, and otherwise the third one. `None` for any other text.
 pub(super) fn value(text: &str, place: Point, t: f64) -> Option<f64> {
     let mut rest = Rest {
         text: text.trim_start(),
