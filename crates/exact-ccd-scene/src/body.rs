@@ -54,6 +54,8 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, 
         BodyKind::Particles { material }
     } else if let Some(material) = described.shell {
         BodyKind::Shell { faces, material }
+    } else if let Some(material) = described.affine {
+        BodyKind::Affine { faces, material }
     } else {
         BodyKind::Obstacle { faces }
     };

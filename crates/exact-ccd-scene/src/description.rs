@@ -9,8 +9,10 @@ use super::group::GroupKey;
 use super::half_spaces;
 use super::placement::{Placement, Rotation, Scale};
 use super::rendering::Rendering;
+use super::springs::SpringDescription;
 use exact_ccd_sim::{
-    Force, ParticleProperties, RodProperties, Script, Settings, ShellProperties, SolidProperties,
+    AffineProperties, Force, ParticleProperties, RodProperties, Script, Settings, ShellProperties,
+    SolidProperties,
 };
 
 /// A scene.
@@ -29,6 +31,9 @@ pub(super) struct Description {
     /// The half spaces, `[[half-space]]`.
     #[serde(default, with = "half_spaces", skip_serializing_if = "Vec::is_empty")]
     pub(super) half_space: Vec<HalfSpace>,
+    /// The springs, `[[spring]]`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) spring: Vec<SpringDescription>,
     /// The settings of the pictures.
     #[serde(default, skip_serializing_if = "Rendering::is_default")]
     pub(super) render: Rendering,
@@ -54,6 +59,8 @@ pub(super) struct BodyDescription {
     pub(super) rod: Option<RodProperties>,
     /// The material of particles.
     pub(super) particles: Option<ParticleProperties>,
+    /// The material of an affine body.
+    pub(super) affine: Option<AffineProperties>,
     /// The offset of the contact surface, in m.
     #[serde(default, skip_serializing_if = "is_default")]
     pub(super) offset: f64,
@@ -117,6 +124,15 @@ pub(super) enum Shape {
         /// The radius, in m.
         radius: f64,
     },
+    /// [`shapes::torus`](exact_ccd_sim::shapes::torus).
+    Torus {
+        /// The numbers of segments around the axis and around the tube.
+        segments: [u16; 2],
+        /// The radius of the circle, in m.
+        radius: f64,
+        /// The radius of the tube, in m.
+        tube: f64,
+    },
     /// [`shapes::line`](exact_ccd_sim::shapes::line).
     Line {
         /// The number of edges.
@@ -148,6 +164,7 @@ impl BodyDescription {
             ("shell", self.shell.is_some()),
             ("rod", self.rod.is_some()),
             ("particles", self.particles.is_some()),
+            ("affine", self.affine.is_some()),
         ];
         let given = materials.into_iter().filter(|(_, is_given)| *is_given);
         given.map(|(key, _)| key).collect()

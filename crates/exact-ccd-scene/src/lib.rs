@@ -14,6 +14,7 @@ mod parse;
 mod placement;
 mod rendering;
 mod selection;
+mod springs;
 
 pub use document::SceneError;
 pub use import::{ImportError, Imported, Note, Place, Problem, import};

@@ -14,6 +14,7 @@ use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
 use super::rendering::Rendering;
+use super::springs::springs;
 
 /// The filter of a CCD method, by its name in a scene file and the system of the scene; or a message with
 /// the names that there are.
@@ -107,7 +108,9 @@ impl Scene {
             let added = parts.add(described, folder);
             added.map_err(|error| error.below(&format!("body.{index}")))?;
         }
+        let springs = springs(&description)?;
         let system = System::new(&parts.bodies, &parts.scripts)
+            .and_then(|system| system.with_springs(springs))
             .and_then(|system| system.with_half_spaces(description.half_space.clone()))
             .and_then(|system| system.with_loads(parts.loads))
             .map_err(|error| of_system(&description, &error))?;
@@ -191,7 +194,7 @@ impl Parts {
             checked.map_err(|error| FieldError::new(format!("load.{number}.{}", error.field), error))?;
             self.loads.push(load);
         }
-        self.vertex_count += body.points.len() as u32;
+        self.vertex_count += body.vertex_count() as u32;
         self.bodies.push(body);
         Ok(())
     }

@@ -26,6 +26,7 @@ pub(super) fn of_system(description: &Description, error: &SystemError) -> Field
         | SystemError::Empty { body }
         | SystemError::Solid { body, .. }
         | SystemError::Folded { body, .. }
+        | SystemError::Open { body }
         | SystemError::Region { body, .. }
         | SystemError::Flat { body, .. } => {
             let has_shape = described(*body).is_some_and(|described| described.shape.is_some());
@@ -33,6 +34,13 @@ pub(super) fn of_system(description: &Description, error: &SystemError) -> Field
         }
         SystemError::HalfSpace(HalfSpaceError { half_space, what, .. }) => {
             return FieldError::new(format!("half-space.{half_space}.{what}"), error);
+        }
+        SystemError::Partly { body, .. } => (*body, String::new()),
+        SystemError::Spring { spring, source } => {
+            return FieldError::new(format!("spring.{spring}.{}", source.field), source);
+        }
+        SystemError::SpringEnd { spring, .. } => {
+            return FieldError::new(format!("spring.{spring}.at"), error);
         }
         _ => return FieldError::new("body", error),
     };

@@ -47,6 +47,11 @@ impl Mesh {
     pub(super) fn generate(shape: Shape) -> Result<Self, String> {
         let product = |counts: &[u64]| counts.iter().product();
         let (count, what, lengths): (u64, _, &[f64]) = match &shape {
+            Shape::Torus {
+                segments,
+                radius,
+                tube,
+            } => (product(&segments.map(u64::from)), "segments", &[*radius, *tube]),
             Shape::Box { cells, size } => (product(&cells.map(u64::from)), "cells", size),
             Shape::Grid { cells, size } => (product(&cells.map(u64::from)), "cells", size),
             Shape::Sphere { radius, .. } => (1, "cells", std::slice::from_ref(radius)),
@@ -76,6 +81,23 @@ impl Mesh {
                 ));
             }
             Shape::Sphere { subdivisions, radius } => shapes::sphere(subdivisions, radius),
+            Shape::Torus {
+                segments,
+                radius,
+                tube,
+            } => {
+                if segments.iter().any(|&count| count < 3) {
+                    return Err(format!(
+                        "the torus has {segments:?} segments, expected at least 3 each"
+                    ));
+                }
+                if tube >= radius {
+                    return Err(format!(
+                        "the tube of the torus has a radius of {tube} m, expected less than the radius {radius} m"
+                    ));
+                }
+                shapes::torus(segments, radius, tube)
+            }
             Shape::Line { edges, length } => shapes::line(edges, length),
             Shape::Knot { edges, length } => shapes::knot(edges, length),
             Shape::Points { counts, size } => shapes::particles(counts, size),
@@ -85,7 +107,9 @@ impl Mesh {
             ..Self::default()
         };
         match kind {
-            BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => mesh.faces = faces,
+            BodyKind::Shell { faces, .. } | BodyKind::Affine { faces, .. } | BodyKind::Obstacle { faces } => {
+                mesh.faces = faces;
+            }
             BodyKind::Solid { tetrahedra, .. } => {
                 let solid = TetMesh::new(mesh.points.clone(), tetrahedra);
                 let solid = solid.map_err(|error| error.to_string())?;

@@ -58,8 +58,8 @@ pub enum BodyKind {
         /// Their material.
         material: ParticleProperties,
     },
-    /// A nearly rigid body with twelve unknowns: those of an affine map. All its vertices move by this map, and
-    /// scripts move all of them or none.
+    /// A nearly rigid body with twelve unknowns: those of an affine map. All its vertices move by this map,
+    /// and scripts move all of them or none.
     Affine {
         /// The triangles of a closed surface, in either orientation.
         faces: Vec<[u32; 3]>,
@@ -139,8 +139,8 @@ pub struct ParticleProperties {
 pub struct AffineProperties {
     /// The mass density, in kg/m³.
     pub density: f64,
-    /// The stiffness κ against strain, in Pa: the energy is κ V |AᵀA − 1|², with the volume V and the matrix A of
-    /// the affine map.
+    /// The stiffness κ against strain, in Pa: the energy is κ V |AᵀA − 1|², with the volume V and the
+    /// matrix A of the affine map.
     pub stiffness: f64,
 }
 
@@ -176,8 +176,8 @@ impl Body {
         }
     }
 
-    /// The number of its vertices in a [`System`](crate::System): its points, and four nodes after those of an
-    /// affine body.
+    /// The number of its vertices in a [`System`](crate::System): its points, and four nodes after those of
+    /// an affine body.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         let nodes = if let BodyKind::Affine { .. } = self.kind {

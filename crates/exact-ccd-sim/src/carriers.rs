@@ -1,16 +1,17 @@
 //! The linear map from the unknowns of a system to its vertices.
 //!
-//! A vertex is an unknown itself, or four nodes carry it: x = Σ wₖ qₖ with constant weights of sum 1. An affine
-//! body is such a set of vertices (L. Lan, D. Kaufman, M. Li, C. Jiang, Y. Yang, *Affine Body Dynamics*, ACM
-//! Transactions on Graphics 41(4), 2022): its nodes are four of the vertices of the system, whose twelve
-//! coordinates determine an affine map. All energies are functions of vertices. Derivatives by the nodes follow
-//! from those by vertices, with the transposed map. In a step in which nodes move in straight lines, so do the
-//! vertices that they carry.
+//! A vertex is an unknown itself, or four nodes carry it: x = Σ wₖ qₖ with constant weights of sum 1. An
+//! affine body is such a set of vertices (L. Lan, D. Kaufman, M. Li, C. Jiang, Y. Yang, *Affine Body
+//! Dynamics*, ACM Transactions on Graphics 41(4), 2022): its nodes are four of the vertices of the system,
+//! whose twelve coordinates determine an affine map. All energies are functions of vertices. Derivatives by
+//! the nodes follow from those by vertices, with the transposed map. In a step in which nodes move in
+//! straight lines, so do the vertices that they carry.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
-use nalgebra::{DMatrix, Vector3};
+use exact_ccd_mesh::Point;
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// The nodes that carry a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,6 +73,21 @@ impl Carriers {
     /// The nodes of the affine body of these carried vertices.
     pub(crate) fn nodes(&self, carried: &Range<u32>) -> [u32; 4] {
         [0, 1, 2, 3].map(|node| carried.end + node)
+    }
+
+    /// The carrier of the point at a position, in the affine body of these vertices, with the positions of
+    /// all vertices. Its weights are barycentric coordinates in the tetrahedron of the nodes, which is not
+    /// flat.
+    pub(crate) fn carrier_at(&self, carried: &Range<u32>, points: &[Point], at: Point) -> Carrier {
+        let [a, b, c, d] = self
+            .nodes(carried)
+            .map(|node| Vector3::from(points[node as usize]));
+        let edges = Matrix3::from_columns(&[b - a, c - a, d - a]);
+        let place = edges.try_inverse().unwrap_or_else(Matrix3::zeros) * (Vector3::from(at) - a);
+        Carrier {
+            first: carried.end,
+            weights: [1.0 - place.sum(), place.x, place.y, place.z],
+        }
     }
 
     /// The nodes that carry a vertex.

@@ -89,10 +89,9 @@ impl Painter {
 
 /// A flag for each vertex of the surface that fills the pictures from the start on.
 fn subject(system: &System, subject: Subject) -> Vec<bool> {
-    let has_mass = |&vertex: &u32| system.masses()[vertex as usize] > 0.0;
     let surface = system.surface_vertices().iter();
     surface
-        .map(|vertex| subject != Subject::Moving || has_mass(vertex))
+        .map(|vertex| subject != Subject::Moving || system.has_mass(*vertex))
         .collect()
 }
 

@@ -46,12 +46,12 @@ fn a_scene_and_its_import_have_the_same_simulation() {
 #[test]
 fn errors_of_imports_have_status_2() {
     let folder = folder();
-    folder.write("scene.txt", "energy FCR\n");
+    folder.write("scene.txt", "energy MR\n");
     let run = folder.run(&["simulate", "scene.txt"]);
     assert_eq!(
         run.error(),
-        "scene.txt, line 1, `energy`: exact-ccd has no counterpart of another elastic energy than neo-Hookean \
-         (`NH`): write `energy NH`"
+        "scene.txt, line 1, `energy`: exact-ccd has no counterpart of this elastic energy: write `energy NH` or \
+         `energy FCR`"
     );
     let run = folder.run(&["import", "meshes/tet.msh"]);
     assert!(

@@ -3,16 +3,26 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// An entry of a scene of another program that cannot be imported.
+/// The entries of a scene of another program that cannot be imported: one on each line of the message.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}, {place}: {problem}", file.display())]
+#[error("{}, {place}: {problem}{}", file.display(), self.others())]
 pub struct ImportError {
     /// The file.
     pub file: PathBuf,
-    /// The place of the entry.
+    /// The place of the first entry.
     pub place: Place,
-    /// The problem.
+    /// Its problem.
     pub problem: Problem,
+    /// The further entries with their problems.
+    pub further: Vec<(Place, Problem)>,
+}
+
+impl ImportError {
+    fn others(&self) -> String {
+        let line =
+            |(place, problem): &(Place, Problem)| format!("\n{}, {place}: {problem}", self.file.display());
+        self.further.iter().map(line).collect()
+    }
 }
 
 /// A place in a scene of another program.
@@ -60,6 +70,16 @@ pub enum Problem {
     File(String),
 }
 
+impl Place {
+    /// True for a line with one of these keywords.
+    pub(super) fn has_keyword(&self, keywords: &[&str]) -> bool {
+        match self {
+            Self::Line { keyword, .. } => keywords.contains(&keyword.as_str()),
+            Self::Pointer(_) => false,
+        }
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -78,11 +98,14 @@ pub(super) struct Fault {
 }
 
 impl Fault {
-    pub(super) fn in_file(self, file: &Path) -> ImportError {
+    /// The error of a file with this one as the first of its faults.
+    pub(super) fn in_file(self, file: &Path, others: Vec<Self>) -> ImportError {
+        let others = others.into_iter();
         ImportError {
             file: file.to_owned(),
             place: self.place,
             problem: self.problem,
+            further: others.map(|fault| (fault.place, fault.problem)).collect(),
         }
     }
 }

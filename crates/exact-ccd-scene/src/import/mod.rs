@@ -37,7 +37,8 @@ pub struct Imported {
 /// in a folder above it.
 ///
 /// # Errors
-/// [`ImportError`] names the file, the place, and the entry that is invalid or has no counterpart.
+/// [`ImportError`] names the file, and all places of entries that are unknown or have no counterpart, up to
+/// the first one without which the rest cannot be read.
 pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Imported>, ImportError> {
     let file = file.as_ref();
     let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
@@ -46,7 +47,11 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
         Some("json") => "PolyFEM",
         _ => return Ok(None),
     };
-    let at_file = |problem: Problem| problem.at(&Place::Pointer(String::new())).in_file(file);
+    let at_file = |problem: Problem| {
+        problem
+            .at(&Place::Pointer(String::new()))
+            .in_file(file, Vec::new())
+    };
     let text = std::fs::read_to_string(file).map_err(|error| {
         let problem = match error.kind() {
             io::ErrorKind::InvalidData => {
@@ -63,7 +68,15 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
         let folder = file.parent().unwrap_or(Path::new(""));
         polyfem::import(&text, folder, &mut meshes, &notes)
     };
-    let description = description.map_err(|fault| fault.in_file(file))?;
+    let mut faults = notes.take_faults();
+    let description = match description {
+        Ok(description) if faults.is_empty() => description,
+        Ok(_) => return Err(faults.remove(0).in_file(file, faults)),
+        Err(last) => {
+            faults.push(last);
+            return Err(faults.remove(0).in_file(file, faults));
+        }
+    };
     let toml = toml::to_string(&description).map_err(|error| at_file(Problem::File(error.to_string())))?;
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let name: String = name.chars().filter(|character| !character.is_control()).collect();

@@ -1,9 +1,9 @@
-//! Notes on entries without effect.
+//! Notes on entries without effect, and the errors after which an import goes on.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-use super::fault::Place;
+use super::fault::{Fault, Place};
 
 /// An entry of a file that is ignored.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -17,13 +17,26 @@ pub struct Note {
     pub message: String,
 }
 
-/// The notes on the file that is being imported, to which all of its readers add.
+/// The notes and errors of the file that is being imported, to which all of its readers add.
 #[derive(Debug, Default)]
-pub(super) struct Notes(RefCell<Vec<(Place, String)>>);
+pub(super) struct Notes {
+    notes: RefCell<Vec<(Place, String)>>,
+    faults: RefCell<Vec<Fault>>,
+}
 
 impl Notes {
     pub(super) fn add(&self, place: Place, message: impl Into<String>) {
-        self.0.borrow_mut().push((place, message.into()));
+        self.notes.borrow_mut().push((place, message.into()));
+    }
+
+    /// Adds an error. The import goes on without the entry, to find all errors, and fails at the end.
+    pub(super) fn fail(&self, fault: Fault) {
+        self.faults.borrow_mut().push(fault);
+    }
+
+    /// The errors, without those that were taken before.
+    pub(super) fn take_faults(&self) -> Vec<Fault> {
+        self.faults.take()
     }
 
     pub(super) fn in_file(self, file: &Path) -> Vec<Note> {
@@ -32,6 +45,6 @@ impl Notes {
             place,
             message,
         };
-        self.0.into_inner().into_iter().map(note).collect()
+        self.notes.into_inner().into_iter().map(note).collect()
     }
 }

@@ -62,10 +62,12 @@ fn each_keyword_changes_its_setting() {
         ("stiffness 2e4 0.3", "young = 20000.0\npoisson = 0.3"),
         ("turnOffGravity", "gravity = [0.0, 0.0, 0.0]"),
         ("energy NH", "energy = \"neo-hookean\""),
+        ("energy FCR", "energy = \"fixed-corotated\""),
         ("timeIntegration BE", "integrator = \"implicit-euler\""),
         ("dampingRatio 0", "damping = 0.0"),
         ("selfFric 0.3", "[settings.friction]\ncoefficient = 0.3\nlags = 1"),
         ("fricIterAmt 4", "coefficient = 0.0\nlags = 4"),
+        ("fricIterAmt -1", "coefficient = 0.0\nlags = 100"),
         ("dHat 1e-4", "[settings.contact-distance]\nrelative = 0.0001"),
         (
             "epsv 1e-5",

@@ -254,6 +254,57 @@ fn displacements_are_functions_of_time() {
     }
 }
 
+/// Functions of the place move each vertex in its own way, and `if` chooses by the sign of its first
+/// argument. Two conditions can hold common vertices along different axes, or by the same motion.
+#[test]
+fn displacements_are_functions_of_place() {
+    let folder = Folder::new("polyfem-places");
+    let selection =
+        json!([{ "id": 5, "axis": "-x", "position": 0.01 }, { "id": 6, "axis": "x", "position": 0.01 }]);
+    let moved = json!({ "id": 5, "value": ["if(t - 0.3, 0.2 * y * t, 0)", 0, "0"], "dimension": [true, false, false] });
+    let held = json!({ "id": "all", "value": ["x", "x * 0", 0], "dimension": [false, true, false] });
+    let conditions = json!({ "rhs": [0, 0, 0], "dirichlet_boundary": [moved, held] });
+    let patch = json!({ "geometry": { "surface_selection": selection }, "boundary_conditions": conditions });
+    let scene = folder.scene("scene.json", &scene(&patch)).unwrap();
+    let start = scene.system.start().to_vec();
+    let left: Vec<usize> = (0..start.len())
+        .filter(|&vertex| start[vertex][0] < 0.01)
+        .collect();
+    assert!(left.len() > 2);
+    let mut simulation = scene.simulation().unwrap();
+    for step in 1..=5 {
+        simulation.step().unwrap();
+        let t = f64::from(step) * 0.1;
+        for &vertex in &left {
+            let [x, y, _] = start[vertex];
+            let expected = if step >= 3 { x + 0.2 * y * t } else { x };
+            let found = simulation.state().positions[vertex];
+            assert!(
+                (found[0] - expected).abs() < 1e-12,
+                "{step}: {found:?}, expected {expected}"
+            );
+            assert!((found[1] - y).abs() < 1e-15);
+        }
+    }
+}
+
+#[test]
+fn materials_are_imported() {
+    let folder = Folder::new("polyfem-materials");
+    for (name, energy) in [
+        ("SaintVenant", "saint-venant-kirchhoff"),
+        ("FixedCorotational", "fixed-corotated"),
+    ] {
+        let patch = json!({ "materials": [{ "type": name, "id": 1, "E": 1e5, "nu": 0.4, "rho": 1000 }] });
+        let imported = folder.import("scene.json", &scene(&patch)).unwrap();
+        assert!(
+            has(&imported, &format!("energy = \"{energy}\"")),
+            "{}",
+            imported.toml
+        );
+    }
+}
+
 #[test]
 fn dimensions_and_forces_are_imported() {
     let folder = Folder::new("polyfem-conditions");

@@ -65,7 +65,7 @@ fn errors_name_the_pointer() {
             "/space/remesh: exact-ccd has no counterpart of meshes that change",
         ),
         (
-            json!({ "materials": [{ "type": "SaintVenant" }] }),
+            json!({ "materials": [{ "type": "MooneyRivlin" }] }),
             "/materials/0/type: exact-ccd has no counterpart of this material",
         ),
         (
@@ -117,12 +117,12 @@ fn errors_name_the_pointer() {
             "/boundary_conditions/dirichlet_boundary/0: exact-ccd has no counterpart of an id that no selection of the file gives",
         ),
         (
-            json!({ "geometry": { "surface_selection": x }, "boundary_conditions": held(json!([0, "x*t", 0])) }),
+            json!({ "geometry": { "surface_selection": x }, "boundary_conditions": held(json!([0, "tan(t)", 0])) }),
             "/boundary_conditions/dirichlet_boundary/0/value/1: exact-ccd has no counterpart of this function",
         ),
         (
             json!({ "geometry": { "surface_selection": x }, "boundary_conditions": held(json!([0, 0])) }),
-            "/boundary_conditions/dirichlet_boundary/0/value: found [0,0], expected three numbers or functions of t",
+            "/boundary_conditions/dirichlet_boundary/0/value: found [0,0], expected three numbers or functions of x, y, z, t",
         ),
         (
             json!({ "boundary_conditions": { "periodic_boundary": { "enabled": true } } }),
@@ -160,4 +160,22 @@ fn a_file_that_is_not_json_is_an_error() {
         error.ends_with("/common: found more files, expected at most 16 files that name each other"),
         "{error}"
     );
+}
+
+/// All keys without a counterpart are in one error, up to the first entry without which nothing can be read.
+#[test]
+fn all_errors_are_reported_at_once() {
+    let folder = Folder::new("polyfem-all-errors");
+    let patch = json!({ "colour": 1, "constraints": [2], "space": { "discr_order": 2 }, "geometry": { "mesh": "none.msh" } });
+    let error = folder.import("scene.json", &scene(&patch)).unwrap_err();
+    let lines: Vec<&str> = error.lines().collect();
+    let places = ["/colour", "/constraints", "/space/discr_order", "/geometry/mesh"];
+    assert_eq!(lines.len(), places.len(), "{error}");
+    for place in places {
+        let line = format!("scene.json, {place}: ");
+        assert!(
+            lines.iter().any(|found| found.starts_with(&line)),
+            "{place}: {error}"
+        );
+    }
 }

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod affine;
 mod bodies;
 mod errors;
 mod groups;
@@ -121,6 +122,6 @@ fn the_scene_of_the_documentation_is_valid() {
     assert_eq!(settings.friction.pairs.len(), 1);
     settings.friction.pairs.clear();
     assert_eq!(settings, exact_ccd_sim::Settings::default());
-    assert_eq!(scene.system.names(), ["block", "", "", "", "", "ground"]);
+    assert_eq!(scene.system.names(), ["block", "", "", "", "ring", "", "ground"]);
     scene.simulation().unwrap().step().unwrap();
 }

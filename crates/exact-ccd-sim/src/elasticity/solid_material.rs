@@ -23,11 +23,11 @@ pub enum SolidMaterial {
     /// The stable neo-Hookean energy (B. Smith, F. de Goes, T. Kim, 2018): finite for every deformation.
     /// Elements can invert.
     StableNeoHookean,
-    /// Ψ = μ tr E² + λ/2 tr² E with the strain E = (FᵀF − 1)/2. It is weak under compression: below a stretch of
-    /// 1/√3, a bar yields. Elements can invert.
+    /// Ψ = μ tr E² + λ/2 tr² E with the strain E = (FᵀF − 1)/2. It is weak under compression: below a
+    /// stretch of 1/√3, a bar yields. Elements can invert.
     SaintVenantKirchhoff,
-    /// Ψ = μ |F − R|² + λ/2 (J − 1)² with the rotation R nearest to F (A. Stomakhin, R. Howes, C. Schroeder, J.
-    /// Teran, 2012): linear in the stretches. Elements can invert.
+    /// Ψ = μ |F − R|² + λ/2 (J − 1)² with the rotation R nearest to F (A. Stomakhin, R. Howes, C.
+    /// Schroeder, J. Teran, 2012): linear in the stretches. Elements can invert.
     FixedCorotated,
 }
 

@@ -1,4 +1,4 @@
-//! Generated bodies: boxes, cloths, floors, spheres, rods and particles.
+//! Generated bodies: boxes, cloths, floors, spheres, tori, rods and particles.
 
 mod rods;
 
@@ -154,6 +154,27 @@ pub fn sphere(subdivisions: u8, radius: f64) -> Body {
             .collect();
     }
     let points = points.into_iter().map(|point| (point * radius).into()).collect();
+    Body::new(points, BodyKind::Obstacle { faces })
+}
+
+/// A torus about the y axis as an obstacle: a circle of `radius` with a tube of the radius `tube`, of
+/// `segments` around the axis and around the tube, at least three each. The normals point outward.
+#[must_use]
+pub fn torus(segments: [u16; 2], radius: f64, tube: f64) -> Body {
+    let [around, across] = segments.map(|count| u32::from(count.max(3)));
+    let turn = |place: u32, of: u32| (core::f64::consts::TAU * f64::from(place) / f64::from(of)).sin_cos();
+    let index = |i: u32, k: u32| (i % around) * across + k % across;
+    let (mut points, mut faces) = (Vec::new(), Vec::new());
+    for i in 0..around {
+        let (sin, cos) = turn(i, around);
+        for k in 0..across {
+            let (height, outward) = turn(k, across);
+            let distance = radius + tube * outward;
+            points.push([distance * cos, tube * height, distance * sin]);
+            let [a, b, c, d] = [index(i, k), index(i + 1, k), index(i + 1, k + 1), index(i, k + 1)];
+            faces.extend([[a, c, b], [a, d, c]]);
+        }
+    }
     Body::new(points, BodyKind::Obstacle { faces })
 }
 

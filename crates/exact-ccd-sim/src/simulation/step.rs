@@ -23,6 +23,9 @@ use crate::statistics::{Energies, Seconds, Statistics};
 /// step.
 const BEFORE_END: f64 = 1e-8;
 
+/// The part of a time step by which the scripts of a body fall behind if it does not move.
+const STUCK: f64 = 0.99;
+
 impl Simulation {
     /// Takes one time step. An error leaves the state unchanged.
     ///
@@ -69,7 +72,8 @@ impl Simulation {
                 }
                 Ok(statistics) => {
                     seconds = seconds.plus(&statistics.seconds);
-                    (statistics.converged || is_last).then_some(statistics)
+                    let is_taken = statistics.converged || is_last || self.is_stuck_since(&start);
+                    is_taken.then_some(statistics)
                 }
             };
             let is_smooth = || touching.as_ref().is_none_or(|before| *before == self.touching());
@@ -92,6 +96,14 @@ impl Simulation {
                 self.state.earlier = None;
             }
         }
+    }
+
+    /// True if a body with a script has not moved since a state one time step before, because something is in
+    /// its way. Shorter time steps would not move it either.
+    fn is_stuck_since(&self, start: &State) -> bool {
+        let least = STUCK * self.settings.time_step;
+        let mut late = self.state.behind.iter();
+        late.any(|(body, behind)| behind - start.behind.get(body).unwrap_or(&0.0) > least)
     }
 
     /// The pairs of bodies and half spaces in contact.

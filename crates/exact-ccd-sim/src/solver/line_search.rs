@@ -171,8 +171,8 @@ impl Newton<'_> {
         free && self.system.first_grounded(step.positions()[1]).is_none()
     }
 
-    /// True if a part of a step is free of contact. `candidates` are those of the whole step. Carried vertices
-    /// are rounded in another way than those of a part, so that they have candidates of their own.
+    /// True if a part of a step is free of contact. `candidates` are those of the whole step. Carried
+    /// vertices are rounded in another way than those of a part, so that they have candidates of their own.
     fn is_free_again(&self, candidates: &Candidates, part: Step<'_>) -> bool {
         if self.system.carriers.is_empty() {
             self.is_free(candidates, part)

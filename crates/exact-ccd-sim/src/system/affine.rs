@@ -1,9 +1,10 @@
 //! Affine bodies: four point masses, which carry a surface.
 //!
-//! Four equal masses can have the mass, the center and the second moments of any body. Then the kinetic energy
-//! of every affine motion, and the work of every homogeneous force, are those of the body: the mass matrix of
-//! its twelve unknowns is exact, and it is diagonal. With the Cholesky factor L of the mean of (x − c) (x − c)ᵀ,
-//! the masses are at c + L s for the alternate corners s of a cube: the mean of s is 0, that of s sᵀ is 1.
+//! Four equal masses can have the mass, the center and the second moments of any body. Then the kinetic
+//! energy of every affine motion, and the work of every homogeneous force, are those of the body: the mass
+//! matrix of its twelve unknowns is exact, and it is diagonal. With the Cholesky factor L of the mean of (x
+//! − c) (x − c)ᵀ, the masses are at c + L s for the alternate corners s of a cube: the mean of s is 0, that
+//! of s sᵀ is 1.
 
 use std::sync::Arc;
 

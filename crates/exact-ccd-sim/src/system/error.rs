@@ -97,6 +97,28 @@ pub enum SystemError {
         /// The number of vertices of the body.
         expected: usize,
     },
+    /// A spring is out of range.
+    #[error("spring {spring}: {source}")]
+    Spring {
+        /// The spring, from 0.
+        spring: usize,
+        /// The number.
+        source: OutOfRange,
+    },
+    /// An end of a spring is at no vertex of its body.
+    #[error(
+        "spring {spring}: {at:?} is no vertex of body {body}, which is not affine, expected one as {nearest:?}"
+    )]
+    SpringEnd {
+        /// The spring, from 0.
+        spring: usize,
+        /// The body, from 0.
+        body: usize,
+        /// The position of the end.
+        at: Point,
+        /// The nearest vertex of the body. `None` if there is no such body.
+        nearest: Option<Point>,
+    },
     /// Two edges of a rod return along each other.
     #[error("body {body}: the rod is folded onto itself at an end of edge {element}, expected an angle")]
     Folded {

@@ -12,7 +12,7 @@ use crate::digest::{Digest, Hash};
 use crate::half_space::HalfSpace;
 
 /// The definition of the hashes, which is another one whenever equal systems would get other hashes.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// Hashes of the parts of a [`System`], of 64 bits: against accidental differences, not against forgery.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -34,6 +34,9 @@ pub struct Fingerprint {
     half_spaces: String,
     /// The hash of the loads.
     loads: String,
+    /// The hash of the springs.
+    #[serde(default)]
+    springs: String,
 }
 
 impl Fingerprint {
@@ -47,6 +50,7 @@ impl Fingerprint {
             scripts: Hash::of(&system.scripts),
             half_spaces: Hash::of(&system.half_spaces),
             loads: Hash::of(&system.loads),
+            springs: Hash::of(&system.springs),
         }
     }
 
@@ -71,6 +75,7 @@ impl Fingerprint {
             ("scripts", &self.scripts, &other.scripts),
             ("half spaces", &self.half_spaces, &other.half_spaces),
             ("loads", &self.loads, &other.loads),
+            ("springs", &self.springs, &other.springs),
         ];
         let different = parts.into_iter().find(|(_, a, b)| a != b);
         different.map(|(name, ..)| name)

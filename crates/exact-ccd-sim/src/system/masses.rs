@@ -10,6 +10,12 @@ impl System {
         self.masses[vertex] > 0.0 && !self.scripts[vertex].are_held()
     }
 
+    /// True if a vertex has mass, or an affine body carries it.
+    #[must_use]
+    pub fn has_mass(&self, vertex: u32) -> bool {
+        self.masses[vertex as usize] > 0.0 || self.carriers.of(vertex).is_some()
+    }
+
     /// The coordinates of each vertex that are not free at this time, in s: those that scripts hold, and all
     /// of a vertex without mass.
     pub(crate) fn held(&self, time: f64) -> Vec<Axes> {

@@ -11,6 +11,7 @@ mod obstacles;
 mod origins;
 mod parts;
 mod selection;
+mod springs;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -30,6 +31,7 @@ use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
 use crate::scripted::{Coordinates, Scripted, Timed};
 use crate::settings::Formulation;
+use crate::spring::Spring;
 use parts::Parts;
 
 pub use error::SystemError;
@@ -68,6 +70,7 @@ pub struct System {
     /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
     pub(crate) rigidity: f64,
     loads: Vec<Load>,
+    springs: Vec<Spring>,
     half_spaces: Vec<HalfSpace>,
     /// The boundaries of the half spaces.
     planes: Vec<Plane>,
@@ -165,6 +168,7 @@ impl System {
             scripts: parts.scripts,
             rigidity: parts.rigidity,
             loads: Vec::new(),
+            springs: Vec::new(),
             half_spaces: Vec::new(),
             planes: Vec::new(),
             grounded,

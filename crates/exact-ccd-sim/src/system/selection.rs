@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use super::error::SystemError;
 use crate::carriers::Carriers;
 
-/// The selected vertices, increasing, with the nodes of affine bodies in place of the vertices that they
-/// carry. `what` selects them, for the error.
+/// The selected vertices, with the nodes of affine bodies in place of the vertices that they carry. `what`
+/// selects them, for the error.
 ///
 /// # Errors
 /// [`SystemError::Partly`], if some vertices of an affine body are selected, but not all.
@@ -16,6 +16,9 @@ pub(super) fn unknowns(
     vertices: &[u32],
     what: impl Fn() -> String,
 ) -> Result<Vec<u32>, SystemError> {
+    if carriers.is_empty() {
+        return Ok(vertices.to_vec());
+    }
     let mut selected: BTreeSet<u32> = vertices.iter().copied().collect();
     for carried in carriers.bodies() {
         let (found, expected) = (selected.range(carried.clone()).count(), carried.len());

@@ -1,5 +1,6 @@
 //! Gradients and Hessians of all energies against finite differences, and properties of single terms.
 
+mod carriers;
 mod collisions;
 mod contact;
 mod differences;
@@ -10,6 +11,7 @@ mod naive;
 mod pairs;
 mod rods;
 mod shells;
+mod springs;
 mod stiffness;
 mod strips;
 mod thickness;

@@ -15,7 +15,7 @@ const MATERIAL: AffineProperties = AffineProperties {
 };
 
 /// An affine body with the surface of a box.
-fn affine_box(size: [f64; 3]) -> Body {
+pub(crate) fn affine_box(size: [f64; 3]) -> Body {
     let faces = System::new(&[shapes::solid_box([1; 3], size)], &[]).unwrap();
     let kind = BodyKind::Affine {
         faces: faces.surface().faces().to_vec(),

@@ -3,7 +3,8 @@
 use exact_ccd_sim::{BodyKind, Friction, Integrator, Length, Settings, Simulation, System, shapes};
 use nalgebra::{Rotation3, Vector3};
 
-use crate::measure::center;
+use crate::affine::affine_box;
+use crate::measure::{center, momentum};
 
 const GRAVITY: f64 = 10.0;
 const COEFFICIENT: f64 = 0.5;
@@ -142,4 +143,47 @@ fn default_settings_obey_coulombs_law() {
         let sticks = acceleration(1.02 * angle.tan());
         assert!(sticks.abs() < 1e-3, "{degrees}°: {sticks} m/s²");
     }
+}
+
+/// A block that lands while it slides: with updates of the normal forces until they converge, friction
+/// takes μ times the normal impulse in each time step, the impact included. With one update, it does not:
+/// at the start of the step of the impact, there is no contact.
+#[test]
+fn converged_lags_obey_coulombs_law_in_an_impact() {
+    const MU: f64 = 0.2;
+    let errors = |lags: usize| {
+        let mut block = affine_box([0.4, 0.1, 0.4]).placed(|[x, y, z]| [x + 0.3, y + 0.004, z + 0.3]);
+        block.velocity = [2.0, -0.5, 0.0];
+        let floor = shapes::floor([1, 1], [6.0, 1.1]);
+        let system = System::new(&[block, floor], &[]).unwrap();
+        let mass: f64 = system.masses().iter().sum();
+        let settings = Settings {
+            friction: Friction {
+                coefficient: MU,
+                static_velocity: Length::Absolute(1e-3),
+                lags,
+                ..Friction::default()
+            },
+            gravity: [0.0, -GRAVITY, 0.0],
+            tolerance: Length::Absolute(1e-7),
+            ..Settings::default()
+        };
+        let (time_step, mut simulation) = (settings.time_step, Simulation::new(system, settings).unwrap());
+        let (mut worst, mut taken) = (0.0_f64, 0.0);
+        let mut before = momentum(&simulation);
+        for _ in 0..5 {
+            assert!(simulation.step().unwrap().converged);
+            let after = momentum(&simulation);
+            let normal = after.y - before.y + mass * GRAVITY * time_step;
+            taken += normal;
+            worst = worst.max((before.x - after.x - MU * normal).abs());
+            before = after;
+        }
+        // The block has landed.
+        assert!(taken > 0.9 * 0.5 * mass, "{taken}");
+        worst / taken
+    };
+    let [one, converged] = [1, 100].map(errors);
+    assert!(converged < 1e-4, "{converged}");
+    assert!(one > 1e-2, "{one}");
 }

@@ -23,6 +23,7 @@ mod rods;
 mod script_starts;
 mod scripted_axes;
 mod scripts;
+mod springs;
 mod start;
 mod thick_pairs;
 mod thickness;

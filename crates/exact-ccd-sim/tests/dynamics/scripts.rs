@@ -111,7 +111,7 @@ fn assert_rigid(simulation: &Simulation) {
 /// A plate that a block obstructs stays rigid. Its path is free of contact, and the run can be resumed.
 #[test]
 fn an_obstructed_plate_stays_rigid() {
-    let simulation = press(20);
+    let simulation = press(60);
     let checkpoint = simulation.checkpoint();
     let settings = simulation.settings().clone();
     let mut resumed = checkpoint

@@ -1,13 +1,16 @@
 //! From the text of a scene to its entries.
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::{HalfSpace, Length};
+use exact_ccd_sim::{HalfSpace, Length, SolidMaterial};
 
 use super::super::fault::{Fault, Problem};
 use super::super::notes::Notes;
 use super::file::{File, Obstacle, Script, TOLERANCE};
 use super::shape;
 use super::words::{Line, Text};
+
+/// A number of friction lags at which they have converged.
+const CONVERGED: usize = 100;
 
 /// Keywords that do not change the motion, with blanks between them, and the reason.
 const IGNORED: [(&str, &str); 5] = [
@@ -33,14 +36,21 @@ const IGNORED: [(&str, &str); 5] = [
     ),
 ];
 
+/// Keywords of entries that have further lines.
+const SPANNING: [&str; 5] = ["shapes", "shapeMatrix", "section", "tuning", "tol"];
+
 impl File {
     /// The entries of a text.
     pub(super) fn parse(text: &str, notes: &Notes) -> Result<Self, Fault> {
         let mut file = Self::default();
         let mut text = Text::new(text);
         while let Some(mut line) = text.line() {
-            file.entry(&mut line, &mut text, notes)?;
-            line.note_rest(notes);
+            match file.entry(&mut line, &mut text, notes) {
+                Ok(()) => line.note_rest(notes),
+                // The lines that belong to the entry are not known.
+                Err(fault) if line.place().has_keyword(&SPANNING) => return Err(fault),
+                Err(fault) => notes.fail(fault),
+            }
         }
         Ok(file)
     }
@@ -77,7 +87,18 @@ impl File {
                     return Err(line.unsupported("damping proportional to the stiffness", instead));
                 }
             }
-            "energy" | "timeIntegration" | "constraintSolver" => only(keyword, line)?,
+            "energy" => {
+                self.material.energy = match line.word("a name")? {
+                    "NH" => SolidMaterial::NeoHookean,
+                    "FCR" => SolidMaterial::FixedCorotated,
+                    _ => {
+                        return Err(
+                            line.unsupported("this elastic energy", "write `energy NH` or `energy FCR`")
+                        );
+                    }
+                }
+            }
+            "timeIntegration" | "constraintSolver" => only(keyword, line)?,
             "section" => skip_section(line, text)?,
             "ground" => {
                 let [friction, height] = line.numbers("the friction coefficient and the height")?;
@@ -105,9 +126,12 @@ impl File {
             "tol" => settings.tolerance = Length::Relative(tolerance(line, text)?),
             "fricIterAmt" => {
                 let word = line.word("a number of lags")?;
-                let lags = word.parse().ok().filter(|&lags| lags > 0);
-                settings.friction.lags = lags
-                    .ok_or_else(|| line.invalid(word, "at least 1: lags until convergence have no bound"))?;
+                let lags: i32 = word.parse().map_err(|_| line.invalid(word, "an integer"))?;
+                // 0 and less stand for convergence.
+                settings.friction.lags = usize::try_from(lags)
+                    .ok()
+                    .filter(|&lags| lags > 0)
+                    .unwrap_or(CONVERGED);
             }
             "DBCTimeRange" => self.dirichlet_times = line.numbers("two times in s")?,
             "NBCTimeRange" => self.neumann_times = line.numbers("two times in s")?,
@@ -172,7 +196,6 @@ fn ignored(keyword: &str, line: &mut Line<'_>, notes: &Notes) -> Result<(), Faul
 /// Checks that the next word is the one that has a counterpart.
 fn only(keyword: &str, line: &mut Line<'_>) -> Result<(), Fault> {
     let (allowed, what) = match keyword {
-        "energy" => ("NH", "another elastic energy than neo-Hookean (`NH`)"),
         "timeIntegration" => ("BE", "another time integration than implicit Euler (`BE`)"),
         _ => ("interiorPoint", "another treatment of contact than by barriers"),
     };

@@ -43,6 +43,7 @@ pub(super) fn import(text: &str, meshes: &mut Meshes, notes: &Notes) -> Result<D
         }
     }
     Ok(Description {
+        spring: Vec::new(),
         duration: Some(file.duration),
         settings,
         body,

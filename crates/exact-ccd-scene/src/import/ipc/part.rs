@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use exact_ccd_mesh::{Aabb, Point};
-use exact_ccd_sim::Force;
+use exact_ccd_sim::{Force, SolidProperties};
 use nalgebra::Vector3;
 
 use super::super::fault::{Fault, Problem};
@@ -36,7 +36,11 @@ impl<'a> Part<'a> {
             return Err(at_shape(Problem::unsupported(what, instead)));
         }
         let (path, mesh) = meshes.find(&shape.mesh).map_err(at_shape)?;
-        let solid = shape.material.unwrap_or(file.material);
+        // The energy is that of the file.
+        let solid = SolidProperties {
+            energy: file.material.energy,
+            ..shape.material.unwrap_or(file.material)
+        };
         let mut part = Self {
             shape,
             mesh,

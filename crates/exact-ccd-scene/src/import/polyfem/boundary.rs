@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::Force;
+use exact_ccd_sim::{Force, Script};
 
 use super::super::fault::Fault;
 use super::NOTHING;
@@ -24,15 +24,15 @@ pub(super) struct Conditions<'a> {
 struct Condition<'a> {
     entry: Entry<'a>,
     ids: Ids,
-    effect: Effect,
+    effect: Effect<'a>,
     is_used: Cell<bool>,
 }
 
-enum Effect {
+enum Effect<'a> {
     /// The motion of an obstacle.
-    Obstacle(Held),
+    Obstacle(Held<'a>),
     /// The motion of the vertices of faces.
-    Faces(Held),
+    Faces(Held<'a>),
     /// A force on faces.
     Force(Force),
     /// The initial velocity of bodies.
@@ -75,7 +75,12 @@ impl<'a> Conditions<'a> {
         }
         // Of two conditions of an obstacle, the first one counts.
         self.add_all(boundary, "obstacle_displacements", |entry| {
-            Ok(Effect::Obstacle(held(entry, time)?))
+            let held = held(entry, time)?;
+            if held.depends_on_place() {
+                let what = "a displacement of an obstacle that depends on the place";
+                return Err(entry.unsupported(what, "write functions of t"));
+            }
+            Ok(Effect::Obstacle(held))
         })?;
         self.add_all(boundary, "dirichlet_boundary", |entry| {
             Ok(Effect::Faces(held(entry, time)?))
@@ -101,7 +106,7 @@ impl<'a> Conditions<'a> {
         &mut self,
         parent: &Entry<'a>,
         key: &str,
-        effect: impl Fn(&Entry<'a>) -> Result<Effect, Fault>,
+        effect: impl Fn(&Entry<'a>) -> Result<Effect<'a>, Fault>,
     ) -> Result<(), Fault> {
         for entry in parent.get(key).iter().flat_map(Entry::list) {
             self.conditions.push(Condition {
@@ -121,7 +126,8 @@ impl<'a> Conditions<'a> {
         surface: &Surface<'_>,
         points: &[Point],
     ) -> Result<(), Fault> {
-        let mut is_held = vec![false; points.len()];
+        // For each vertex and axis, the script that holds it.
+        let mut holding: Vec<[Option<Script>; 3]> = vec![[const { None }; 3]; points.len()];
         for condition in &self.conditions {
             let vertices = surface.vertices(&condition.ids);
             if vertices.is_empty() {
@@ -129,20 +135,34 @@ impl<'a> Conditions<'a> {
             }
             let selection = Selection::of_vertices(&vertices, points);
             match &condition.effect {
-                Effect::Faces(Held { axes, motion }) => {
-                    for &vertex in &vertices {
-                        if std::mem::replace(&mut is_held[vertex as usize], true) {
-                            let what = "a vertex that two conditions hold";
-                            let instead = "let the faces of both have no vertex in common";
-                            return Err(condition.entry.unsupported(what, instead));
+                Effect::Faces(held) => {
+                    let groups = if held.depends_on_place() {
+                        vertices.iter().map(std::slice::from_ref).collect()
+                    } else {
+                        vec![&vertices[..]]
+                    };
+                    for group in groups {
+                        let motion = held.script(points[group[0] as usize])?;
+                        for &vertex in group {
+                            let slots = holding[vertex as usize].iter_mut().zip(held.axes);
+                            for (slot, _) in slots.filter(|(_, is_held)| *is_held) {
+                                if slot.replace(motion.clone()).is_some_and(|other| other != motion) {
+                                    let what =
+                                        "a vertex that two conditions move along one axis in different ways";
+                                    let instead = "let the faces of both have no vertex in common";
+                                    return Err(condition.entry.unsupported(what, instead));
+                                }
+                            }
                         }
+                        let names = [Axis::X, Axis::Y, Axis::Z].into_iter().zip(held.axes);
+                        body.script.push(ScriptDescription {
+                            axes: names
+                                .filter(|(_, is_held)| *is_held)
+                                .map(|(axis, _)| axis)
+                                .collect(),
+                            ..ScriptDescription::new(Selection::of_vertices(group, points), motion)
+                        });
                     }
-                    let names = [Axis::X, Axis::Y, Axis::Z].into_iter().zip(axes);
-                    let held = names.filter(|(_, is_held)| **is_held);
-                    body.script.push(ScriptDescription {
-                        axes: held.map(|(axis, _)| axis).collect(),
-                        ..ScriptDescription::new(selection, motion.clone())
-                    });
                 }
                 Effect::Force(force) => {
                     let has_corners =
@@ -167,15 +187,16 @@ impl<'a> Conditions<'a> {
     }
 
     /// Adds the script of an obstacle with an id.
-    pub(super) fn move_obstacle(&self, body: &mut BodyDescription, id: Option<i64>) {
-        let motion = self.first(id, |effect| match effect {
-            Effect::Obstacle(held) | Effect::Faces(held) => Some(&held.motion),
+    pub(super) fn move_obstacle(&self, body: &mut BodyDescription, id: Option<i64>) -> Result<(), Fault> {
+        let held = self.first(id, |effect| match effect {
+            Effect::Obstacle(held) | Effect::Faces(held) => Some(held),
             _ => None,
         });
-        if let Some(motion) = motion {
-            body.script
-                .push(ScriptDescription::new(Selection::All, motion.clone()));
+        if let Some(held) = held {
+            let motion = held.script([0.0; 3])?;
+            body.script.push(ScriptDescription::new(Selection::All, motion));
         }
+        Ok(())
     }
 
     /// The initial velocity of a body with an id.
@@ -188,7 +209,11 @@ impl<'a> Conditions<'a> {
     }
 
     /// The first effect of a kind on an id.
-    fn first<T>(&self, id: Option<i64>, of_kind: impl Fn(&Effect) -> Option<&T>) -> Option<&T> {
+    fn first<'b, T>(
+        &'b self,
+        id: Option<i64>,
+        of_kind: impl Fn(&'b Effect<'a>) -> Option<&'b T>,
+    ) -> Option<&'b T> {
         self.conditions.iter().find_map(|condition| {
             let effect = of_kind(&condition.effect).filter(|_| id.is_some() && condition.ids.contain(id))?;
             condition.is_used.set(true);

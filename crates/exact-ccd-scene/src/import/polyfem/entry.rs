@@ -97,7 +97,8 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// Checks all keys of an object by rules for some keys each, with blanks between the keys.
+    /// Checks all keys of an object by rules for some keys each, with blanks between the keys. Those
+    /// without a counterpart are errors after which the import goes on.
     pub(super) fn check(&self, rules: &[(&str, Rule)]) -> Result<(), Fault> {
         let object = self.value.as_object().ok_or_else(|| self.invalid("an object"))?;
         for (key, value) in object {
@@ -106,11 +107,13 @@ impl<'a> Entry<'a> {
                 .iter()
                 .find(|(names, _)| names.split(' ').any(|name| name == key));
             match rule.map(|(_, rule)| *rule) {
-                None => return Err(Problem::Unknown { program: "PolyFEM" }.at(&entry.place())),
+                None => self
+                    .notes
+                    .fail(Problem::Unknown { program: "PolyFEM" }.at(&entry.place())),
                 Some(Rule::Said) => {}
                 Some(Rule::Ignored(reason)) => entry.note(format!("ignored: {reason}")),
                 Some(Rule::Only(default)) if is_default(value, default) => {}
-                Some(Rule::Only(_)) => return Err(entry.unsupported("this value", "remove the key")),
+                Some(Rule::Only(_)) => self.notes.fail(entry.unsupported("this value", "remove the key")),
             }
         }
         Ok(())

@@ -1,15 +1,19 @@
-//! Functions of time.
+//! Functions of place and time.
 
 use core::f64::consts::PI;
+
+use exact_ccd_mesh::Point;
 
 /// The deepest nesting of an expression.
 const DEPTH: usize = 64;
 
-/// The value of an expression of the time `t`: numbers, `pi`, `+ - * /`, parentheses, and the functions
-/// `sin`, `cos`, `sqrt`, `abs`, `min` and `max`. `None` for any other text.
-pub(super) fn value(text: &str, t: f64) -> Option<f64> {
+/// The value of an expression of the time `t` and the place `x`, `y`, `z`: numbers, `pi`, `+ - * /`,
+/// parentheses, and the functions `sin`, `cos`, `sqrt`, `abs`, `min`, `max` and `if`, whose second argument
+/// counts where the first one is not negative, and otherwise the third one. `None` for any other text.
+pub(super) fn value(text: &str, place: Point, t: f64) -> Option<f64> {
     let mut rest = Rest {
         text: text.trim_start(),
+        place,
         t,
     };
     let value = rest.sum(DEPTH)?;
@@ -23,6 +27,7 @@ fn is_digit(c: char) -> bool {
 /// The text that is left.
 struct Rest<'a> {
     text: &'a str,
+    place: Point,
     t: f64,
 }
 
@@ -87,22 +92,28 @@ impl Rest<'_> {
         self.text = rest.trim_start();
         match name {
             "t" => return Some(self.t),
+            "x" => return Some(self.place[0]),
+            "y" => return Some(self.place[1]),
+            "z" => return Some(self.place[2]),
             "pi" => return Some(PI),
             _ if !self.take('(') => return None,
             _ => {}
         }
-        let first = self.sum(depth)?;
-        let second = self.take(',').then(|| self.sum(depth));
+        let mut arguments = vec![self.sum(depth)?];
+        while self.take(',') {
+            arguments.push(self.sum(depth)?);
+        }
         if !self.take(')') {
             return None;
         }
-        match (name, second) {
-            ("sin", None) => Some(first.sin()),
-            ("cos", None) => Some(first.cos()),
-            ("sqrt", None) => Some(first.sqrt()),
-            ("abs" | "fabs", None) => Some(first.abs()),
-            ("min", Some(second)) => Some(first.min(second?)),
-            ("max", Some(second)) => Some(first.max(second?)),
+        match (name, &arguments[..]) {
+            ("sin", [a]) => Some(a.sin()),
+            ("cos", [a]) => Some(a.cos()),
+            ("sqrt", [a]) => Some(a.sqrt()),
+            ("abs" | "fabs", [a]) => Some(a.abs()),
+            ("min", [a, b]) => Some(a.min(*b)),
+            ("max", [a, b]) => Some(a.max(*b)),
+            ("if", [check, yes, no]) => Some(if *check >= 0.0 { *yes } else { *no }),
             _ => None,
         }
     }

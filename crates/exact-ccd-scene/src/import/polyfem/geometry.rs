@@ -130,7 +130,7 @@ impl Geometry {
             let placement = placement.then(1.0, offset);
             let mut copy = body.clone().at(placement);
             if is_obstacle {
-                conditions.move_obstacle(&mut copy, surface.single_id());
+                conditions.move_obstacle(&mut copy, surface.single_id())?;
             } else {
                 conditions.apply(&mut copy, &surface, &placement.all(&mesh.points))?;
             }

@@ -25,9 +25,15 @@ pub(super) fn materials(root: &Entry<'_>) -> Result<Vec<Material>, Fault> {
 
 fn material(entry: &Entry<'_>, is_listed: bool) -> Result<Material, Fault> {
     let name = entry.need("type")?;
-    if name.text()? != "NeoHookean" {
-        return Err(name.unsupported("this material", "write \"NeoHookean\""));
-    }
+    let energy = match name.text()? {
+        "NeoHookean" => SolidMaterial::NeoHookean,
+        "SaintVenant" => SolidMaterial::SaintVenantKirchhoff,
+        "FixedCorotational" => SolidMaterial::FixedCorotated,
+        _ => {
+            let instead = "write \"NeoHookean\", \"SaintVenant\" or \"FixedCorotational\"";
+            return Err(name.unsupported("this material", instead));
+        }
+    };
     entry.check(&[("type id E nu lambda mu rho", Rule::Said), ("phi psi", NOTHING)])?;
     let number = |key| entry.need(key)?.number();
     let (young, poisson) = if entry.get("E").is_some() {
@@ -49,7 +55,7 @@ fn material(entry: &Entry<'_>, is_listed: bool) -> Result<Material, Fault> {
             density: entry.number_or("rho", 1.0)?,
             young,
             poisson,
-            energy: SolidMaterial::NeoHookean,
+            energy,
         },
     })
 }

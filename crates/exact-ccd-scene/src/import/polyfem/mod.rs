@@ -60,6 +60,7 @@ pub(super) fn import(
     let scene = geometry::Geometry::parse(&root, &conditions, meshes)?;
     conditions.check_use()?;
     Ok(Description {
+        spring: Vec::new(),
         duration: Some(time.duration),
         settings: settings::settings(&root, &time, conditions.gravity, scene.shortest_edge)?,
         body: scene.bodies,

@@ -1,4 +1,4 @@
-//! Displacements as functions of time.
+//! Displacements as functions of place and time.
 
 use exact_ccd_mesh::Point;
 
@@ -11,14 +11,37 @@ use exact_ccd_sim::{KeyFrame, Script};
 /// The most time steps of a motion that is not linear in time.
 const MOST: f64 = 1e5;
 
-/// A motion along some axes.
-pub(super) struct Held {
+/// A displacement along some axes.
+pub(super) struct Held<'a> {
     pub(super) axes: [bool; 3],
-    pub(super) motion: Script,
+    values: Entry<'a>,
+    components: [Entry<'a>; 3],
+    /// The duration and the length of a time step, in s.
+    time: [f64; 2],
 }
 
-/// A displacement as a function of time.
-pub(super) fn held(entry: &Entry<'_>, time: &Time) -> Result<Held, Fault> {
+impl Held<'_> {
+    /// True if the displacement differs from place to place.
+    pub(super) fn depends_on_place(&self) -> bool {
+        let words = |entry: &Entry<'_>| {
+            let text = entry.value.as_str().unwrap_or_default();
+            let mut words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+            words.any(|word| ["x", "y", "z"].contains(&word))
+        };
+        self.components.iter().any(words)
+    }
+
+    /// The script of a vertex that starts at a place.
+    pub(super) fn script(&self, place: Point) -> Result<Script, Fault> {
+        let [x, y, z] = &self.components;
+        let displacement =
+            |t: f64| -> Result<Point, Fault> { Ok([at(x, place, t)?, at(y, place, t)?, at(z, place, t)?]) };
+        motion(&displacement, self.time, &self.values)
+    }
+}
+
+/// A displacement as a function of place and time.
+pub(super) fn held<'a>(entry: &Entry<'a>, time: &Time) -> Result<Held<'a>, Fault> {
     if entry.value.is_string() {
         return Err(entry.unsupported("a file of displacements", "write `id` and `value`"));
     }
@@ -27,22 +50,31 @@ pub(super) fn held(entry: &Entry<'_>, time: &Time) -> Result<Held, Fault> {
         ("time_reference interpolation", NOTHING),
     ])?;
     let values = entry.need("value")?;
-    let [x, y, z] = values.three(|entry| Ok(entry.clone()), "three numbers or functions of t")?;
+    let components = values.three(
+        |entry| Ok(entry.clone()),
+        "three numbers or functions of x, y, z, t",
+    )?;
     let axes = entry.get("dimension").map_or(Ok([true; 3]), |dimension| {
         dimension.three(Entry::is_true, "three of true and false")
     })?;
-    let displacement = |t: f64| -> Result<Point, Fault> { Ok([at(&x, t)?, at(&y, t)?, at(&z, t)?]) };
-    let motion = motion(&displacement, time, &values)?;
-    Ok(Held { axes, motion })
+    let held = Held {
+        axes,
+        values,
+        components,
+        time: [time.duration, time.step],
+    };
+    // An error does not depend on the place.
+    held.script([0.0; 3])?;
+    Ok(held)
 }
 
-/// The value of a function of time.
-fn at(entry: &Entry<'_>, t: f64) -> Result<f64, Fault> {
+/// The value of a function at a place and a time.
+fn at(entry: &Entry<'_>, place: Point, t: f64) -> Result<f64, Fault> {
     let Some(text) = entry.value.as_str() else {
         return entry.number();
     };
-    expression::value(text, t).ok_or_else(|| {
-        let instead = "write a function of t with + - * / ( ) pi sin cos sqrt abs min max";
+    expression::value(text, place, t).ok_or_else(|| {
+        let instead = "write a function of x, y, z, t with + - * / ( ) pi sin cos sqrt abs min max if";
         entry.unsupported("this function", instead)
     })
 }
@@ -50,15 +82,15 @@ fn at(entry: &Entry<'_>, t: f64) -> Result<f64, Fault> {
 /// The script of a displacement: its values at the ends of time steps.
 fn motion(
     displacement: &dyn Fn(f64) -> Result<Point, Fault>,
-    time: &Time,
+    [duration, step]: [f64; 2],
     values: &Entry<'_>,
 ) -> Result<Script, Fault> {
-    let count = (time.duration / time.step).ceil();
+    let count = (duration / step).ceil();
     if !(0.0..=MOST).contains(&count) {
         return Err(values.invalid(&format!("at most {MOST} time steps, of positive length")));
     }
     let frame = |index: f64| -> Result<KeyFrame, Fault> {
-        let time = index * time.step;
+        let time = index * step;
         Ok(KeyFrame {
             time,
             translate: displacement(time)?,
