@@ -241,14 +241,6 @@ enum exact_ccd_status_t exact_ccd_detector_set_pair_can_collide_owned(struct exa
                                                                       void *data,
                                                                       exact_ccd_destroy_t destroy);
 
-// The number of contacts, and a pointer to the first, which is valid until the list is freed.
-enum exact_ccd_status_t exact_ccd_contacts_data(const struct exact_ccd_contacts_t *contacts,
-                                                const struct exact_ccd_contact_t **data,
-                                                size_t *count);
-
-// Frees a list of contacts. Null is allowed.
-void exact_ccd_contacts_free(struct exact_ccd_contacts_t *contacts);
-
 // The detector for steps of a mesh, to be freed with `exact_ccd_detector_free`.
 enum exact_ccd_status_t exact_ccd_detector_new(const struct exact_ccd_mesh_t *mesh,
                                                struct exact_ccd_detector_t **detector);
@@ -423,6 +415,22 @@ enum exact_ccd_status_t exact_ccd_detector_has_intersections(const struct exact_
                                                              uint32_t *edge,
                                                              uint32_t *face);
 
+// The number of contacts, and a pointer to the first, which is valid until the list is freed.
+enum exact_ccd_status_t exact_ccd_contacts_data(const struct exact_ccd_contacts_t *contacts,
+                                                const struct exact_ccd_contact_t **data,
+                                                size_t *count);
+
+// The number of pairs, and a pointer to the first, which is valid until the list is freed.
+enum exact_ccd_status_t exact_ccd_pairs_data(const struct exact_ccd_pairs_t *pairs,
+                                             const struct exact_ccd_pair_t **data,
+                                             size_t *count);
+
+// Frees a list of contacts. Null is allowed.
+void exact_ccd_contacts_free(struct exact_ccd_contacts_t *contacts);
+
+// Frees a list of pairs. Null is allowed.
+void exact_ccd_pairs_free(struct exact_ccd_pairs_t *pairs);
+
 // A mesh of `face_count` faces, each three vertices from 0, and `edge_count` edges that may be
 // edges of no face (rods), each two vertices. Vertices of no face and no edge are points.
 //
@@ -450,14 +458,6 @@ enum exact_ccd_status_t exact_ccd_mesh_edges(const struct exact_ccd_mesh_t *mesh
 
 // Frees a mesh. Detectors of the mesh keep what they need. Null is allowed.
 void exact_ccd_mesh_free(struct exact_ccd_mesh_t *mesh);
-
-// The number of pairs, and a pointer to the first, which is valid until the list is freed.
-enum exact_ccd_status_t exact_ccd_pairs_data(const struct exact_ccd_pairs_t *pairs,
-                                             const struct exact_ccd_pair_t **data,
-                                             size_t *count);
-
-// Frees a list of pairs. Null is allowed.
-void exact_ccd_pairs_free(struct exact_ccd_pairs_t *pairs);
 
 // Decides if two primitives touch in a time step: if they come within the distance `separation` of each
 // other, or are in contact if it is 0. Exact.
