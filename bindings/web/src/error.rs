@@ -16,7 +16,7 @@ pub(crate) enum Error {
     NonFinite(#[from] NonFinite),
     #[error(transparent)]
     Distance(#[from] InvalidSeparation),
-    #[error("{0}: not the name of a mesh file, expected {}", Format::extensions())]
+    #[error("{0}: not the name of a mesh file, expected {formats}", formats = Format::extensions())]
     Extension(String),
     #[error("{name}: {source}")]
     Parse { name: String, source: ParseError },
