@@ -165,12 +165,12 @@ impl fmt::Display for Proved {
             }
             let pair = contact.map(|(kind, ids)| named(kind, ids)).unwrap_or_default();
             match (head.free, head.contact) {
-                (_, None) => {}
-                (None, Some(_)) => writeln!(f, "  At t = 0, {pair} are {near}.")?,
+                (_, None) => Ok(()),
+                (None, Some(_)) => writeln!(f, "  At t = 0, {pair} are {near}."),
                 (Some(t), Some(time)) => {
-                    writeln!(f, "  {first} {pair}, at a time after {t:?} and not after {time:?}.")?
+                    writeln!(f, "  {first} {pair}, at a time after {t:?} and not after {time:?}.")
                 }
-            }
+            }?;
         }
         Ok(())
     }

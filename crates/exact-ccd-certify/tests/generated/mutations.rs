@@ -307,21 +307,21 @@ fn fields(certificate: &[u8]) -> Vec<(Field, std::ops::Range<usize>)> {
 
 #[test]
 fn no_change_of_a_field_proves_anything_false() {
-    change_fields(500);
+    println!("{:?}", change_fields(500));
 }
 
 #[test]
 #[ignore = "takes minutes: cargo test -p exact-ccd-certify --test generated -- --ignored"]
 fn none_of_10_000_changes_of_a_field_proves_anything_false() {
-    change_fields(10_000);
+    println!("{:?}", change_fields(10_000));
 }
 
 /// Each field is changed so many times, to other bytes: nothing false is accepted. Another number of rows,
-/// other ids of a row and another T⁺ never are.
-fn change_fields(count: usize) {
+/// other ids of a row and another T⁺ never are. Returns the numbers of those that are accepted, and true.
+fn change_fields(count: usize) -> [(Field, usize); 12] {
     let scenes = certified(50, |certificate| certificate[FLAGS] & FREE != 0);
     let mut random = Random(14);
-    for field in FIELDS {
+    FIELDS.map(|field| {
         let (mut changed, mut accepted) = (0, 0);
         while changed < count {
             let (scene, certificate, _, _) = &scenes[random.below(50) as usize];
@@ -342,10 +342,10 @@ fn change_fields(count: usize) {
                 assert!(are_true(scene, &proved), "{field:?}: {proved}");
             }
         }
-        println!("{field:?}: {accepted} of {changed} changes are accepted, and true");
         let is_structure = matches!(field, Field::Count | Field::Ids | Field::Contact);
         assert!(!is_structure || accepted == 0, "{field:?}");
-    }
+        (field, accepted)
+    })
 }
 
 /// Other bytes: for numbers, near ones too.
