@@ -73,13 +73,13 @@ impl<const T: usize> Boxes<T> {
         Self { ids, blocks, around }
     }
 
-    /// One block in every `stride`, from the `first` one.
-    pub(crate) fn sample(&self, [first, stride]: [usize; 2]) -> Self {
-        let ids = self.ids.chunks(LANES).skip(first).step_by(stride).flatten();
+    /// One block in every `stride`.
+    pub(crate) fn sample(&self, stride: usize) -> Self {
+        let ids = self.ids.chunks(LANES).step_by(stride).flatten();
         Self {
             ids: ids.copied().collect(),
-            blocks: self.blocks.iter().skip(first).step_by(stride).copied().collect(),
-            around: self.around.iter().skip(first).step_by(stride).copied().collect(),
+            blocks: self.blocks.iter().step_by(stride).copied().collect(),
+            around: self.around.iter().step_by(stride).copied().collect(),
         }
     }
 

@@ -2,14 +2,13 @@
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use arrayvec::ArrayVec;
 use exact_ccd::Impact;
 
 use crate::mesh::TriangleMesh;
 use crate::pairs::{Pair, PairKind};
-use crate::search::{Collect, NarrowPhase};
+use crate::search::{Collect, Gathered, NarrowPhase};
 use crate::steps::Step;
 use crate::vector::{dot, minus};
 
@@ -21,7 +20,7 @@ pub(super) struct Retreats<'a> {
     /// For each vertex, the time of the first contact that holds it back, as far as it is known. The bits of
     /// f64 that are not negative are in the order of the numbers.
     times: Vec<AtomicU64>,
-    stuck: Mutex<Vec<Pair>>,
+    stuck: Gathered<Pair>,
 }
 
 impl<'a> Retreats<'a> {
@@ -31,7 +30,7 @@ impl<'a> Retreats<'a> {
             step,
             can_retreat,
             times: can_retreat.iter().map(|_| AtomicU64::new(never)).collect(),
-            stuck: Mutex::default(),
+            stuck: Gathered::default(),
         }
     }
 
@@ -40,8 +39,7 @@ impl<'a> Retreats<'a> {
     /// twice.
     pub(super) fn found(self) -> (Vec<f64>, Vec<Pair>) {
         let bits = self.times.into_iter().map(AtomicU64::into_inner);
-        let stuck = self.stuck.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (bits.map(f64::from_bits).collect(), stuck)
+        (bits.map(f64::from_bits).collect(), self.stuck.into_list())
     }
 
     /// The bits of the time of the first contact that holds a vertex back, as far as it is known.
@@ -117,10 +115,7 @@ impl Collect for Retreats<'_> {
                 }
             }
         });
-        if !stuck.is_empty() {
-            let mut all = self.stuck.lock().unwrap_or_else(PoisonError::into_inner);
-            all.append(&mut stuck);
-        }
+        self.stuck.append(stuck);
         ControlFlow::Continue(())
     }
 }

@@ -255,19 +255,18 @@ impl<const T: usize> StepBoxes<T> {
         }
     }
 
-    /// Finds the pairs of a kind whose boxes meet; of a sample of the first primitives, if there are its first
-    /// block and a stride.
+    /// Finds the pairs of a kind whose boxes meet; of a sample of the first primitives, if there is a stride.
     pub(crate) fn pairs<K: Searched>(
         &self,
         mesh: &TriangleMesh,
         broad_phase: &impl BroadPhase,
-        sample: Option<[usize; 2]>,
+        sample: Option<usize>,
         sink: &PairSink<'_>,
     ) -> ControlFlow<()> {
         let sink = &self.uncovered::<K>(mesh, sink);
         let [first, second] = K::SETS;
         match sample {
-            Some(sample) => broad_phase.between(&self.get(first).sample(sample), self.get(second), sink),
+            Some(stride) => broad_phase.between(&self.get(first).sample(stride), self.get(second), sink),
             None if first == second => broad_phase.within(self.get(first), sink),
             None => broad_phase.between(self.get(first), self.get(second), sink),
         }

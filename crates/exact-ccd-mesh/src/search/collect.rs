@@ -7,6 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use exact_ccd::ContactTime;
 
 use super::contact::{Contact, earlier};
+use super::gathered::Gathered;
 use super::narrow_phase::NarrowPhase;
 use crate::mesh::TriangleMesh;
 use crate::pairs::{Pair, PairCounts, PairKind};
@@ -86,7 +87,7 @@ pub(crate) struct Earliest {
     contact: Mutex<Option<(ContactTime, Pair)>>,
     /// The pairs that start within their distance, some of them twice, if they are to be counted. Their boxes
     /// meet at t = 0, so that a search until any time examines all of them.
-    touching: Option<Mutex<Vec<Pair>>>,
+    touching: Option<Gathered<Pair>>,
 }
 
 impl Earliest {
@@ -102,7 +103,7 @@ impl Earliest {
     /// The earliest contact of the step, with the pairs that start within their distance.
     pub(crate) fn with_touching() -> Self {
         Self {
-            touching: Some(Mutex::default()),
+            touching: Some(Gathered::default()),
             ..Self::new(1.0)
         }
     }
@@ -115,9 +116,7 @@ impl Earliest {
 
     /// The numbers of pairs that start within their distance.
     pub(crate) fn touching(self) -> PairCounts {
-        let mut pairs = self.touching.map_or_else(Vec::new, |pairs| {
-            pairs.into_inner().unwrap_or_else(PoisonError::into_inner)
-        });
+        let mut pairs = self.touching.map_or_else(Vec::new, Gathered::into_list);
         pairs.sort_unstable();
         pairs.dedup();
         PairCounts::of(&pairs)
@@ -179,11 +178,8 @@ impl Collect for Earliest {
                 self.add(time, K::pair(ids));
             }
         });
-        if let Some(all) = &self.touching
-            && !touching.is_empty()
-        {
-            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
-            all.append(&mut touching);
+        if let Some(all) = &self.touching {
+            all.append(touching);
         }
         ControlFlow::Continue(())
     }
@@ -192,20 +188,20 @@ impl Collect for Earliest {
 /// All contacts until a time.
 pub(crate) struct AllContacts {
     until: f64,
-    contacts: Mutex<Vec<Contact>>,
+    contacts: Gathered<Contact>,
 }
 
 impl AllContacts {
     pub(crate) fn new(until: f64) -> Self {
         Self {
             until,
-            contacts: Mutex::default(),
+            contacts: Gathered::default(),
         }
     }
 
     /// The contacts in their order.
     pub(crate) fn sorted(self) -> Vec<Contact> {
-        let mut contacts = self.contacts.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let mut contacts = self.contacts.into_list();
         contacts.sort_unstable_by(Contact::compare);
         contacts
     }
@@ -229,10 +225,7 @@ impl Collect for AllContacts {
             let contact = approach.contact();
             found.extend(contact.map(|collision| Contact::new(K::pair(ids), &collision)));
         });
-        if !found.is_empty() {
-            let mut contacts = self.contacts.lock().unwrap_or_else(PoisonError::into_inner);
-            contacts.append(&mut found);
-        }
+        self.contacts.append(found);
         ControlFlow::Continue(())
     }
 }

@@ -31,12 +31,9 @@ struct Memory {
     kept: Option<Candidates>,
 }
 
-/// One block of primitives in this many is a sample, which is examined first: enough to find an early
-/// contact among many.
+/// One block of primitives in this many is examined first: enough to find an early contact among
+/// many.
 const SAMPLE_STRIDE: usize = 64;
-
-/// The largest number of samples.
-const MOST_SAMPLES: usize = 4;
 
 /// Displacements below this fraction of the mean edge length count as short. The box around a short
 /// path is hardly larger than a box that moves along it, and its tests are cheaper.
@@ -231,14 +228,14 @@ struct Pass<'a, B, C> {
 }
 
 impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
-    /// Examines the candidates of one kind: first those of samples, as long as these shorten the search.
+    /// Examines the candidates of one kind: first those of a sample, if that may shorten the search.
     fn examine<K: Searched>(&self, resting: &mut StepBoxes<1>, moving: &mut StepBoxes<2>) -> ControlFlow<()> {
         if resting.lacks::<K>() || moving.lacks::<K>() {
             return ControlFlow::Continue(());
         }
-        let mut sample = C::PROFITS_FROM_SAMPLE.then_some(0);
+        let of_sample = C::PROFITS_FROM_SAMPLE.then_some(Some(SAMPLE_STRIDE));
         let mut placed = None;
-        loop {
+        for sample in of_sample.into_iter().chain([None]) {
             let time = self.collector.until();
             // The better boxes.
             let is_short = time < self.short;
@@ -253,12 +250,8 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
             if !stay {
                 placed = Some((is_short, time));
             }
-            let Some(number) = sample else {
-                return ControlFlow::Continue(());
-            };
-            let has_shrunk = self.collector.until() < SHRUNK_TIME * time;
-            sample = (has_shrunk && number + 1 < MOST_SAMPLES).then_some(number + 1);
         }
+        ControlFlow::Continue(())
     }
 
     /// Examines the candidates of one kind, or of a sample, after the boxes have been placed for a new time.
@@ -269,7 +262,6 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
         sample: Option<usize>,
     ) -> ControlFlow<()> {
         let mesh = self.step.mesh();
-        let sample = sample.map(|number| [number, SAMPLE_STRIDE]);
         if let Some(time) = new_time {
             boxes.place::<K>(self.step, self.narrow_phase.can_collide(), time);
         }

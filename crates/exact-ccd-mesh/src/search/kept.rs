@@ -1,9 +1,9 @@
 //! The candidates of a search, kept for a search in a part of the same step.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use super::candidates::Candidates;
+use super::gathered::Gathered;
 use crate::mesh::TriangleMesh;
 use crate::pairs::{ByKind, Searched};
 
@@ -12,7 +12,7 @@ const MOST_PER_VERTEX: usize = 64;
 
 /// The pairs without a common vertex whose boxes meet, unless they are too many.
 pub(super) struct Kept {
-    pairs: ByKind<Mutex<Vec<[u32; 2]>>>,
+    pairs: ByKind<Gathered<[u32; 2]>>,
     count: AtomicUsize,
     most: usize,
 }
@@ -22,7 +22,7 @@ impl Kept {
     pub(super) fn new(mesh: &TriangleMesh, memory: Candidates) -> Self {
         let cleared = |mut pairs: Vec<_>| {
             pairs.clear();
-            Mutex::new(pairs)
+            Gathered::new(pairs)
         };
         Self {
             pairs: memory.into_lists().map(cleared),
@@ -36,8 +36,7 @@ impl Kept {
         let is_apart = |&ids: &[u32; 2]| K::vertices(mesh, ids).is_some_and(|pair| K::are_apart(&pair));
         let apart: Vec<[u32; 2]> = pairs.iter().copied().filter(is_apart).collect();
         if self.count.fetch_add(apart.len(), Ordering::Relaxed) + apart.len() <= self.most {
-            let mut all = K::of(&self.pairs).lock().unwrap_or_else(PoisonError::into_inner);
-            all.extend_from_slice(&apart);
+            K::of(&self.pairs).append(apart.clone());
         }
         apart
     }
@@ -45,7 +44,6 @@ impl Kept {
     /// All pairs, if they are complete.
     pub(super) fn into_candidates(self) -> Option<Candidates> {
         let is_complete = self.count.into_inner() <= self.most;
-        let list = |pairs: Mutex<_>| pairs.into_inner().unwrap_or_else(PoisonError::into_inner);
-        is_complete.then(|| Candidates::from_lists(self.pairs.map(list)))
+        is_complete.then(|| Candidates::from_lists(self.pairs.map(Gathered::into_list)))
     }
 }
