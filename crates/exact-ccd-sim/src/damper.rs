@@ -5,10 +5,10 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::energy::{Energy, Projection};
 
-/// The energy ½ c (x − x₀)ᵀ K (x − x₀) of the vertices of an element, with the projected Hessian K of its energy
-/// at the start of a time step, and the positions x₀ at zero velocity. With c = β h, its force is −β K v as a
-/// part of the incremental potential: Rayleigh's damping. Rigid translations have no such force; a rotation
-/// has, of the second order in the angle of a time step.
+/// The energy ½ c (x − x₀)ᵀ K (x − x₀) of the vertices of an element, with the projected Hessian K of its
+/// energy at the start of a time step, and the positions x₀ at zero velocity. With c = β h, its force is −β
+/// K v as a part of the incremental potential: Rayleigh's damping. Rigid translations have no such force; a
+/// rotation has, of the second order in the angle of a time step.
 #[derive(Debug)]
 pub(crate) struct Damper {
     vertices: Vec<u32>,
