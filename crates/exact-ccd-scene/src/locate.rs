@@ -39,15 +39,29 @@ pub(super) fn of_system(description: &Description, error: &SystemError) -> Field
         SystemError::Spring { spring, source } => {
             return FieldError::new(format!("spring.{spring}.{}", source.field), source);
         }
-        SystemError::SpringEnd { spring, .. } => {
-            return FieldError::new(format!("spring.{spring}.at"), error);
+        SystemError::SpringEnd { spring, body, .. } => {
+            return FieldError::new(format!("spring.{spring}.at"), named(description, error, *body));
         }
         _ => return FieldError::new("body", error),
     };
     // The path of the field has the number of the body already.
-    let message = error.to_string();
+    let message = named(description, error, body);
     let short = message.strip_prefix(&format!("body {body}: "));
     FieldError::new(format!("body.{body}.{field}"), short.unwrap_or(&message))
+}
+
+/// The message of an error, with the name of a body in place of its number, if it has one. The number at the
+/// beginning stays.
+fn named(description: &Description, error: &SystemError, body: usize) -> String {
+    let message = error.to_string();
+    let name = description.body.get(body).map_or("", |body| body.name.as_str());
+    match message.split_once(": ") {
+        Some((start, rest)) if !name.is_empty() => {
+            let named = rest.replace(&format!("body {body}"), &format!("body `{name}`"));
+            format!("{start}: {named}")
+        }
+        _ => message,
+    }
 }
 
 /// The error of a simulation, at the setting or at the second of two touching bodies.

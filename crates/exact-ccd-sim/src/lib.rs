@@ -40,6 +40,7 @@ mod body;
 mod carriers;
 mod checkpoint;
 mod contact;
+mod damper;
 mod digest;
 mod dirichlet;
 mod distance;

@@ -18,6 +18,11 @@ pub struct Settings {
     pub integrator: Integrator,
     /// The rate at which all velocities decay, in 1/s: accelerations have the part −`damping` v.
     pub damping: f64,
+    /// The factor β of damping in proportion to the stiffness, in s: elastic elements have the forces −β K
+    /// v, with their projected stiffness K at the start of the time step. A vibration of the angular
+    /// frequency ω decays with the damping ratio β ω / 2.
+    #[serde(skip_serializing_if = "is_default")]
+    pub stiffness_damping: f64,
     /// The activation distance d̂ of the barrier: primitives that are closer repel each other.
     pub contact_distance: Length,
     /// The sum of barriers that repels surfaces.
@@ -45,6 +50,11 @@ pub struct Settings {
     /// The name of the CCD method. A simulation starts with `exact`, and takes the name of the filter that
     /// is passed to [`Simulation::with_filter`](crate::Simulation::with_filter).
     pub ccd: String,
+}
+
+/// True for a value that is the same as if it were not given.
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 /// The largest tolerance with friction, relative to the static velocity.
@@ -82,6 +92,7 @@ impl Settings {
         check_not_negative("friction.coefficient", friction.coefficient)?;
         check(friction.lags > 0, "friction.lags", friction.lags, "at least 1")?;
         check_not_negative("damping", self.damping)?;
+        check_not_negative("stiffness-damping", self.stiffness_damping)?;
         let (substeps, expected) = (self.max_substeps, "a number from 1 to 1048576");
         check(
             (1..=1 << 20).contains(&substeps),
@@ -100,12 +111,13 @@ impl Settings {
 impl Settings {
     /// The names and the values of all settings, for their comparison. The case of a method's name does not
     /// matter.
-    pub(crate) fn values(&self) -> [(&'static str, String); 15] {
+    pub(crate) fn values(&self) -> [(&'static str, String); 16] {
         let Self {
             time_step,
             gravity,
             integrator,
             damping,
+            stiffness_damping,
             contact_distance,
             formulation,
             line_search,
@@ -126,6 +138,7 @@ impl Settings {
             ("gravity", format!("{gravity:?}")),
             ("integrator", format!("{integrator:?}")),
             ("damping", format!("{damping:?}")),
+            ("stiffness-damping", format!("{stiffness_damping:?}")),
             ("contact-distance", format!("{contact_distance:?}")),
             ("formulation", format!("{formulation:?}")),
             ("line-search", format!("{line_search:?}")),
@@ -233,6 +246,7 @@ impl Default for Settings {
             gravity: [0.0, -9.81, 0.0],
             integrator: Integrator::default(),
             damping: 0.0,
+            stiffness_damping: 0.0,
             contact_distance: Length::Relative(1e-3),
             formulation: Formulation::default(),
             line_search: LineSearch::default(),

@@ -5,23 +5,28 @@ use std::path::{Path, PathBuf};
 
 /// The entries of a scene of another program that cannot be imported: one on each line of the message.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}, {place}: {problem}{}", file.display(), self.others())]
+#[error("{}", self.lines())]
 pub struct ImportError {
     /// The file.
     pub file: PathBuf,
-    /// The place of the first entry.
-    pub place: Place,
-    /// Its problem.
-    pub problem: Problem,
-    /// The further entries with their problems.
-    pub further: Vec<(Place, Problem)>,
+    /// The entries with their problems. Not empty.
+    pub entries: Vec<(Place, Problem)>,
 }
 
 impl ImportError {
-    fn others(&self) -> String {
+    fn lines(&self) -> String {
         let line =
-            |(place, problem): &(Place, Problem)| format!("\n{}, {place}: {problem}", self.file.display());
-        self.further.iter().map(line).collect()
+            |(place, problem): &(Place, Problem)| format!("{}, {place}: {problem}", self.file.display());
+        self.entries.iter().map(line).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The error of a file with these faults.
+    pub(super) fn new(file: &Path, faults: Vec<Fault>) -> Self {
+        let entries = faults.into_iter().map(|fault| (fault.place, fault.problem));
+        Self {
+            file: file.to_owned(),
+            entries: entries.collect(),
+        }
     }
 }
 
@@ -95,19 +100,6 @@ impl fmt::Display for Place {
 pub(super) struct Fault {
     pub(super) place: Place,
     pub(super) problem: Problem,
-}
-
-impl Fault {
-    /// The error of a file with this one as the first of its faults.
-    pub(super) fn in_file(self, file: &Path, others: Vec<Self>) -> ImportError {
-        let others = others.into_iter();
-        ImportError {
-            file: file.to_owned(),
-            place: self.place,
-            problem: self.problem,
-            further: others.map(|fault| (fault.place, fault.problem)).collect(),
-        }
-    }
 }
 
 impl Problem {

@@ -47,11 +47,7 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
         Some("json") => "PolyFEM",
         _ => return Ok(None),
     };
-    let at_file = |problem: Problem| {
-        problem
-            .at(&Place::Pointer(String::new()))
-            .in_file(file, Vec::new())
-    };
+    let at_file = |problem: Problem| ImportError::new(file, vec![problem.at(&Place::Pointer(String::new()))]);
     let text = std::fs::read_to_string(file).map_err(|error| {
         let problem = match error.kind() {
             io::ErrorKind::InvalidData => {
@@ -71,10 +67,10 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
     let mut faults = notes.take_faults();
     let description = match description {
         Ok(description) if faults.is_empty() => description,
-        Ok(_) => return Err(faults.remove(0).in_file(file, faults)),
+        Ok(_) => return Err(ImportError::new(file, faults)),
         Err(last) => {
             faults.push(last);
-            return Err(faults.remove(0).in_file(file, faults));
+            return Err(ImportError::new(file, faults));
         }
     };
     let toml = toml::to_string(&description).map_err(|error| at_file(Problem::File(error.to_string())))?;

@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use super::{Simulation, SimulationError};
 use crate::anchor::Anchor;
 use crate::contact::{Collision, Collisions, StiffnessRange};
+use crate::damper::Damper;
 use crate::dirichlet::{Dirichlet, Motion};
 use crate::energy::Energy;
 use crate::friction::{FrictionContact, Smoothing};
@@ -197,6 +198,7 @@ impl Simulation {
             Vector3::from(settings.gravity) + load
         };
         let inertia = scheme.inertia(&system.masses, &held, acceleration);
+        let dampers = self.dampers(&scheme);
         let origins = system.origins(&self.state.origins, &positions, end(part - 1), [before, moment]);
         let start = end(part - 1);
         let behind = &self.state.behind;
@@ -233,6 +235,7 @@ impl Simulation {
                 held: &held,
                 interrupt: &self.interrupt,
                 friction: &friction,
+                dampers: &dampers,
                 barrier: self.barrier,
                 range,
                 filter: &self.filter,
@@ -265,6 +268,7 @@ impl Simulation {
             stiffness: now.stiffness,
             inertia: &inertia,
             friction: &friction,
+            dampers: &dampers,
         };
         statistics.energies = energies(&potential, settings.gravity, time_step, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
@@ -315,6 +319,7 @@ impl Simulation {
             stiffness: before,
             inertia,
             friction: &[],
+            dampers: &[],
         };
         let positions = &self.state.positions;
         let mut energy = potential.gradient(positions, &[]);
@@ -330,6 +335,18 @@ impl Simulation {
             barriers[place / 3][place % 3] = 0.0;
         }
         before.max(range.balance(&energy, &barriers))
+    }
+
+    /// The damping of the elastic elements in proportion to their stiffness.
+    fn dampers(&self, scheme: &Scheme) -> Vec<Damper> {
+        let factor = self.settings.stiffness_damping * scheme.duration;
+        if factor == 0.0 || self.settings.integrator == Integrator::QuasiStatic {
+            return Vec::new();
+        }
+        let elements = self.system.elements.iter();
+        elements
+            .map(|element| Damper::new(&**element, &self.state.positions, &scheme.origin, factor))
+            .collect()
     }
 
     /// The κ of this step with which the barrier has the same forces as in the previous step.

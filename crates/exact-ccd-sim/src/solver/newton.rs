@@ -13,6 +13,7 @@ use super::unknowns::Unknowns;
 use super::vertex_steps::VertexSteps;
 use crate::anchor::Anchor;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
+use crate::damper::Damper;
 use crate::dirichlet::Dirichlet;
 use crate::filter::StepFilter;
 use crate::friction::FrictionContact;
@@ -32,6 +33,7 @@ pub(crate) struct Newton<'a> {
     pub(crate) held: &'a [Axes],
     pub(crate) interrupt: &'a AtomicBool,
     pub(crate) friction: &'a [FrictionContact],
+    pub(crate) dampers: &'a [Damper],
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a StepFilter,
@@ -85,6 +87,7 @@ impl Newton<'_> {
                 stiffness: now.stiffness,
                 inertia: self.inertia,
                 friction: self.friction,
+                dampers: self.dampers,
             };
             let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
             let prescribed = now.dirichlet.displacements(&now.positions);

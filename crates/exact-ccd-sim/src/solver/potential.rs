@@ -6,11 +6,12 @@ use nalgebra::Vector3;
 use super::form::Form;
 use crate::anchor::Anchor;
 use crate::contact::Collision;
+use crate::damper::Damper;
 use crate::energy::Energy;
 use crate::friction::FrictionContact;
 use crate::system::System;
 
-/// Inertia + h² Ψ(x) + κ Σ b + friction, in kg m².
+/// Inertia + h² Ψ(x) + κ Σ b + friction + damping, in kg m².
 pub(crate) struct Potential<'a> {
     pub(crate) system: &'a System,
     /// The effective time step h, in s.
@@ -19,16 +20,19 @@ pub(crate) struct Potential<'a> {
     pub(crate) stiffness: f64,
     pub(crate) inertia: &'a [Anchor],
     pub(crate) friction: &'a [FrictionContact],
+    pub(crate) dampers: &'a [Damper],
 }
 
 impl<'a> Potential<'a> {
     /// All terms.
-    pub(super) fn forms<'b>(&'b self, collisions: &'b [Collision]) -> [Form<'b>; 4] {
+    pub(super) fn forms<'b>(&'b self, collisions: &'b [Collision]) -> [Form<'b>; 5] {
         [
             Form::of(self.inertia, 1.0),
             self.elasticity(self.duration * self.duration),
             Form::of(collisions, self.stiffness),
             Form::of(self.friction, 1.0),
+            // They act on the vertices of elastic elements.
+            Form::of(self.dampers, 1.0),
         ]
     }
 

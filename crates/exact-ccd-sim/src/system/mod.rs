@@ -182,7 +182,8 @@ impl System {
         })
     }
 
-    /// The range of vertices of each body, in the order of the bodies.
+    /// The range of vertices of each body, in the order of the bodies. The last four of an affine body are
+    /// its nodes.
     #[must_use]
     pub fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
         let mut end = 0;

@@ -114,9 +114,9 @@ fn joints_open_by_force_over_stiffness() {
     }
 }
 
-/// A particle on a spring swings with √(k / m), about the length of the spring that its weight extends.
-#[test]
-fn a_particle_on_a_spring_swings() {
+/// The lowest position of a particle after its fall on a spring of the angular frequency 20/s, and its
+/// speed then, with damping in proportion to the stiffness. The particle turns after half a period.
+fn fall_on_a_spring(stiffness_damping: f64) -> [f64; 2] {
     let bead = shapes::particles([1, 1, 1], [0.0; 3]);
     let system = System::new(&[bead], &[]).unwrap();
     let mass = system.masses()[0];
@@ -134,22 +134,48 @@ fn a_particle_on_a_spring_swings() {
     let settings = Settings {
         time_step: 1e-3,
         integrator: Integrator::Bdf2,
+        stiffness_damping,
         contact_distance: Length::Absolute(1e-3),
         tolerance: Length::Absolute(1e-8),
         ..Settings::default()
     };
     let mut simulation = Simulation::new(system, settings).unwrap();
-    // It falls to the lowest point in half a period: twice the extension m g / k.
-    let steps = (core::f64::consts::PI / 20.0 / 1e-3).round() as u32;
+    let ratio = 0.5 * stiffness_damping * 20.0;
+    let frequency = 20.0 * (1.0 - ratio * ratio).sqrt();
+    let steps = (core::f64::consts::PI / frequency / 1e-3).round() as u32;
     (0..steps).for_each(|_| assert!(simulation.step().unwrap().converged));
-    let lowest = simulation.state().positions[0][1];
+    [
+        simulation.state().positions[0][1],
+        simulation.state().velocities[0][1],
+    ]
+}
+
+/// A particle on a spring swings with √(k / m), about the length of the spring that its weight extends.
+#[test]
+fn a_particle_on_a_spring_swings() {
+    let [lowest, speed] = fall_on_a_spring(0.0);
     let expected = -2.0 * GRAVITY / 400.0;
     assert!(
         (lowest / expected - 1.0).abs() < 0.01,
         "{lowest}, expected {expected}"
     );
-    let speed = simulation.state().velocities[0][1];
     assert!(speed.abs() < 0.02 * GRAVITY / 20.0, "{speed}");
+}
+
+/// With the damping ratio ζ = β ω / 2, the particle rises above its rest by exp(−π ζ / √(1 − ζ²)) less each
+/// time.
+#[test]
+fn stiffness_damping_has_the_ratio_of_theory() {
+    for damping in [0.01, 0.03] {
+        let ratio = 0.5 * damping * 20.0_f64;
+        let overshoot = (-core::f64::consts::PI * ratio / (1.0 - ratio * ratio).sqrt()).exp();
+        let expected = -(1.0 + overshoot) * GRAVITY / 400.0;
+        let [lowest, _] = fall_on_a_spring(damping);
+        assert!(
+            (lowest / expected - 1.0).abs() < 0.005,
+            "{damping}: {lowest}, expected {expected}"
+        );
+    }
 }
 
 #[test]

@@ -87,6 +87,7 @@ impl Fixture {
             stiffness: 1e7,
             inertia: &self.inertia,
             friction: &self.friction,
+            dampers: &[],
         }
     }
 
