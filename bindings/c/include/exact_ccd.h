@@ -27,6 +27,8 @@ typedef enum exact_ccd_status_t {
   // An edge passes through a face at the start of the step, and the detector has the check of the
   // start: see `exact_ccd_detector_set_start_check`.
   EXACT_CCD_STATUS_CROSSING = 5,
+  // Some pairs have no proof, or there is nothing to prove: there is no certificate.
+  EXACT_CCD_STATUS_UNCERTIFIED = 6,
 } exact_ccd_status_t;
 
 // The result of a frame of an audit.
@@ -55,6 +57,10 @@ typedef enum exact_ccd_kind_t {
 
 // Examines the frames of a mesh one after the other, between which vertices move in straight lines.
 typedef struct exact_ccd_audit_t exact_ccd_audit_t;
+
+// The bytes of a certificate, which the program `exact-ccd-check` verifies with the mesh files.
+// `docs/certificates.md` has the format.
+typedef struct exact_ccd_certificate_t exact_ccd_certificate_t;
 
 // The contacts of a step, the earliest first.
 typedef struct exact_ccd_contacts_t exact_ccd_contacts_t;
@@ -240,6 +246,41 @@ enum exact_ccd_status_t exact_ccd_detector_set_pair_can_collide_owned(struct exa
                                                                       exact_ccd_pair_can_collide_t can_collide,
                                                                       void *data,
                                                                       exact_ccd_destroy_t destroy);
+
+// The number of bytes, and a pointer to the first, which is valid until the certificate is freed.
+enum exact_ccd_status_t exact_ccd_certificate_data(const struct exact_ccd_certificate_t *certificate,
+                                                   const uint8_t **data,
+                                                   size_t *count);
+
+// Frees a certificate. Null is allowed.
+void exact_ccd_certificate_free(struct exact_ccd_certificate_t *certificate);
+
+// The proof of the answer to a step: that it is free of contact until its earliest one, and has that one;
+// and with `at_rest`, that no edge passes through a face at `x0`. It has the bytes of
+// `exact-ccd step --certificate`, and is freed with `exact_ccd_certificate_free`. Other arguments as in
+// `exact_ccd_detector_collides`.
+//
+// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, `EXACT_CCD_STATUS_CROSSING` if
+// an edge passes through a face where that is to be excluded, and `EXACT_CCD_STATUS_INVALID_ARGUMENT` for a
+// detector with groups, a callback, thicknesses or an inner distance.
+enum exact_ccd_status_t exact_ccd_detector_certificate(struct exact_ccd_detector_t *detector,
+                                                       const double *x0,
+                                                       const double *x1,
+                                                       size_t vertex_count,
+                                                       bool at_rest,
+                                                       struct exact_ccd_certificate_t **certificate);
+
+// Makes a certificate of all frames that follow. No frame may have been examined.
+enum exact_ccd_status_t exact_ccd_audit_certify(struct exact_ccd_audit_t *audit);
+
+// The proof of the results of an audit so far, after `exact_ccd_audit_certify`: the bytes of
+// `exact-ccd audit --certificate`, about the frames up to the last one that was examined, or up to the first
+// violation. It is freed with `exact_ccd_certificate_free`.
+//
+// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, and if there is nothing to
+// prove: of a single frame, or if the first one has a violation.
+enum exact_ccd_status_t exact_ccd_audit_certificate(const struct exact_ccd_audit_t *audit,
+                                                    struct exact_ccd_certificate_t **certificate);
 
 // The detector for steps of a mesh, to be freed with `exact_ccd_detector_free`.
 enum exact_ccd_status_t exact_ccd_detector_new(const struct exact_ccd_mesh_t *mesh,
