@@ -179,11 +179,14 @@ fn a_dropped_pair_is_refused() {
     assert!(differ > 9000 && accepted == 0);
 }
 
+/// Returns true if a pair of a certificate has several stretches.
+fn has_stretches(certificate: &[u8]) -> bool {
+    rows(certificate).iter().any(|row| certificate[row.tag] & 1 != 0)
+}
+
 #[test]
 fn a_dropped_stretch_proves_nothing_false() {
     // Rows of several stretches: without the first, or with the first alone, up to T.
-    let has_stretches =
-        |certificate: &[u8]| rows(certificate).iter().any(|row| certificate[row.tag] & 1 != 0);
     let [differ, accepted] = mutate_some(13, 25, has_stretches, |random, bytes, _, _| {
         let certificate = bytes.clone();
         if let Some(row) = any(random, bytes, |row| certificate[row.tag] & 1 != 0) {
@@ -319,18 +322,25 @@ fn none_of_10_000_changes_of_a_field_proves_anything_false() {
 /// Each field is changed so many times, to other bytes: nothing false is accepted. Another number of rows,
 /// other ids of a row and another T⁺ never are. Returns the numbers of those that are accepted, and true.
 fn change_fields(count: usize) -> [(Field, usize); 12] {
-    let scenes = certified(50, |certificate| certificate[FLAGS] & FREE != 0);
+    // Some with pairs of several stretches.
+    let mut scenes = certified(50, |certificate| certificate[FLAGS] & FREE != 0);
+    scenes.extend(certified(5, has_stretches));
     let mut random = Random(14);
     FIELDS.map(|field| {
+        let places: Vec<(usize, std::ops::Range<usize>)> = scenes
+            .iter()
+            .enumerate()
+            .flat_map(|(scene, (_, certificate, ..))| {
+                let fields = fields(certificate).into_iter();
+                let of_field = fields.filter(move |(other, _)| *other == field);
+                of_field.map(move |(_, place)| (scene, place))
+            })
+            .collect();
+        assert!(places.len() > 4, "{field:?}");
         let (mut changed, mut accepted) = (0, 0);
         while changed < count {
-            let (scene, certificate, _, _) = &scenes[random.below(50) as usize];
-            let mut places = fields(certificate);
-            places.retain(|(other, _)| *other == field);
-            if places.is_empty() {
-                continue;
-            }
-            let (_, place) = places.swap_remove(random.below(places.len() as u64) as usize);
+            let (scene, place) = places[random.below(places.len() as u64) as usize].clone();
+            let (scene, certificate, ..) = &scenes[scene];
             let mut bytes = certificate.clone();
             change(&mut random, field, &mut bytes[place]);
             if bytes == *certificate {
