@@ -11,7 +11,7 @@ mod hard_cases;
 #[allow(dead_code, reason = "the test target `queries` needs more of it")]
 mod primitives;
 
-use exact_ccd::{EdgeEdge, Stage, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Query, Separation, Stage, VertexEdge, VertexFace, VertexVertex};
 
 use check::{Defined, assert_defined};
 use hard_cases::hard::Hard;
@@ -81,4 +81,19 @@ fn some_need_integers<K: Hard>() {
 fn some_queries_need_the_integers() {
     some_need_integers::<VertexFace>();
     some_need_integers::<EdgeEdge>();
+}
+
+/// The vertex reaches the plane and a side of a falling face at t = 2⁻⁶¹: with u = 1 − t, the cubic and the side
+/// have the factor u − (2⁶¹ − 1) t in common. Modulo the prime 2⁶¹ − 1, by which common factors are ruled out, it
+/// is a constant.
+#[test]
+fn a_common_factor_that_vanishes_modulo_the_prime() {
+    let far = 2f64.powi(61);
+    let face = |x: f64| [[x, 0.0, x], [x + 1.0, 0.0, x], [x, 1.0, x]];
+    let [[a, b, c], [d, e, f]] = [face(0.0), face(-1.0)];
+    let start = [[1.0, 0.25, 1.0], a, b, c];
+    let end = [[-far, 0.25, -far], d, e, f];
+    let query = Query::<VertexFace>::new(start, end).expect("finite numbers");
+    assert!(assert_defined(&query, Separation::ZERO));
+    assert_eq!(query.time_of_impact(Separation::ZERO), Some(2f64.powi(-61)));
 }
