@@ -83,9 +83,9 @@ fn some_queries_need_the_integers() {
     some_need_integers::<EdgeEdge>();
 }
 
-/// The vertex reaches the plane and a side of a falling face at t = 2⁻⁶¹: with u = 1 − t, the cubic and the
-/// side have the factor u − (2⁶¹ − 1) t in common. Modulo the prime 2⁶¹ − 1, by which common factors are ruled
-/// out, it is a constant.
+/// The vertex reaches the plane and a side of a falling face at t = 2⁻⁶¹. With u = 1 − t, the cubic and
+/// the side have the factor u − (2⁶¹ − 1) t in common. It is a constant modulo the prime 2⁶¹ − 1, by which
+/// common factors are ruled out.
 #[test]
 fn a_common_factor_that_vanishes_modulo_the_prime() {
     let far = 2f64.powi(61);
