@@ -398,7 +398,7 @@ class Detector(Searcher):
         return report
 
     def certificate(self, x0: ArrayLike, x1: ArrayLike, *, at_rest: bool = True) -> bytes:
-        """Prove the answer to a step, for the program exact-ccd-check (docs/certificates.md).
+        r"""Prove the answer to a step, for the program exact-ccd-check (docs/certificates.md).
 
         The certificate proves that the step is free until its earliest contact, and that it has that one. It is
         about all pairs and one distance: without `groups`, `can_collide`, thicknesses and `inner_distance`.
