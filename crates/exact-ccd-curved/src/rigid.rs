@@ -138,7 +138,7 @@ impl Trajectory for RigidPoint {
     /// The bound of the error is a sum of five parts, each with the constants of first order rounded up:
     ///
     /// - φ = fl(θ t) is off by u |φ|, and sine and cosine by no more.
-    /// - The [`sine`] comes with a bound of its error. With h = sin(φ / 2), off by η, 2 h² is off by
+    /// - The sine comes with a bound of its error. With h = sin(φ / 2), off by η, 2 h² is off by
     ///   2 η (2 |h| + η), and by 2 u · 2 h² from its two roundings.
     /// - ρ and w are off by the constant error of the point.
     /// - The products and sums of ρ (2 h²), w sin(φ) and t v have at most three roundings each: 4 u of
