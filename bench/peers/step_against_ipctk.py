@@ -108,12 +108,11 @@ def medians(contestants, options, x0, x1, files):
     return [statistics.median(times) for times in seconds], answers
 
 
-def print_table(title, contestants, seconds, answers):
+def print_table(title, contestants, seconds, answers, file):
     """One row for each; the last column tells how many times as fast the first is."""
-    print(f"\n### {title}\n\n| | ms | answer | times ours |\n|---|---:|---:|---:|")
+    print(f"\n### {title}\n\n| | ms | answer | times ours |\n|---|---:|---:|---:|", file=file)
     for contestant, taken, answer in zip(contestants, seconds, answers):
-        print(f"| {contestant.name} | {1e3 * taken:.1f} | {answer} | {taken / seconds[0]:.1f} |")
-    sys.stdout.flush()
+        print(f"| {contestant.name} | {1e3 * taken:.1f} | {answer} | {taken / seconds[0]:.1f} |", file=file, flush=True)
 
 
 class Summary:
@@ -138,6 +137,8 @@ def compare(scene, options, threads, summaries):
     """All questions about one scene."""
     row = f"{scene.name}, {threads}"
     steps, decisions, free_decisions = summaries
+    # With the summary alone, the tables of each scene are its progress.
+    file = sys.stderr if options.summary else sys.stdout
     ipctk.set_num_threads(threads)
     frames = sorted((scene / "frames").glob("*.ply"), key=frame_number)[:2]
     (x0, faces), (x1, _) = map(read_ply, frames)
@@ -159,28 +160,28 @@ def compare(scene, options, threads, summaries):
         title += f", minimum distance {d!r}"
     contestants = [ours("--toi"), ours(), *theirs("step", *options.broad)]
     seconds, answers = medians(contestants, options, x0, x1, files)
-    print_table(f"{title}: the collision-free step", contestants, seconds, answers)
+    print_table(f"{title}: the collision-free step", contestants, seconds, answers, file)
     steps.add(row, contestants, seconds)
     ours_is_largest = answers[0] >= max(answers[2:])
-    print(f"\nOur step is {'' if ours_is_largest else 'NOT '}at least as large as theirs.")
+    print(f"\nOur step is {'' if ours_is_largest else 'NOT '}at least as large as theirs.", file=file)
     if options.only_step:
         return
     size = FREE_FRACTION * min(answers[2:])
 
     contestants = [ours("--any"), *theirs("any", *options.broad)]
     result = medians(contestants, options, x0, x1, files)
-    print_table(f"{title}: yes or no", contestants, *result)
+    print_table(f"{title}: yes or no", contestants, *result, file)
     decisions.add(row, contestants, result[0])
 
     if size == 0:
-        print("\nNo step is free: a pair is within the minimum distance at the start.")
+        print("\nNo step is free: a pair is within the minimum distance at the start.", file=file)
         return
     with tempfile.TemporaryDirectory() as folder:
         free = np.asfortranarray(x0 + size * (x1 - x0))
         end = str(Path(folder) / "end.ply")
         write_ply(end, free, faces)
         result = medians(contestants, options, x0, free, [files[0], end])
-        print_table(f"{title}: yes or no, on a step that is free", contestants, *result)
+        print_table(f"{title}: yes or no, on a step that is free", contestants, *result, file)
         free_decisions.add(row, contestants, result[0])
 
 
@@ -201,6 +202,7 @@ def main():
     narrow = list(NARROW_PHASES)
     parser.add_argument("--narrow", help="narrow phases of ipctk", nargs="+", default=narrow, choices=narrow)
     parser.add_argument("--only", help="the scene with this name")
+    parser.add_argument("--summary", help="only the tables of all scenes", action="store_true")
     parser.add_argument("--only-step", help="only the collision-free step", action="store_true")
     parser.add_argument("--min-distance", help="the distance to keep", type=float, default=0.0, metavar="D")
     options = parser.parse_args()

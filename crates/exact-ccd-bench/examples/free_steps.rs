@@ -18,7 +18,7 @@ const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const TURNS: usize = 9;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("| scene | common size | mean size | vertices at 1 | rounds | time, common = 1 |");
+    println!("| scene | size of the common step | mean size | vertices at 1 | rounds | cost |");
     println!("|---|---:|---:|---:|---:|---:|");
     let pool = ThreadPoolBuilder::new().num_threads(1).build()?;
     for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
