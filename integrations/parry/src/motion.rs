@@ -14,6 +14,17 @@ pub(crate) struct Hit {
     pub(crate) is_converged: bool,
 }
 
+impl Hit {
+    /// The contact of surfaces that pass through each other at the start.
+    fn at_start(place: Place) -> Self {
+        Self {
+            place,
+            time: 0.0,
+            is_converged: true,
+        }
+    }
+}
+
 impl Surfaces {
     /// The earliest contact within a distance while the second surface moves in a straight line.
     pub(crate) fn cast(
@@ -23,11 +34,7 @@ impl Surfaces {
         distance: Separation,
     ) -> Result<Option<Hit>, Failure> {
         if let Some(place) = self.crossing()? {
-            return Ok(Some(Hit {
-                place,
-                time: 0.0,
-                is_converged: true,
-            }));
+            return Ok(Some(Hit::at_start(place)));
         }
         // By a power of two, velocities and times are scaled without rounding.
         let duration = power_of_two_above(until.min(self.horizon(velocity, distance.get())));
@@ -47,11 +54,14 @@ impl Surfaces {
     }
 
     /// A time after which the surfaces are farther apart than a distance for good: their boxes have passed
-    /// each other along an axis. Without motion, it is 0.
+    /// each other along an axis. Without motion, it is 0. It may be infinite.
     ///
     /// The gap is a sum of three numbers, with two roundings, each of at most u times the sum of their
     /// magnitudes; the quotient adds one. The bound adds 4 u of the sum, and 4 u of the quotient.
     fn horizon(&self, velocity: Point, distance: f64) -> f64 {
+        if velocity == [0.0; 3] {
+            return 0.0;
+        }
         let (first, second) = self.positions.split_at(self.first_len);
         let mut horizon = f64::INFINITY;
         for axis in 0..3 {
@@ -67,7 +77,7 @@ impl Surfaces {
             let time = (gap + error) / speed.abs() * (1.0 + 2.0 * f64::EPSILON);
             horizon = horizon.min(time.max(0.0));
         }
-        if horizon == f64::INFINITY { 0.0 } else { horizon }
+        horizon
     }
 
     /// The earliest contact while both surfaces move as rigid bodies, each with the motion of its own, in
@@ -78,11 +88,7 @@ impl Surfaces {
         duration: f64,
     ) -> Result<Option<Hit>, Failure> {
         if let Some(place) = self.crossing()? {
-            return Ok(Some(Hit {
-                place,
-                time: 0.0,
-                is_converged: true,
-            }));
+            return Ok(Some(Hit::at_start(place)));
         }
         let motion = |vertex: usize| motions[usize::from(vertex >= self.first_len)];
         let points = self.positions.iter().enumerate();

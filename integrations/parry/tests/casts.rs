@@ -72,6 +72,32 @@ fn nothing_is_hit_beside_the_way_or_after_the_last_time() {
     assert!(cast(&touching, 1.2499999999999998).is_none());
 }
 
+/// The boxes pass each other after more than the largest f64, but the surfaces meet before.
+#[test]
+fn the_slowest_motion_meets_too() {
+    let floor = Triangle::new(
+        Vector::ZERO,
+        Vector::new(8.0, 0.0, 0.0),
+        Vector::new(0.0, 8.0, 0.0),
+    );
+    let tall = Triangle::new(
+        Vector::new(1.0, 1.0, 0.0),
+        Vector::new(1.0, 2.0, 64.0),
+        Vector::new(2.0, 1.0, 64.0),
+    );
+    let pose = Pose::translation(0.0, 0.0, 2.0_f64.powi(-20));
+    let down = Vector::new(0.0, 0.0, -(2.0_f64.powi(-1030)));
+    let below = Pose::translation(0.0, 0.0, -128.0);
+    let cast = |pose, until| {
+        let options = ShapeCastOptions::with_max_time_of_impact(until);
+        Double.cast_shapes(pose, down, &floor, &tall, options)
+    };
+    let until = 2.0_f64.powi(1020);
+    let hit = cast(&pose, until).expect("supported");
+    assert_eq!(hit.map(|hit| hit.time_of_impact), Some(2.0_f64.powi(1010)));
+    assert!(cast(&below, until).expect("supported").is_none());
+}
+
 #[test]
 fn rest_touches_or_does_not() {
     let cast = |x: f64| {

@@ -161,39 +161,6 @@ fn a_thrown_body_falls_and_stays_rigid() {
     }
 }
 
-/// A block slides on a slope by Coulomb's law, and sticks above the tangent of the slope.
-#[test]
-fn an_affine_block_obeys_coulombs_law() {
-    let angle = 20.0_f64.to_radians();
-    let acceleration = |coefficient: f64| {
-        let block = affine_box([0.4, 0.1, 0.4]).placed(|[x, y, z]| [x + 1.0, y + 3e-4, z + 0.3]);
-        let system = System::new(&[block, shapes::floor([1, 1], [6.0, 1.1])], &[]).unwrap();
-        let settings = Settings {
-            gravity: [9.81 * angle.sin(), -9.81 * angle.cos(), 0.0],
-            friction: Friction {
-                coefficient,
-                ..Friction::default()
-            },
-            ..Settings::default()
-        };
-        let mut simulation = Simulation::new(system, settings).unwrap();
-        let mut at = |steps: u32| {
-            (0..steps).for_each(|_| assert!(simulation.step().unwrap().converged));
-            center(&simulation).x
-        };
-        let [start, middle, end] = [at(50), at(40), at(40)];
-        (end - 2.0 * middle + start) / 0.16
-    };
-    let expected = 9.81 * (angle.sin() - 0.3 * angle.cos());
-    let slides = acceleration(0.3);
-    assert!(
-        (slides / expected - 1.0).abs() < 0.02,
-        "{slides}, expected {expected} m/s²"
-    );
-    let sticks = acceleration(1.02 * angle.tan());
-    assert!(sticks.abs() < 1e-3, "{sticks} m/s²");
-}
-
 /// Two boxes with thickness fall onto each other and onto a floor. The whole path is free of contact, the
 /// offsets are kept, and a resumed run has the same bits.
 #[test]

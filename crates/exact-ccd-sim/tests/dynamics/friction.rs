@@ -1,6 +1,6 @@
 //! A block on a slope.
 
-use exact_ccd_sim::{BodyKind, Friction, Integrator, Length, Settings, Simulation, System, shapes};
+use exact_ccd_sim::{Body, BodyKind, Friction, Integrator, Length, Settings, Simulation, System, shapes};
 use nalgebra::{Rotation3, Vector3};
 
 use crate::affine::affine_box;
@@ -108,41 +108,50 @@ fn friction_dissipates_force_times_slip() {
     }
 }
 
-/// With default settings, a block slides with the acceleration of Coulomb's law, and sticks above the tangent
-/// of the slope: at angles of 20°, 23° and 25°.
+/// With default settings, a block slides with the acceleration of Coulomb's law on a slope, and sticks above
+/// the tangent of the slope.
+fn assert_coulombs_law(block: &Body, degrees: f64) {
+    let angle = degrees.to_radians();
+    let acceleration = |coefficient: f64| {
+        let block = block.clone().placed(|[x, y, z]| [x + 1.0, y + 3e-4, z + 0.3]);
+        let system = System::new(&[block, shapes::floor([1, 1], [6.0, 1.1])], &[]).unwrap();
+        let settings = Settings {
+            gravity: [9.81 * angle.sin(), -9.81 * angle.cos(), 0.0],
+            friction: Friction {
+                coefficient,
+                ..Friction::default()
+            },
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::new(system, settings).unwrap();
+        let mut at = |steps: u32| {
+            (0..steps).for_each(|_| assert!(simulation.step().unwrap().converged));
+            center(&simulation).x
+        };
+        let [start, middle, end] = [at(50), at(40), at(40)];
+        (end - 2.0 * middle + start) / 0.16
+    };
+    let expected = 9.81 * (angle.sin() - 0.3 * angle.cos());
+    let slides = acceleration(0.3);
+    assert!(
+        (slides / expected - 1.0).abs() < 0.02,
+        "{degrees}°: {slides}, expected {expected} m/s²"
+    );
+    let sticks = acceleration(1.02 * angle.tan());
+    assert!(sticks.abs() < 1e-3, "{degrees}°: {sticks} m/s²");
+}
+
 #[test]
 fn default_settings_obey_coulombs_law() {
-    for degrees in [20.0_f64, 23.0, 25.0] {
-        let angle = degrees.to_radians();
-        let acceleration = |coefficient: f64| {
-            let block = shapes::solid_box([2, 1, 2], [0.4, 0.1, 0.4])
-                .placed(|[x, y, z]| [x + 1.0, y + 3e-4, z + 0.3]);
-            let system = System::new(&[block, shapes::floor([1, 1], [6.0, 1.1])], &[]).unwrap();
-            let settings = Settings {
-                gravity: [9.81 * angle.sin(), -9.81 * angle.cos(), 0.0],
-                friction: Friction {
-                    coefficient,
-                    ..Friction::default()
-                },
-                ..Settings::default()
-            };
-            let mut simulation = Simulation::new(system, settings).unwrap();
-            let mut at = |steps: u32| {
-                (0..steps).for_each(|_| assert!(simulation.step().unwrap().converged));
-                center(&simulation).x
-            };
-            let [start, middle, end] = [at(50), at(40), at(40)];
-            (end - 2.0 * middle + start) / 0.16
-        };
-        let expected = 9.81 * (angle.sin() - 0.3 * angle.cos());
-        let slides = acceleration(0.3);
-        assert!(
-            (slides / expected - 1.0).abs() < 0.02,
-            "{degrees}°: {slides}, expected {expected} m/s²"
-        );
-        let sticks = acceleration(1.02 * angle.tan());
-        assert!(sticks.abs() < 1e-3, "{degrees}°: {sticks} m/s²");
+    let block = shapes::solid_box([2, 1, 2], [0.4, 0.1, 0.4]);
+    for degrees in [20.0, 23.0, 25.0] {
+        assert_coulombs_law(&block, degrees);
     }
+}
+
+#[test]
+fn an_affine_block_obeys_coulombs_law() {
+    assert_coulombs_law(&affine_box([0.4, 0.1, 0.4]), 20.0);
 }
 
 /// A block that lands while it slides: with updates of the normal forces until they converge, friction
