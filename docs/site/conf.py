@@ -16,7 +16,7 @@ copyright = author
 release = re.search(r'^version = "(.*)"', MANIFEST, re.M)[1]
 address = re.search(r'^repository = "(.*)"', MANIFEST, re.M)[1]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.mermaid"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.mermaid", "breathe"]
 root_doc = "docs/site/index"
 include_patterns = [
     "*.md",
@@ -35,7 +35,8 @@ exclude_patterns = ["target", "**/target", "**/node_modules", "build", "result"]
 myst_heading_anchors = 4
 myst_fence_as_directive = ["mermaid"]
 myst_enable_extensions = ["strikethrough"]
-suppress_warnings = ["myst.header", "myst.strikethrough"]
+# A struct of the C header and the type of the same name are two declarations.
+suppress_warnings = ["myst.header", "myst.strikethrough", "duplicate_declaration.c"]
 
 # The Python package, without its extension module: nothing has to be compiled.
 sys.path.insert(0, str(ROOT / "bindings/python/python"))
@@ -45,6 +46,11 @@ autodoc_member_order = "bysource"
 napoleon_google_docstring = False
 napoleon_use_rtype = False
 napoleon_use_ivar = True
+
+# The C header, from the XML of Doxygen, whose folder scripts/check names.
+breathe_default_project = project
+breathe_domain_by_extension = {"h": "c"}
+breathe_show_include = False
 
 html_theme = "furo"
 html_title = f"exact-ccd {release}"

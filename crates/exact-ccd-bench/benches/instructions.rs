@@ -40,7 +40,7 @@ struct Batch<K> {
     kind: PhantomData<K>,
 }
 
-impl<K: Kind> Batch<K> {
+impl<K: Kind<Vertices = [u32; 4]>> Batch<K> {
     fn new(instructions: Instructions, queries: fn(Step<'_>) -> Vec<[u32; 4]>) -> Self {
         // Large enough for a thousand colliding queries of either kind.
         let cloth = Cloth::new(33, 0.1);
@@ -99,7 +99,7 @@ fn narrowest() -> Instructions {
 #[bench::vertex_face_widest(vertex_face(Instructions::best()))]
 #[bench::edge_edge_narrowest(edge_edge(narrowest()))]
 #[bench::edge_edge_widest(edge_edge(Instructions::best()))]
-fn batch<K: Kind>(batch: Batch<K>) -> usize {
+fn batch<K: Kind<Vertices = [u32; 4]>>(batch: Batch<K>) -> usize {
     let mut colliding = 0;
     let counted = batch
         .trajectories
@@ -110,7 +110,7 @@ fn batch<K: Kind>(batch: Batch<K>) -> usize {
 #[library_benchmark]
 #[bench::vertex_face(colliding_vertex_face())]
 #[bench::edge_edge(colliding_edge_edge())]
-fn collides<K: Kind>(queries: Vec<Query<K>>) -> usize {
+fn collides<K: Kind<Vertices = [u32; 4]>>(queries: Vec<Query<K>>) -> usize {
     queries
         .iter()
         .filter(|query| black_box(*query).collides(CONTACT))
@@ -120,7 +120,7 @@ fn collides<K: Kind>(queries: Vec<Query<K>>) -> usize {
 #[library_benchmark]
 #[bench::vertex_face(colliding_vertex_face())]
 #[bench::edge_edge(colliding_edge_edge())]
-fn intervals<K: Kind>(queries: Vec<Query<K>>) -> usize {
+fn intervals<K: Kind<Vertices = [u32; 4]>>(queries: Vec<Query<K>>) -> usize {
     queries
         .iter()
         .filter_map(|query| black_box(query).intervals(CONTACT).count())
