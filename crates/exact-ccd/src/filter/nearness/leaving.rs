@@ -99,8 +99,8 @@ impl Crossings {
             }
             let end = (within + length).min(1.0);
             let then = self.rough.at::<K>(end);
-            let is_below =
-                is_certainly_within(then.point(), d) && self.middle_is_within([within, end], [now, then.closest]);
+            let is_below = is_certainly_within(then.point(), d)
+                && self.middle_is_within([within, end], [now, then.closest]);
             if is_below && end > within {
                 (within, now) = (end, then.closest);
                 length *= 2.0;
