@@ -4,8 +4,12 @@ use alloc::vec::Vec;
 
 use dashu_int::IBig;
 
-/// 2⁶¹ − 1.
-const PRIME: i64 = (1 << 61) - 1;
+/// p = 2⁶¹ − 2373, modulo which the powers 2⁰ … 2ᵖ⁻² are different: p is 3 modulo 8, so that 2 is no square,
+/// and (p − 1) / 2 is a prime too.
+///
+/// Coefficients with many factors 2 are frequent. Modulo 2⁶¹ − 1, only 61 powers of two are different, and
+/// polynomials often have a common factor that they do not have over the integers.
+const PRIME: i64 = (1 << 61) - 2373;
 
 /// Returns true if two polynomials, given by their coefficients from the constant one up, certainly
 /// have no common factor.

@@ -83,17 +83,19 @@ fn some_queries_need_the_integers() {
     some_need_integers::<EdgeEdge>();
 }
 
-/// The vertex reaches the plane and a side of a falling face at t = 2⁻⁶¹. With u = 1 − t, the cubic and
-/// the side have the factor u − (2⁶¹ − 1) t in common. It is a constant modulo the prime 2⁶¹ − 1, by which
-/// common factors are ruled out.
+/// The vertex reaches the plane and a side of a moving face at t = 1 / (p + 1), for the prime p = 2⁶¹ − 2373 by
+/// which common factors are ruled out. With u = 1 − t, the cubic and the side have the factor u − p t in
+/// common. It is a constant modulo p.
 #[test]
 fn a_common_factor_that_vanishes_modulo_the_prime() {
-    let far = 2f64.powi(61);
+    let far = 2f64.powi(61) - 2560.0;
     let face = |x: f64| [[x, 0.0, x], [x + 1.0, 0.0, x], [x, 1.0, x]];
-    let [[a, b, c], [d, e, f]] = [face(0.0), face(-1.0)];
+    let [[a, b, c], [d, e, f]] = [face(0.0), face(187.0)];
     let start = [[1.0, 0.25, 1.0], a, b, c];
     let end = [[-far, 0.25, -far], d, e, f];
     let query = Query::<VertexFace>::new(start, end).expect("finite numbers");
     assert!(assert_defined(&query, Separation::ZERO));
-    assert_eq!(query.time_of_impact(Separation::ZERO), Some(2f64.powi(-61)));
+    // 2⁻⁶¹ / (1 − 2372 · 2⁻⁶¹), rounded down to 53 digits.
+    let first = 2f64.powi(-61) * (1.0 + 4.0 * f64::EPSILON);
+    assert_eq!(query.time_of_impact(Separation::ZERO), Some(first));
 }

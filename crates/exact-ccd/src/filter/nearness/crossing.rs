@@ -3,7 +3,7 @@
 use super::advance::Advancement;
 use super::approach::Approach;
 use super::scaled::Scaled;
-use super::snapshot::{Moving, Precision};
+use super::snapshot::{Moving, Precision, Snapshot};
 use crate::filter::double_double::DoubleDouble;
 use crate::filter::number::Number;
 use crate::filter::vector::dot;
@@ -33,11 +33,10 @@ impl Crossings {
     /// Newton's method guesses an f64 t. Two proofs make it certain: the distance is above d from
     /// `free` to t, and below d at the next f64.
     pub(super) fn first_between<K: Kind>(&self, [free, until]: [f64; 2]) -> Option<Option<ContactTime>> {
-        let Some(end) = self.guess::<K>([free, until], free, Sense::Falling) else {
+        // The last stretch ends next to the distance d and needs twice the precision.
+        let Some((end, last)) = self.guess::<K>([free, until], free, Sense::Falling) else {
             return (self.advancement.free_after::<K>(free, until) == until).then_some(None);
         };
-        // The last stretch ends next to the distance d and needs twice the precision.
-        let last = self.precise.at::<K>(end);
         let is_beyond = |start: f64| self.precise.at::<K>(start).is_beyond_until(&last);
         if !is_beyond(free) && !is_beyond(self.advancement.free_after::<K>(free, end)) {
             return None;
@@ -49,13 +48,19 @@ impl Crossings {
         next.is_within().then(|| Some(ContactTime::just_above(end)))
     }
 
-    /// A guess of the largest f64 between two times before D passes through d, from another guess on.
+    /// A guess of the largest f64 between two times before D passes through d, from another guess on, and the
+    /// corners then.
     ///
     /// The rough one may be beyond the time at which a small distance is least.
-    pub(super) fn guess<K: Kind>(&self, range: [f64; 2], from: f64, sense: Sense) -> Option<f64> {
+    pub(super) fn guess<K: Kind>(
+        &self,
+        range: [f64; 2],
+        from: f64,
+        sense: Sense,
+    ) -> Option<(f64, Snapshot<DoubleDouble>)> {
         const BACK: f64 = 16.0 * <f64 as Precision>::SETTLED;
         let [first, last] = range;
-        let near = newton::<K, _>(&self.rough, range, from, sense)?;
+        let (near, _) = newton::<K, _>(&self.rough, range, from, sense)?;
         let precise = |near: f64| newton::<K, _>(&self.precise, range, near, sense);
         precise(near).or_else(|| match sense {
             Sense::Falling => precise((near - BACK).max(first)),
@@ -65,8 +70,16 @@ impl Crossings {
 
     /// The closest points in the bracket of a time, if they are certain.
     pub(super) fn approach<K: Kind>(&self, time: ContactTime) -> Option<Approach> {
-        let now = self.precise.at::<K>(time.lower());
-        Approach::new::<K>(&now, &self.precise, time.upper() - time.lower())
+        self.approach_from::<K>(&self.precise.at::<K>(time.lower()), time)
+    }
+
+    /// The same, given the corners at the beginning of the bracket.
+    pub(super) fn approach_from<K: Kind>(
+        &self,
+        now: &Snapshot<DoubleDouble>,
+        time: ContactTime,
+    ) -> Option<Approach> {
+        Approach::new::<K>(now, &self.precise, time.upper() - time.lower())
     }
 }
 
@@ -77,16 +90,18 @@ pub(super) enum Sense {
     Rising,
 }
 
-/// A guess of the largest f64 between two times before D passes through d, from another guess on;
-/// `None` if it does not seem to.
+/// A guess of the largest f64 between two times before D passes through d, from another guess on, and the
+/// corners at the guess before it, which is the same in twice the precision; `None` if it does not seem to.
 fn newton<K: Kind, T: Precision>(
     moving: &Moving<T>,
     [free, until]: [f64; 2],
     guess: f64,
     sense: Sense,
-) -> Option<f64> {
+) -> Option<(f64, Snapshot<T>)> {
     const STEPS: usize = 24;
-    let (mut floor, mut approaching) = (guess, None);
+    // D may fall before it rises through d; where it rises at first, it may never fall.
+    let mut approaching = (sense == Sense::Rising).then_some(until);
+    let mut floor = guess;
     for _ in 0..STEPS {
         let now = moving.at::<K>(floor);
         let point = now.point();
@@ -107,7 +122,7 @@ fn newton<K: Kind, T: Precision>(
             0.5 * (floor + approaching?)
         };
         if (next - floor).abs() <= T::SETTLED {
-            return Some(next);
+            return Some((next, now));
         }
         floor = next;
     }

@@ -3,6 +3,9 @@
 use core::cmp::Ordering;
 
 use super::crossing::Crossings;
+use super::leaving::Leaving;
+use super::snapshot::Snapshot;
+use crate::filter::double_double::DoubleDouble;
 use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::time::ContactTime;
@@ -23,7 +26,7 @@ impl Crossings {
             if !start.is_start() && !enters()? {
                 return None;
             }
-            let end = self.last_after::<K>(start.upper())?;
+            let Leaving { time: end, next: now } = self.last_after::<K>(start.upper())?;
             let is_moment = false;
             intervals
                 .try_push(Interval {
@@ -32,22 +35,20 @@ impl Crossings {
                     is_moment,
                 })
                 .ok()?;
-            next = if end.upper() < 1.0 {
-                self.first_after::<K>(end.upper())?
-            } else {
-                None
+            next = match now {
+                Some(now) => self.first_after::<K>(end.upper(), &now)?,
+                None => None,
             };
         }
         Some(intervals.into_iter().collect())
     }
 
-    /// The next first time within d after one at which D is above d.
+    /// The next first time within d after one at which D is above d, given the corners then.
     ///
     /// D is so near to d there that the first stretch needs twice the precision.
-    fn first_after<K: Kind>(&self, from: f64) -> Option<Option<ContactTime>> {
+    fn first_after<K: Kind>(&self, from: f64, now: &Snapshot<DoubleDouble>) -> Option<Option<ContactTime>> {
         // The shortest stretches are as short as those of `Advancement::free_after`: their number is bounded.
         const ATTEMPTS: usize = 5;
-        let now = self.precise.at::<K>(from);
         let mut length = 1.0 - from;
         for _ in 0..ATTEMPTS {
             let free = from + length;

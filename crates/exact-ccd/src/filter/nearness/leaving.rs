@@ -5,8 +5,11 @@
 
 use core::cmp::Ordering;
 
+use super::closest::Closest;
 use super::crossing::{Crossings, Sense};
 use super::is_certainly_within;
+use super::snapshot::Snapshot;
+use crate::filter::double_double::DoubleDouble;
 use crate::filter::vector::dot;
 use crate::kind::Kind;
 use crate::time::ContactTime;
@@ -14,43 +17,75 @@ use crate::time::ContactTime;
 /// The difference of d and the distance to which a step leads, 2⁻⁴⁴: enough for the roundings.
 const MARGIN: f64 = f64::from_bits((1023 - 44) << 52);
 
+/// The last time of an interval within d.
+pub(super) struct Leaving {
+    pub(super) time: ContactTime,
+    /// The corners at the end of its bracket, after which D seems to be above d; none at the end of the step.
+    pub(super) next: Option<Snapshot<DoubleDouble>>,
+}
+
+impl Leaving {
+    fn at_end() -> Self {
+        let time = ContactTime::exactly(1.0);
+        Self { time, next: None }
+    }
+}
+
 impl Crossings {
-    /// The first time after which the primitives are farther than d apart, if they are within d at an earlier
-    /// one and until the end of the step otherwise; `None` if it is not certain.
+    /// The last time of the interval within d that has begun, if D is above d at the next f64; the end of the
+    /// step if it does not end before; `None` if it is not certain.
     ///
-    /// Two proofs make it certain: D < d until t, and D grows from there to the next f64, where it is above
-    /// d.
-    pub(super) fn last_after<K: Kind>(&self, from: f64) -> Option<ContactTime> {
-        let within = self.within_until::<K>(from);
-        if within == 1.0 {
-            return Some(ContactTime::exactly(1.0));
+    /// Two proofs make it certain: D < d until t, and D grows from there to the next f64. For the first, one
+    /// stretch often suffices.
+    pub(super) fn last_after<K: Kind>(&self, from: f64) -> Option<Leaving> {
+        let now = self.rough.at::<K>(from);
+        let reached = self.step(from, &now);
+        if reached == 1.0 {
+            return Some(Leaving::at_end());
         }
-        let end = self.guess::<K>([within, 1.0], within, Sense::Rising)?;
-        let now = self.precise.at::<K>(end);
-        let is_within = now.is_within() && self.precise.is_within(within, now.closest);
-        if !is_within || end == 1.0 {
-            return None;
-        }
-        let last = ContactTime::just_above(end);
-        let leaves = self.approach::<K>(last)?.sense() == Some(Ordering::Greater);
-        (leaves && self.precise.at::<K>(end.next_up()).is_beyond()).then_some(last)
+        let is_within_until = |end: f64, then: Closest| {
+            self.precise.is_within(reached, then)
+                || reached > from && self.middle_is_within([from, end], [now.closest, then])
+        };
+        self.leaving::<K>(reached, is_within_until).or_else(|| {
+            let within = self.within_until::<K>(from, reached);
+            if within == 1.0 {
+                return Some(Leaving::at_end());
+            }
+            self.leaving::<K>(within, |_, then| self.precise.is_within(within, then))
+        })
     }
 
-    /// A time until which D certainly is below d, near the last one, given an earlier one at which it is.
+    /// The time at which the primitives leave, by a guess from an earlier one on, and a proof that D < d until a
+    /// time if D < d then, at the closest points that are given with it.
+    fn leaving<K: Kind>(
+        &self,
+        from: f64,
+        is_within_until: impl FnOnce(f64, Closest) -> bool,
+    ) -> Option<Leaving> {
+        let (end, now) = self.guess::<K>([from, 1.0], from, Sense::Rising)?;
+        if end == 1.0 || !now.is_within() || !is_within_until(end, now.closest) {
+            return None;
+        }
+        let time = ContactTime::just_above(end);
+        let grows = self.approach_from::<K>(&now, time)?.sense() == Some(Ordering::Greater);
+        grows.then(|| Leaving {
+            time,
+            next: Some(self.precise.at::<K>(end.next_up())),
+        })
+    }
+
+    /// A time until which D certainly is below d, near the last one, given a [step](Self::step).
     ///
-    /// Let the parameters change linearly from those at a time a to those at a time b. F is affine in
-    /// them, so that it is a quadratic in t then, with the control points F(a, pₐ), (F(a, p_b) + F(b, pₐ))
-    /// / 2 and F(b, p_b). If all have lengths below d, then so has F between. The sum has one more rounding.
-    ///
-    /// Such stretches follow the first step, whose length is of the order of the time within d. The next
-    /// one is twice as long if one is proved, otherwise half as long.
-    fn within_until<K: Kind>(&self, from: f64) -> f64 {
+    /// Stretches follow the step, whose length is of the order of the time within d. The next one is twice as
+    /// long if one is proved, otherwise half as long.
+    fn within_until<K: Kind>(&self, from: f64, reached: f64) -> f64 {
         /// The longest and the shortest stretch that are tried, in units of the first step.
         const LONGEST: f64 = 4.0;
         const SHORTEST: f64 = 1.0 / 64.0;
         const ATTEMPTS: usize = 100;
         let d = self.rough.separation();
-        let mut within = self.step::<K>(from);
+        let mut within = reached;
         let mut length = LONGEST * (within - from);
         let shortest = SHORTEST * (within - from);
         let first = self.rough.at::<K>(within);
@@ -64,9 +99,8 @@ impl Crossings {
             }
             let end = (within + length).min(1.0);
             let then = self.rough.at::<K>(end);
-            let [a, b] = [self.rough.place(within, then.closest), self.rough.place(end, now)];
-            let middle = [0, 1, 2].map(|axis: usize| 0.5 * (a[axis] + b[axis]));
-            let is_below = is_certainly_within(then.point(), d) && is_certainly_within(middle, d);
+            let is_below = is_certainly_within(then.point(), d)
+                && self.middle_is_within([within, end], [now, then.closest]);
             if is_below && end > within {
                 (within, now) = (end, then.closest);
                 length *= 2.0;
@@ -77,11 +111,21 @@ impl Crossings {
         within
     }
 
+    /// True if D certainly is below d between two times, given that F is at both, at certain parameters.
+    ///
+    /// Let the parameters change linearly from those at the time a to those at the time b. F is affine in
+    /// them, so that it is a quadratic in t then, with the control points F(a, pₐ), (F(a, p_b) + F(b, pₐ))
+    /// / 2 and F(b, p_b). If all have lengths below d, then so has F between. The sum has one more rounding.
+    fn middle_is_within(&self, [a, b]: [f64; 2], [of_a, of_b]: [Closest; 2]) -> bool {
+        let [x, y] = [self.rough.place(a, of_b), self.rough.place(b, of_a)];
+        let middle = [0, 1, 2].map(|axis: usize| 0.5 * (x[axis] + y[axis]));
+        is_certainly_within(middle, self.rough.separation())
+    }
+
     /// A later time until which D certainly is below d, or the same if there is none: the time at which the
     /// distance of the closest points is nearly d, if they keep their parameters.
-    fn step<K: Kind>(&self, from: f64) -> f64 {
+    fn step(&self, from: f64, now: &Snapshot<f64>) -> f64 {
         let d = self.rough.separation();
-        let now = self.rough.at::<K>(from);
         let (x, v) = (now.point(), self.rough.velocity(now.closest));
         // The later root of |x + v s|² = (d − 2⁻⁴⁴)².
         let (a, b) = (dot(v, v), dot(x, v));

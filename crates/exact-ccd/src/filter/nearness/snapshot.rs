@@ -5,6 +5,7 @@ use core::ops::{Mul, Neg};
 
 use super::closest::Closest;
 use super::scaled::Scaled;
+use super::turning::{Heading, limit};
 use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
 use crate::filter::number::{Number, subtract};
 use crate::filter::roundoff::{UNDERFLOW, margin};
@@ -36,6 +37,8 @@ pub(super) struct Moving<T> {
     velocity: [Vector<T>; 4],
     count: usize,
     d: f64,
+    /// d with the errors of f64.
+    limit: f64,
 }
 
 impl<T: Precision> Moving<T> {
@@ -48,6 +51,7 @@ impl<T: Precision> Moving<T> {
             velocity: both.map(|[start, end]| [0, 1, 2].map(|axis: usize| end[axis] - start[axis])),
             count: K::FEATURES.vertices.len(),
             d: scaled.d,
+            limit: limit(scaled.d, scaled.reach),
         }
     }
 
@@ -61,6 +65,7 @@ impl<T: Precision> Moving<T> {
             closest,
             count: self.count,
             d: self.d,
+            limit: self.limit,
         }
     }
 
@@ -94,6 +99,7 @@ pub(super) struct Snapshot<T> {
     pub(super) closest: Closest,
     count: usize,
     d: f64,
+    limit: f64,
 }
 
 impl<T: Precision> Snapshot<T> {
@@ -163,19 +169,35 @@ impl Snapshot<DoubleDouble> {
     ///
     /// The proof is that of [`Heading::are_beyond_until`](super::turning::Heading::are_beyond_until).
     pub(super) fn is_beyond_until(&self, later: &Self) -> bool {
-        let [now, then] = [self, later].map(|at| (at, direction(&at.corners, at.closest)));
-        are_beyond(now, now) && are_beyond(now, then) && are_beyond(then, then)
-    }
-
-    /// True if the distance is certainly above d at this time.
-    pub(super) fn is_beyond(&self) -> bool {
-        let now = (self, direction(&self.corners, self.closest));
-        are_beyond(now, now)
+        let [now, then] = &[self, later].map(Headed::new);
+        now.is_beyond_across(now) && now.is_beyond_across(then) && then.is_beyond_across(then)
     }
 }
 
-/// The corners at one time, and a direction: any vector of a length of about 1.
-type Headed<'a> = (&'a Snapshot<DoubleDouble>, Vector<DoubleDouble>);
+/// The corners at one time, and a direction: any vector of a length of about 1. In f64 too.
+struct Headed<'a> {
+    snapshot: &'a Snapshot<DoubleDouble>,
+    direction: Vector<DoubleDouble>,
+    rounded: Heading<f64>,
+}
+
+impl<'a> Headed<'a> {
+    fn new(snapshot: &'a Snapshot<DoubleDouble>) -> Self {
+        let direction = direction(&snapshot.corners, snapshot.closest);
+        Self {
+            snapshot,
+            rounded: Heading::rounded(&snapshot.corners, direction),
+            direction,
+        }
+    }
+
+    /// True if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for all corners. Where D is not next to d,
+    /// f64 prove it.
+    fn is_beyond_across(&self, other: &Self) -> bool {
+        let Snapshot { count, limit, .. } = *self.snapshot;
+        self.rounded.is_beyond_across(&other.rounded, count, limit) || are_beyond(self, other)
+    }
+}
 
 /// The errors of [`are_beyond`]: of [`least_along`], for corners that are off by 8 ε; of [`threshold`], and
 /// of the square of the first, with the difference of the two.
@@ -189,7 +211,8 @@ pub(super) const OF_SQUARE: f64 = margin(1 + 1) * ROUNDOFF;
 /// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e
 /// and off by (8 + 5) ε e; less twice that, it is below the exact one. Then its square has one operation, the
 /// right side seven, and both that of their difference.
-fn are_beyond((a, of_a): Headed<'_>, (b, of_b): Headed<'_>) -> bool {
+fn are_beyond(one: &Headed<'_>, other: &Headed<'_>) -> bool {
+    let [(a, of_a), (b, of_b)] = [one, other].map(|headed| (headed.snapshot, headed.direction));
     let extent = of_a.iter().chain(&of_b).fold(0.0, |sum, x| sum + x.value().abs());
     let slack = DoubleDouble::difference(OF_SUM * extent + UNDERFLOW, 0.0);
     let threshold = threshold(a.d, of_a, of_b);

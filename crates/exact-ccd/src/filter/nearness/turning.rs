@@ -1,6 +1,7 @@
 //! A direction that turns from one time to another and keeps the primitives farther than d apart.
 
-use crate::filter::number::Lanes;
+use crate::filter::double_double::DoubleDouble;
+use crate::filter::number::{Lanes, Number};
 use crate::filter::roundoff::{UNDERFLOW, UNIT, margin};
 use crate::filter::vector::{dot, scaled, select};
 use crate::kind::Kind;
@@ -82,5 +83,23 @@ impl<T: Lanes> Heading<T> {
             dot(self.direction, b) + dot(later.direction, a),
             dot(later.direction, b),
         ]
+    }
+}
+
+impl Heading<f64> {
+    /// The same in twice the precision, each component rounded.
+    ///
+    /// The length of the direction is at most 1 + 8 u before the rounding. Both roundings together are fewer
+    /// than the four of a corner, and their errors in twice the precision are far below one.
+    pub(super) fn rounded(corners: &[[DoubleDouble; 3]; 4], direction: [DoubleDouble; 3]) -> Self {
+        Self {
+            corners: corners.map(|corner| corner.map(Number::value)),
+            direction: direction.map(Number::value),
+        }
+    }
+
+    /// True if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for the first corners.
+    pub(super) fn is_beyond_across(&self, other: &Self, corners: usize, limit: f64) -> bool {
+        (0..corners).all(|i| self.along(other, i)[1] > limit + limit)
     }
 }
