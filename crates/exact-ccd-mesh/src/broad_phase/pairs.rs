@@ -7,6 +7,7 @@ use fearless_simd::Simd;
 use super::PairSink;
 use super::block::LANES;
 use super::boxes::Boxes;
+use super::labels::common;
 
 /// The largest number of pairs in a batch: as many as fit into the nearest cache, with the data of
 /// their primitives.
@@ -43,10 +44,11 @@ impl<'a, const T: usize> Pairs<'a, T> {
         }
     }
 
-    /// Adds the pairs of a block of `a` and a block of `b`.
+    /// Adds the pairs of a block of `a` and a block of `b`, but those with a common label.
     #[inline(always)]
     pub(super) fn add<S: Simd>(&mut self, simd: S, i: usize, j: usize) -> ControlFlow<()> {
         let (block, other) = (&self.a.blocks[i], &self.b.blocks[j]);
+        let (labels, other_labels) = (self.a.labels.of(i), self.b.labels.of(j));
         let filled = u64::from(self.b.filled(j));
         let mut lanes = block.meeting(simd, &self.b.around[j]) & self.a.filled(i);
         // All 64 bits are computed before any is tested: branches here are hard to predict.
@@ -55,8 +57,9 @@ impl<'a, const T: usize> Pairs<'a, T> {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
             let later = if self.is_within && i == j { !1 << lane } else { !0 };
-            let others = u64::from(other.meeting(simd, &block.lane(lane)));
-            meeting |= (others & filled & later) << (LANES * lane);
+            let others = other.meeting(simd, &block.lane(lane));
+            let apart = u64::from(others & !common(simd, other_labels, labels, lane));
+            meeting |= (apart & filled & later) << (LANES * lane);
         }
         let (ids, others) = (&self.a.ids[LANES * i..], &self.b.ids[LANES * j..]);
         while meeting != 0 {

@@ -16,6 +16,7 @@ mod kept;
 mod method;
 mod narrow_phase;
 mod report;
+mod screen;
 
 pub use candidates::Candidates;
 pub use contact::Contact;

@@ -1,0 +1,115 @@
+//! The screen: pairs that certainly stay apart until a time, on the path and beside it, go no further.
+
+use exact_ccd::batch::Trajectories;
+use exact_ccd::{Separation, Separations, Thickness};
+
+use crate::broad_phase::sum_above;
+use crate::mesh::TriangleMesh;
+use crate::pairs::{CanCollide, MinDistance, PairKind};
+use crate::steps::Step;
+
+/// A screen between the broad phase and the narrow phase. A pair that it holds back stays beyond its minimum
+/// distance in the step until a time T, and so it does in each motion from the start of the step, straight to
+/// the positions of [`Step::at`] or [`advance`](crate::advance) at a time until T.
+///
+/// Let M be the largest absolute value of a coordinate. The screen examines the straight motion q to the
+/// positions of [`Step::at`] at T. Each coordinate of a vertex is off the path by at most 3 ε M, and in a
+/// straight motion r to one of the other positions by at most 3 ε (|x₀| + |x₁|) ≤ 6 ε M, both twice as much
+/// in another direction of rounding than to nearest. A point of a primitive is a mean of vertices: that of r
+/// is off that of q, at the same time of the step, by at most 18 ε M along each axis; so the vector between
+/// two points is off by at most √3 · 36 ε M < 63 ε M. A product or a result that underflows, or is flushed
+/// to zero, adds less than 2⁻¹⁰²² each. What stays beyond the minimum distance and 64 ε M in q, stays beyond
+/// the minimum distance in r. The path itself is one of the motions r that are not rounded.
+#[derive(Clone, Debug)]
+pub(super) struct Screen {
+    trajectories: Trajectories,
+    /// The minimum distance and the margin; none, if their sum is too large.
+    thickened: Option<Thickened>,
+}
+
+/// Separations that are larger by a margin.
+#[derive(Clone, Debug)]
+enum Thickened {
+    Uniform(Separation),
+    Thickness(Thickness),
+}
+
+/// The number of pairs in a batch.
+const CHUNK: usize = 256;
+
+impl Screen {
+    /// A screen without a step.
+    pub(super) fn new() -> Self {
+        let trajectories = Trajectories::new(&[], &[]);
+        Self {
+            trajectories: trajectories.expect("there are as many positions at both ends: none"),
+            thickened: None,
+        }
+    }
+
+    /// Takes a step until a time, and the distance at which primitives touch in it.
+    pub(super) fn place(&mut self, step: &Step<'_>, time: f64, min_distance: &MinDistance) {
+        let [x0, _] = step.positions();
+        self.trajectories
+            .set(x0, &step.at(time))
+            .expect("a step has as many positions at both ends, and all are finite");
+        let margin = 64.0 * f64::EPSILON * step.largest_coordinate() + 64.0 * f64::MIN_POSITIVE;
+        self.thickened = Thickened::new(min_distance.separations(), margin);
+    }
+
+    /// The pairs that may come within their minimum distance, apart from those that cannot collide.
+    pub(super) fn passing<K: PairKind>(
+        &self,
+        mesh: &TriangleMesh,
+        can_collide: &CanCollide,
+        pairs: &[[u32; 2]],
+    ) -> Vec<[u32; 2]> {
+        let is_all = can_collide.is_all();
+        let mut passing = Vec::new();
+        let (mut ids, mut queries) = ([[0; 2]; CHUNK], [K::Vertices::default(); CHUNK]);
+        for pairs in pairs.chunks(CHUNK) {
+            let mut count = 0;
+            for &pair in pairs {
+                if let Some(vertices) = K::vertices(mesh, pair) {
+                    let (a, b) = vertices.as_ref().split_at(K::FIRST);
+                    (ids[count % CHUNK], queries[count % CHUNK]) = (pair, vertices);
+                    count += usize::from(K::are_apart(&vertices) && (is_all || can_collide.allows(a, b)));
+                }
+            }
+            let Some(thickened) = &self.thickened else {
+                passing.extend_from_slice(&ids[..count]);
+                continue;
+            };
+            self.trajectories
+                .may_collide::<K>(&queries[..count], thickened.separations(), |index| {
+                    passing.push(ids[index]);
+                })
+                .expect("a mesh has the vertices of its primitives, and each has a thickness");
+        }
+        passing
+    }
+}
+
+impl Thickened {
+    fn new(separations: Separations<'_>, margin: f64) -> Option<Self> {
+        match separations {
+            Separations::Uniform(d) => {
+                let d = Separation::new(sum_above(d.get(), margin)).ok()?;
+                Some(Self::Uniform(d))
+            }
+            Separations::Thickness(thickness) => {
+                let vertices = 0..thickness.vertex_count() as u32;
+                let thicker = |vertex| sum_above(thickness.of(&[vertex]).get(), margin);
+                let values: Vec<f64> = vertices.map(thicker).collect();
+                Thickness::new(&values).ok().map(Self::Thickness)
+            }
+        }
+    }
+
+    fn separations(&self) -> Separations<'_> {
+        match self {
+            Self::Uniform(d) => Separations::Uniform(*d),
+            Self::Thickness(thickness) => Separations::Thickness(thickness),
+        }
+    }
+}
