@@ -113,3 +113,77 @@ impl Thickened {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use exact_ccd::{EdgeEdge, Options, Point, Separation, VertexFace, VertexVertex};
+    use fastrand::Rng;
+
+    use super::Screen;
+    use crate::line_search::advance;
+    use crate::mesh::TriangleMesh;
+    use crate::pairs::{CanCollide, MinDistance, PairKind};
+    use crate::steps::Step;
+
+    /// Points whose distances, and displacements, are a few units in the last place; and the displacements.
+    fn near(rng: &mut Rng) -> [Vec<Point>; 2] {
+        let unit = f64::EPSILON * [1.0, 16.0, 256.0][rng.usize(..3)];
+        let corner = [0, 1, 2].map(|_| 1.0 + rng.f64());
+        let x0: Vec<Point> = (0..4)
+            .map(|_| {
+                let size = [unit, unit, 0.1][rng.usize(..3)];
+                corner.map(|x| x + size * (4.0 * rng.f64() - 2.0))
+            })
+            .collect();
+        let direction = x0
+            .iter()
+            .map(|_| [0, 1, 2].map(|_| unit * (4.0 * rng.f64() - 2.0)))
+            .collect();
+        [x0, direction]
+    }
+
+    /// Counts the pairs that are held back.
+    fn held_back<K: PairKind>(mesh: &TriangleMesh, ids: [u32; 2]) -> usize {
+        let mut rng = Rng::with_seed(7);
+        let mut screen = Screen::new();
+        let mut count = 0;
+        for _ in 0..20_000 {
+            let [x0, direction] = near(&mut rng);
+            let x1 = advance(&x0, &direction, 1.0);
+            let step = Step::new(mesh, &x0, &x1).expect("all positions are finite");
+            let d = Separation::new([0.0, 4.0 * f64::EPSILON, 0.01][rng.usize(..3)]).expect("not negative");
+            let until = [1.0, rng.f64()][rng.usize(..2)];
+            screen.place(&step, until, &MinDistance::from(d));
+            if !screen.passing::<K>(mesh, &CanCollide::all(), &[ids]).is_empty() {
+                continue;
+            }
+            count += 1;
+            let path = step.query::<K>(ids).expect("the mesh has the pair");
+            assert!(
+                !path.collides(Options::within(d).until(until)),
+                "{x0:?} {x1:?} {d} {until}"
+            );
+            let size = [until, rng.f64() * until][rng.usize(..2)];
+            for end in [step.at(size), advance(&x0, &direction, size)] {
+                let part = Step::new(mesh, &x0, &end).expect("all positions are finite");
+                let part = part.query::<K>(ids).expect("the mesh has the pair");
+                assert!(!part.collides(d), "{x0:?} {x1:?} {d} {until} {size}");
+            }
+        }
+        count
+    }
+
+    #[test]
+    fn pairs_that_are_held_back_stay_apart_in_rounded_motions() {
+        let face = TriangleMesh::new(4, vec![[1, 2, 3]]).expect("the indices are in range");
+        let edges = TriangleMesh::with_edges(4, Vec::new(), &[[0, 1], [2, 3]]).expect("so are these");
+        let points = TriangleMesh::new(4, Vec::new()).expect("there are no faces");
+        for count in [
+            held_back::<VertexFace>(&face, [0, 0]),
+            held_back::<EdgeEdge>(&edges, [0, 1]),
+            held_back::<VertexVertex>(&points, [0, 1]),
+        ] {
+            assert!((100..19_000).contains(&count), "{count}");
+        }
+    }
+}
