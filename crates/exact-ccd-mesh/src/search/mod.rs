@@ -4,6 +4,7 @@
 mod answers;
 mod approach;
 mod candidates;
+mod chunks;
 mod clearances;
 mod collect;
 mod contact;

@@ -3,6 +3,7 @@
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{Separation, Separations, Thickness};
 
+use super::chunks::for_each_chunk;
 use crate::broad_phase::sum_above;
 use crate::mesh::TriangleMesh;
 use crate::pairs::{CanCollide, MinDistance, PairKind};
@@ -34,9 +35,6 @@ enum Thickened {
     Thickness(Thickness),
 }
 
-/// The number of pairs in a batch.
-const CHUNK: usize = 256;
-
 impl Screen {
     /// A screen without a step.
     pub(super) fn new() -> Self {
@@ -65,27 +63,20 @@ impl Screen {
         pairs: &[[u32; 2]],
     ) -> Vec<[u32; 2]> {
         let is_all = can_collide.is_all();
+        let can_collide = |vertices: &K::Vertices| {
+            let (a, b) = vertices.as_ref().split_at(K::FIRST);
+            K::are_apart(vertices) && (is_all || can_collide.allows(a, b))
+        };
         let mut passing = Vec::new();
-        let (mut ids, mut queries) = ([[0; 2]; CHUNK], [K::Vertices::default(); CHUNK]);
-        for pairs in pairs.chunks(CHUNK) {
-            let mut count = 0;
-            for &pair in pairs {
-                if let Some(vertices) = K::vertices(mesh, pair) {
-                    let (a, b) = vertices.as_ref().split_at(K::FIRST);
-                    (ids[count % CHUNK], queries[count % CHUNK]) = (pair, vertices);
-                    count += usize::from(K::are_apart(&vertices) && (is_all || can_collide.allows(a, b)));
-                }
-            }
+        for_each_chunk::<K>(mesh, pairs, can_collide, |ids, queries| {
             let Some(thickened) = &self.thickened else {
-                passing.extend_from_slice(&ids[..count]);
-                continue;
+                passing.extend_from_slice(ids);
+                return;
             };
             self.trajectories
-                .may_collide::<K>(&queries[..count], thickened.separations(), |index| {
-                    passing.push(ids[index]);
-                })
+                .may_collide::<K>(queries, thickened.separations(), |index| passing.push(ids[index]))
                 .expect("a mesh has the vertices of its primitives, and each has a thickness");
-        }
+        });
         passing
     }
 }
