@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use exact_ccd_mesh::{Frame, TriangleMesh};
+use exact_ccd_mesh::Frame;
 use serde::Serialize;
 
 /// The contents of a mesh file in numbers. Its text is one line for the top of a report.
@@ -58,7 +58,7 @@ impl Contents {
             faces: mesh.faces().len(),
             loose_edges: mesh.loose_edges().len(),
             loose_vertices: is_loose.into_iter().filter(|&is_loose| is_loose).count(),
-            parts: component_count(mesh),
+            parts: mesh.component_count(),
             polygons: 0,
             solids: 0,
         }
@@ -101,29 +101,4 @@ impl fmt::Display for Contents {
 
 fn count(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
-}
-
-/// The number of connected components, by union-find: every edge that joins two components makes
-/// them one.
-fn component_count(mesh: &TriangleMesh) -> usize {
-    let mut parents: Vec<u32> = (0..mesh.vertex_count() as u64)
-        .map(|vertex| vertex as u32)
-        .collect();
-    let mut components = parents.len();
-    for &[a, b] in mesh.edges() {
-        let (a, b) = (root(&mut parents, a), root(&mut parents, b));
-        components -= usize::from(a != b);
-        parents[a.max(b) as usize] = a.min(b);
-    }
-    components
-}
-
-/// The root of the tree of a vertex. Halves the path to it.
-fn root(parents: &mut [u32], mut vertex: u32) -> u32 {
-    while parents[vertex as usize] != vertex {
-        let parent = parents[vertex as usize];
-        parents[vertex as usize] = parents[parent as usize];
-        vertex = parents[vertex as usize];
-    }
-    vertex
 }

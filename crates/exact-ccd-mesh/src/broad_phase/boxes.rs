@@ -5,17 +5,22 @@ use rayon::prelude::*;
 
 use super::aabb::Aabb;
 use super::block::{Block, LANES};
+use super::labels::Labels;
 use super::moving_box::MovingBox;
 use super::order::order;
 use super::primitive_count::{TooManyPrimitives, check_primitive_count};
 
-/// The least number of blocks that a thread fills in one task.
-const GRAIN: usize = 64;
+/// The least number of blocks that a thread fills in one task: 50,000 to 100,000 instructions. Less work
+/// than that is done sooner by one thread than another one wakes up.
+const GRAIN: usize = 128;
 
 /// Boxes that move in straight lines during a step, in blocks of eight that are near each other.
 ///
 /// Each box has an index; the indices of some of a mesh's primitives have gaps. Coordinates are
 /// relative to a common origin and rounded to single precision, such that boxes that meet still meet.
+///
+/// The boxes of a mesh have their vertices as labels. Pairs with a common label are never a contact:
+/// the broad phases of this crate pass none of them on, another one may.
 #[derive(Clone, Debug)]
 pub struct Boxes<const T: usize> {
     /// The indices of the boxes, block by block.
@@ -24,6 +29,8 @@ pub struct Boxes<const T: usize> {
     pub(super) blocks: Vec<Block<T>>,
     /// The box around each block.
     pub(super) around: Vec<MovingBox<T>>,
+    /// The labels of the boxes.
+    pub(super) labels: Labels,
 }
 
 impl<const T: usize> Boxes<T> {
@@ -42,11 +49,17 @@ impl<const T: usize> Boxes<T> {
 
     /// Empty boxes with these indices, in this order.
     pub(crate) fn in_order(ids: Vec<u32>) -> Self {
+        Self::labelled(ids, |_| [])
+    }
+
+    /// Empty boxes with these indices, in this order, and their labels.
+    pub(crate) fn labelled<const N: usize>(ids: Vec<u32>, labels: impl Fn(u32) -> [u32; N]) -> Self {
         let count = ids.len().div_ceil(LANES);
         Self {
-            ids,
             blocks: vec![Block::EMPTY; count],
             around: vec![MovingBox::EMPTY; count],
+            labels: Labels::new(&ids, labels),
+            ids,
         }
     }
 
@@ -59,7 +72,7 @@ impl<const T: usize> Boxes<T> {
         let blocks = self.blocks.par_iter_mut().zip(&mut self.around);
         let blocks = blocks.zip(self.ids.par_chunks(LANES)).with_min_len(GRAIN);
         let chosen = blocks.filter(|(_, ids)| ids.iter().any(|&id| is_chosen(id)));
-        chosen.for_each(|((block, around), ids)| (*block, *around) = fill(ids, |&id| moving(id)));
+        chosen.for_each(|((block, around), ids)| fill(block, around, ids, |&id| moving(id)));
     }
 
     /// The boxes of some of the primitives.
@@ -67,10 +80,18 @@ impl<const T: usize> Boxes<T> {
         let places = (0..self.ids.len()).filter(|&place| is_chosen(self.ids[place]));
         let places: Vec<usize> = places.collect();
         let moving = |place: usize| self.blocks[place / LANES].get(place % LANES);
-        let eight = places.chunks(LANES);
-        let (blocks, around) = eight.map(|places| fill(places, |&place| moving(place))).unzip();
-        let ids = places.iter().map(|&place| self.ids[place]).collect();
-        Self { ids, blocks, around }
+        let count = places.len().div_ceil(LANES);
+        let mut only = Self {
+            ids: places.iter().map(|&place| self.ids[place]).collect(),
+            blocks: vec![Block::EMPTY; count],
+            around: vec![MovingBox::EMPTY; count],
+            labels: self.labels.only(&places),
+        };
+        let blocks = only.blocks.iter_mut().zip(&mut only.around);
+        for ((block, around), eight) in blocks.zip(places.chunks(LANES)) {
+            fill(block, around, eight, |&place| moving(place));
+        }
+        only
     }
 
     /// One block in every `stride`.
@@ -80,6 +101,7 @@ impl<const T: usize> Boxes<T> {
             ids: ids.copied().collect(),
             blocks: self.blocks.iter().step_by(stride).copied().collect(),
             around: self.around.iter().step_by(stride).copied().collect(),
+            labels: self.labels.sample(stride),
         }
     }
 
@@ -118,16 +140,21 @@ impl<const T: usize> Boxes<T> {
     }
 }
 
-/// A block, and the box around it.
+/// Sets the first boxes of a block, and the box around them.
 #[inline(always)]
-fn fill<const T: usize, I>(ids: &[I], moving: impl Fn(&I) -> MovingBox<T>) -> (Block<T>, MovingBox<T>) {
-    let (mut block, mut around) = (Block::EMPTY, MovingBox::EMPTY);
+fn fill<const T: usize, I>(
+    block: &mut Block<T>,
+    around: &mut MovingBox<T>,
+    ids: &[I],
+    moving: impl Fn(&I) -> MovingBox<T>,
+) {
+    let mut union = MovingBox::EMPTY;
     for (lane, id) in ids.iter().enumerate() {
         let moving = moving(id);
         block.set(lane, &moving);
-        around = around.union(&moving);
+        union = union.union(&moving);
     }
-    (block, around)
+    *around = union;
 }
 
 /// The centre of a box at the start.

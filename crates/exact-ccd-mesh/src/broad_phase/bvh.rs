@@ -19,6 +19,9 @@ pub struct Bvh;
 /// The number of blocks that a thread searches for in one task.
 const GRAIN: usize = 32;
 
+/// The least number of nodes that a thread makes in one task: as much work as that of filling blocks.
+const NODES: usize = 256;
+
 impl BroadPhase for Bvh {
     fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let tree = Tree::new(b);
@@ -62,7 +65,7 @@ impl<const T: usize> Tree<T> {
     fn new(boxes: &Boxes<T>) -> Self {
         let mut levels = vec![blocks(&boxes.around)];
         while let Some(level) = levels.last().filter(|level| level.len() > 1) {
-            let around: Vec<MovingBox<T>> = level.par_iter().with_min_len(64).map(Block::union).collect();
+            let around: Vec<MovingBox<T>> = level.par_iter().with_min_len(NODES).map(Block::union).collect();
             levels.push(blocks(&around));
         }
         Self {
@@ -138,5 +141,5 @@ fn blocks<const T: usize>(boxes: &[MovingBox<T>]) -> Vec<Block<T>> {
         }
         block
     };
-    boxes.par_chunks(LANES).with_min_len(64).map(block).collect()
+    boxes.par_chunks(LANES).with_min_len(NODES).map(block).collect()
 }

@@ -6,6 +6,7 @@ mod block;
 mod boxes;
 mod bvh;
 mod collector;
+mod labels;
 mod moving_box;
 mod order;
 mod outward;

@@ -28,7 +28,7 @@ impl<const T: usize> MovingBox<T> {
     };
 
     /// The box from its places at each time, each relative to the origin at that time.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(places: &[Aabb; T], origins: &[Point; T]) -> Self {
         let relative = |time: usize, [x, y, z]: Point| {
             let [x0, y0, z0] = origins[time];

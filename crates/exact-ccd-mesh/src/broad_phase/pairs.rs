@@ -7,10 +7,18 @@ use fearless_simd::Simd;
 use super::PairSink;
 use super::block::LANES;
 use super::boxes::Boxes;
+use super::labels::common;
 
 /// The largest number of pairs in a batch: as many as fit into the nearest cache, with the data of
 /// their primitives.
 const CAPACITY: usize = 1024;
+
+/// The least bit of each lane's byte.
+const EACH_LANE: u64 = 0x0101_0101_0101_0101;
+
+/// The pairs of two boxes of one block, the first one before the second: in the byte of a lane, the bits
+/// above its number.
+const LATER: u64 = 0x0080_c0e0_f0f8_fcfe;
 
 /// Pairs of boxes that one thread has found, passed on in batches.
 pub(super) struct Pairs<'a, const T: usize> {
@@ -43,20 +51,20 @@ impl<'a, const T: usize> Pairs<'a, T> {
         }
     }
 
-    /// Adds the pairs of a block of `a` and a block of `b`.
+    /// Adds the pairs of a block of `a` and a block of `b`, but those with a common label.
     #[inline(always)]
     pub(super) fn add<S: Simd>(&mut self, simd: S, i: usize, j: usize) -> ControlFlow<()> {
-        let (block, other) = (&self.a.blocks[i], &self.b.blocks[j]);
-        let filled = u64::from(self.b.filled(j));
-        let mut lanes = block.meeting(simd, &self.b.around[j]) & self.a.filled(i);
-        // All 64 bits are computed before any is tested: branches here are hard to predict.
-        let mut meeting = 0;
-        while lanes != 0 {
-            let lane = lanes.trailing_zeros() as usize;
-            lanes &= lanes - 1;
-            let later = if self.is_within && i == j { !1 << lane } else { !0 };
-            let others = u64::from(other.meeting(simd, &block.lane(lane)));
-            meeting |= (others & filled & later) << (LANES * lane);
+        // Copies of the loop, for the kinds of pairs of a mesh.
+        let mut meeting = match (self.a.labels.count(), self.b.labels.count()) {
+            (1, 1) => self.meeting::<S, 1, 1>(simd, i, j),
+            (1, 2) => self.meeting::<S, 1, 2>(simd, i, j),
+            (1, 3) => self.meeting::<S, 1, 3>(simd, i, j),
+            (2, 2) => self.meeting::<S, 2, 2>(simd, i, j),
+            _ => self.meeting::<S, 0, 0>(simd, i, j),
+        };
+        meeting &= EACH_LANE * u64::from(self.b.filled(j));
+        if self.is_within && i == j {
+            meeting &= LATER;
         }
         let (ids, others) = (&self.a.ids[LANES * i..], &self.b.ids[LANES * j..]);
         while meeting != 0 {
@@ -73,6 +81,24 @@ impl<'a, const T: usize> Pairs<'a, T> {
             self.flush()?;
         }
         ControlFlow::Continue(())
+    }
+
+    /// A bit for each pair of a box in a block of `a` and a box in a block of `b`, box by box of the first,
+    /// that meet and have none of the first M and N labels in common.
+    #[inline(always)]
+    fn meeting<S: Simd, const M: usize, const N: usize>(&self, simd: S, i: usize, j: usize) -> u64 {
+        let (block, other) = (&self.a.blocks[i], &self.b.blocks[j]);
+        let (labels, others) = (self.a.labels.of::<M>(i), self.b.labels.of::<N>(j));
+        let mut lanes = block.meeting(simd, &self.b.around[j]) & self.a.filled(i);
+        // All 64 bits are computed before any is tested: branches here are hard to predict.
+        let mut meeting = 0;
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize;
+            lanes &= lanes - 1;
+            let others = other.meeting(simd, &block.lane(lane)) & !common(simd, others, labels, lane);
+            meeting |= u64::from(others) << (LANES * lane);
+        }
+        meeting
     }
 
     /// Passes the rest on.

@@ -183,7 +183,7 @@ impl<B: BroadPhase> Detector<B> {
 }
 
 /// The free step of a step, with the memory of a search.
-pub(super) fn free_step<B: BroadPhase>(
+fn free_step<B: BroadPhase>(
     search: &mut CulledSearch<B>,
     step: Step<'_>,
     at: impl Fn(f64) -> Vec<Point>,

@@ -5,10 +5,10 @@ use exact_ccd::{Ccd, Point};
 use super::advance::advance;
 use super::bisection::{Tolerance, bisect};
 use super::error::LineSearchError;
-use super::free_step::{FreeStepOptions, free_step};
+use super::free_step::FreeStepOptions;
 use crate::broad_phase::Bvh;
 use crate::mesh::{TriangleMesh, check_positions};
-use crate::search::{Candidates, CulledSearch};
+use crate::search::{Candidates, Detector};
 use crate::steps::Step;
 
 /// The algorithm of [`step_size`].
@@ -63,17 +63,16 @@ pub fn step_size(
     direction: &[Point],
     search: LineSearch<'_>,
 ) -> Result<f64, LineSearchError> {
-    check_positions(mesh.vertex_count(), direction).map_err(LineSearchError::Direction)?;
-    let end = advance(start, direction, 1.0);
-    let full = Step::new(mesh, start, &end)?;
     match search {
         LineSearch::Exact => {
-            let mut search = CulledSearch::new(Bvh);
             let options = FreeStepOptions::default().with_keep(1.0);
-            let at = |size| advance(start, direction, size);
-            Ok(free_step(&mut search, full, at, &options)?.size)
+            let taken = Detector::new(mesh.clone()).free_step_along(start, direction, &options)?;
+            Ok(taken.size)
         }
         LineSearch::Bisection { tolerance, method } => {
+            check_positions(mesh.vertex_count(), direction).map_err(LineSearchError::Direction)?;
+            let end = advance(start, direction, 1.0);
+            let full = Step::new(mesh, start, &end)?;
             let value = tolerance.value();
             if value.is_nan() || value <= 0.0 {
                 return Err(LineSearchError::Tolerance(value));

@@ -1,7 +1,9 @@
 //! Meshes at one time: connectivity and positions, of triangles with rods and points, and of tetrahedra.
 
 mod boundary;
+mod components;
 mod connectivity;
+mod disjoint_sets;
 mod frame;
 mod positions;
 mod tet_error;
@@ -15,3 +17,4 @@ pub use tet_error::TetMeshError;
 pub use tet_mesh::TetMesh;
 
 pub(crate) use connectivity::sides;
+pub(crate) use disjoint_sets::DisjointSets;

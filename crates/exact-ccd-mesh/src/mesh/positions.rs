@@ -38,6 +38,11 @@ pub fn check_positions(vertex_count: usize, positions: &[Point]) -> Result<(), P
             vertex_count,
         });
     }
+    // Without a branch for each coordinate.
+    let coordinates = positions.as_flattened().iter();
+    if coordinates.fold(true, |all, x| all & x.is_finite()) {
+        return Ok(());
+    }
     for (vertex, position) in positions.iter().enumerate() {
         for (axis, &value) in ['x', 'y', 'z'].into_iter().zip(position) {
             if !value.is_finite() {

@@ -97,10 +97,8 @@ impl CandidateOptions {
         let common = match self.boxes {
             BoxKind::Swept => half,
             BoxKind::Moving => {
-                let coordinates = step.positions().into_iter().flatten().flatten();
-                let largest = coordinates.fold(0.0_f64, |largest, x| largest.max(x.abs()));
                 // The last summand covers products that underflow, or are flushed to zero.
-                (half + (ROUNDING * largest + 4.0 * f64::MIN_POSITIVE)).next_up()
+                (half + (ROUNDING * step.largest_coordinate() + 4.0 * f64::MIN_POSITIVE)).next_up()
             }
         };
         Ok(Margin::new(self.min_distance.clone(), common))

@@ -5,6 +5,7 @@ use exact_ccd::Point;
 use crate::broad_phase::Aabb;
 
 /// A place near (1 − t) x₀ + t x₁, between x₀ and x₁.
+#[inline(always)]
 pub(super) fn between(time: f64, x0: Point, x1: Point) -> Point {
     core::array::from_fn(|axis| {
         let (a, b) = (x0[axis], x1[axis]);
@@ -28,6 +29,7 @@ pub(super) fn between(time: f64, x0: Point, x1: Point) -> Point {
 /// ε s inside of the box: of the 8 ε s, at most 3 ε s are for the place at `time`, and one for the side.
 /// Hence a straight motion from x₀ to a place that is at most 3 ε s off the path, at `time` or before, is
 /// in the box too.
+#[inline(always)]
 pub(super) fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
     let (mut start, mut end) = (Aabb::EMPTY, Aabb::EMPTY);
     let place = between(time, x0, x1);

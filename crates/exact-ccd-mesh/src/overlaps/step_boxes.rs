@@ -126,8 +126,18 @@ impl<const T: usize> StepBoxes<T> {
             self.other_ends = other_ends;
         }
 
+        let of_vertices = |ids| Boxes::labelled(ids, |vertex| [vertex]);
+        let of_faces = |ids| Boxes::labelled(ids, |face| mesh.faces()[face as usize]);
+        let of_edges = |ids| Boxes::labelled(ids, |edge| mesh.edges()[edge as usize]);
         // In the order of `PrimitiveSet`.
-        self.sets = [vertices, faces, edges, loose_vertices, ends, loose_edges].map(Boxes::in_order);
+        self.sets = [
+            of_vertices(vertices),
+            of_faces(faces),
+            of_edges(edges),
+            of_vertices(loose_vertices),
+            of_vertices(ends),
+            of_edges(loose_edges),
+        ];
         self.ordered = Some(x0.len());
     }
 

@@ -9,6 +9,7 @@ use super::collect::Collect;
 use super::contact::Contact;
 use super::kept::Kept;
 use super::narrow_phase::NarrowPhase;
+use super::screen::Screen;
 use crate::broad_phase::BroadPhase;
 use crate::overlaps::{Margin, StepBoxes};
 use crate::pairs::{CanCollide, MinDistance, Pair, Searched};
@@ -25,6 +26,7 @@ pub(crate) struct CulledSearch<B> {
 #[derive(Clone, Debug)]
 struct Memory {
     narrow_phase: NarrowPhase,
+    screen: Screen,
     resting: StepBoxes<1>,
     moving: StepBoxes<2>,
     /// The candidates of the last search, if they were kept.
@@ -47,6 +49,7 @@ impl Memory {
     fn new(can_collide: CanCollide) -> Self {
         Self {
             narrow_phase: NarrowPhase::new(can_collide),
+            screen: Screen::new(),
             resting: StepBoxes::default(),
             moving: StepBoxes::default(),
             kept: None,
@@ -107,7 +110,7 @@ impl<B: BroadPhase> CulledSearch<B> {
     /// The part is from the same positions to those of [`Step::at`] or [`advance`](crate::advance) at a
     /// time at which the collector of the last search ended, or before. These are at most 3 ε (|x₀| + |x₁|)
     /// off the path, in any direction of rounding, so that the boxes of the last search contain the part
-    /// (`overlaps/path.rs`).
+    /// (`overlaps/path.rs`), and that pairs which its [`Screen`] held back do not touch in it.
     pub(crate) fn run_in_part(
         &mut self,
         part: &Step<'_>,
@@ -136,6 +139,7 @@ impl<B: BroadPhase> CulledSearch<B> {
         let Self { broad_phase, memory } = self;
         let Memory {
             narrow_phase,
+            screen,
             resting,
             moving,
             ..
@@ -146,10 +150,12 @@ impl<B: BroadPhase> CulledSearch<B> {
             let margin = Margin::new(min_distance.clone(), 0.0);
             resting.end(&margin);
             moving.end(&margin);
-            let pass = Pass {
+            let mut pass = Pass {
                 step,
+                min_distance,
                 broad_phase: &*broad_phase,
                 narrow_phase: &*narrow_phase,
+                screen,
                 collector,
                 kept,
                 short: time_of_short_displacements(step),
@@ -219,8 +225,10 @@ fn time_of_short_displacements(step: &Step<'_>) -> f64 {
 /// One pass over the candidates of a step.
 struct Pass<'a, B, C> {
     step: &'a Step<'a>,
+    min_distance: &'a MinDistance,
     broad_phase: &'a B,
     narrow_phase: &'a NarrowPhase,
+    screen: &'a mut Screen,
     collector: &'a C,
     kept: Option<&'a Kept>,
     /// The time until which all displacements are short.
@@ -229,7 +237,11 @@ struct Pass<'a, B, C> {
 
 impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
     /// Examines the candidates of one kind: first those of a sample, if that may shorten the search.
-    fn examine<K: Searched>(&self, resting: &mut StepBoxes<1>, moving: &mut StepBoxes<2>) -> ControlFlow<()> {
+    fn examine<K: Searched>(
+        &mut self,
+        resting: &mut StepBoxes<1>,
+        moving: &mut StepBoxes<2>,
+    ) -> ControlFlow<()> {
         if resting.lacks::<K>() || moving.lacks::<K>() {
             return ControlFlow::Continue(());
         }
@@ -256,22 +268,30 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
 
     /// Examines the candidates of one kind, or of a sample, after the boxes have been placed for a new time.
     fn examine_among<K: Searched, const T: usize>(
-        &self,
+        &mut self,
         boxes: &mut StepBoxes<T>,
         new_time: Option<f64>,
         sample: Option<usize>,
     ) -> ControlFlow<()> {
-        let mesh = self.step.mesh();
+        let (mesh, can_collide) = (self.step.mesh(), self.narrow_phase.can_collide());
         if let Some(time) = new_time {
-            boxes.place::<K>(self.step, self.narrow_phase.can_collide(), time);
+            boxes.place::<K>(self.step, can_collide, time);
         }
         let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
-        match self.kept.filter(|_| sample.is_none()) {
-            Some(kept) => boxes.pairs::<K>(mesh, self.broad_phase, sample, &|pairs: &[_]| {
-                examine(&kept.add::<K>(mesh, pairs))
-            }),
-            None => boxes.pairs::<K>(mesh, self.broad_phase, sample, &examine),
-        }
+        let Some(kept) = self.kept.filter(|_| sample.is_none()) else {
+            return boxes.pairs::<K>(mesh, self.broad_phase, sample, &examine);
+        };
+        self.screen
+            .place(self.step, self.collector.until(), self.min_distance);
+        boxes.pairs::<K>(mesh, self.broad_phase, sample, &|pairs: &[_]| {
+            // After a contact at t = 0 there is no search in a part.
+            if self.collector.until() <= 0.0 {
+                return examine(pairs);
+            }
+            let passing = self.screen.passing::<K>(mesh, can_collide, pairs);
+            kept.add::<K>(&passing);
+            examine(&passing)
+        })
     }
 }
 

@@ -10,7 +10,7 @@ use crate::pairs::{ByKind, Searched};
 /// A limit for the number of kept pairs: this many for each vertex. They take as much memory as the boxes.
 const MOST_PER_VERTEX: usize = 64;
 
-/// The pairs without a common vertex whose boxes meet, unless they are too many.
+/// The pairs that pass the [`Screen`](super::screen::Screen), unless they are too many.
 pub(super) struct Kept {
     pairs: ByKind<Gathered<[u32; 2]>>,
     count: AtomicUsize,
@@ -31,14 +31,11 @@ impl Kept {
         }
     }
 
-    /// Keeps those of the pairs that have no common vertex, and returns them.
-    pub(super) fn add<K: Searched>(&self, mesh: &TriangleMesh, pairs: &[[u32; 2]]) -> Vec<[u32; 2]> {
-        let is_apart = |&ids: &[u32; 2]| K::vertices(mesh, ids).is_some_and(|pair| K::are_apart(&pair));
-        let apart: Vec<[u32; 2]> = pairs.iter().copied().filter(is_apart).collect();
-        if self.count.fetch_add(apart.len(), Ordering::Relaxed) + apart.len() <= self.most {
-            K::of(&self.pairs).append(apart.clone());
+    /// Keeps some more pairs.
+    pub(super) fn add<K: Searched>(&self, pairs: &[[u32; 2]]) {
+        if self.count.fetch_add(pairs.len(), Ordering::Relaxed) + pairs.len() <= self.most {
+            K::of(&self.pairs).append(pairs.to_vec());
         }
-        apart
     }
 
     /// All pairs, if they are complete.

@@ -4,6 +4,7 @@
 mod answers;
 mod approach;
 mod candidates;
+mod chunks;
 mod clearances;
 mod collect;
 mod contact;
@@ -16,6 +17,7 @@ mod kept;
 mod method;
 mod narrow_phase;
 mod report;
+mod screen;
 
 pub use candidates::Candidates;
 pub use contact::Contact;

@@ -4,6 +4,7 @@ use exact_ccd::batch::Trajectories;
 use exact_ccd::{EdgeEdge, Options, Query, Separation, Separations, VertexEdge, VertexFace, VertexVertex};
 
 use super::approach::Approach;
+use super::chunks::for_each_chunk;
 use super::contact::Contact;
 use crate::mesh::TriangleMesh;
 use crate::pairs::{CanCollide, MinDistance, Pair, PairKind};
@@ -16,9 +17,6 @@ pub(crate) struct NarrowPhase {
     min_distance: MinDistance,
     trajectories: Trajectories,
 }
-
-/// The number of pairs in a batch.
-const CHUNK: usize = 256;
 
 impl NarrowPhase {
     /// A narrow phase without a step, for the pairs that can collide.
@@ -96,23 +94,13 @@ impl NarrowPhase {
     ) {
         let inner = self.min_distance.inner();
         let options = Options::within(separations).until(until);
-        let (mut kept, mut queries) = ([[0; 2]; CHUNK], [K::Vertices::default(); CHUNK]);
-        for pairs in pairs.chunks(CHUNK) {
-            let mut count = 0;
-            for &ids in pairs {
-                if let Some(vertices) = K::vertices(mesh, ids) {
-                    // Without a branch: about half of all pairs from a broad phase are neighbours
-                    // in the mesh.
-                    (kept[count % CHUNK], queries[count % CHUNK]) = (ids, vertices);
-                    count += usize::from(can_collide(&vertices));
-                }
-            }
+        for_each_chunk::<K>(mesh, pairs, can_collide, |ids, queries| {
             self.trajectories
-                .collisions::<K>(&queries[..count], options, |index, collision| {
-                    found(kept[index], Approach::new(collision, inner, until));
+                .collisions::<K>(queries, options, |index, collision| {
+                    found(ids[index], Approach::new(collision, inner, until));
                 })
                 .expect("a mesh has the vertices of its primitives, and each has a thickness");
-        }
+        });
     }
 
     /// Calls `found` with the vertices and the query of each pair that [`approaches`](Self::approaches)

@@ -1,7 +1,6 @@
 //! Meshes in motion: the validated step from positions to positions, the motion from frame to frame, and the
 //! welding of vertices that coincide throughout a motion.
 
-mod disjoint_sets;
 mod motion;
 mod step;
 mod weld;

@@ -78,6 +78,14 @@ impl<'a> Step<'a> {
         self.positions
     }
 
+    /// The largest absolute value of a coordinate, at the start or at the end.
+    pub(crate) fn largest_coordinate(&self) -> f64 {
+        let coordinates = self.positions.into_iter().flatten().flatten();
+        // Not f64::max: its handling of NaN costs time, and there is no NaN here.
+        let larger = |a: f64, b: f64| if b > a { b } else { a };
+        coordinates.fold(0.0, |largest, x| larger(largest, x.abs()))
+    }
+
     /// The positions at a time of the step, rounded: `x0` exactly for t ≤ 0 (and NaN), `x1` exactly
     /// for t ≥ 1.
     ///

@@ -4,9 +4,8 @@ use std::collections::HashMap;
 
 use exact_ccd::Point;
 
-use super::disjoint_sets::DisjointSets;
 use super::motion::{Motion, MotionError};
-use crate::mesh::{Frame, TriangleMesh};
+use crate::mesh::{DisjointSets, Frame, TriangleMesh};
 
 /// One vertex in place of all vertices that coincide in every frame of a motion.
 ///

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::CHUNK;
 use super::row::Row;
-use super::run::{Batch, Found};
+use super::run::{Batch, Found, Passed};
 use super::vectors::Instructions;
 use crate::collision::Collision;
 use crate::kind::Kind;
@@ -97,7 +97,7 @@ impl<'a, K: Kind> Queries<'a, K> {
                 queries: sound,
                 separations: separation.into(),
                 until,
-                found,
+                passed: Passed::Colliding(found),
             });
             if let Some(error) = error {
                 return Err(error);

@@ -12,8 +12,16 @@ use crate::thickness::Separations;
 /// only once for all callbacks.
 pub(super) type Found<'f, K> = &'f mut dyn for<'a> FnMut(usize, Collision<'a, K>);
 
-/// A batch of one kind: calls `found` with each query of rows that first touches at a time not above
-/// `until`, and its index, in order. All indices of rows exist.
+/// The queries that are passed on, in order.
+pub(super) enum Passed<'f, K: Kind> {
+    /// Each that collides.
+    Colliding(Found<'f, K>),
+    /// Each that the first filters do not prove to stay beyond its separation, by its index.
+    Unsettled(&'f mut dyn FnMut(usize)),
+}
+
+/// A batch of one kind: queries of rows, of which those are passed on that first touch at a time not above
+/// `until`, or may do so. All indices of rows exist.
 #[expect(
     unnameable_types,
     reason = "an argument of a hidden function of a sealed trait"
@@ -24,32 +32,47 @@ pub struct Batch<'a, K: Kind> {
     pub(super) queries: &'a [K::Vertices],
     pub(super) separations: Separations<'a>,
     pub(super) until: f64,
-    pub(super) found: Found<'a, K>,
+    pub(super) passed: Passed<'a, K>,
 }
 
 impl<K: Kind> Batch<'_, K> {
     pub(crate) fn run(self) {
-        let Self { until, found, .. } = self;
-        let found: Found<'_, K> = &mut |index, collision| {
-            if let Some(collision) = collision.until(until) {
-                found(index, collision);
+        let Self { until, passed, .. } = self;
+        match passed {
+            Passed::Unsettled(_) => Batch { passed, ..self }.run_all(),
+            Passed::Colliding(found) => {
+                let found: Found<'_, K> = &mut |index, collision| {
+                    if let Some(collision) = collision.until(until) {
+                        found(index, collision);
+                    }
+                };
+                let passed = Passed::Colliding(found);
+                Batch { passed, ..self }.run_all();
             }
-        };
-        let batch = Batch { found, ..self };
+        }
+    }
+
+    /// The same without the limit of times.
+    fn run_all(self) {
         if environment::is_default() {
-            vectors::run(batch);
+            vectors::run(self);
         } else {
-            batch.one_by_one();
+            self.one_by_one();
         }
     }
 
     /// The same for single queries.
     pub(super) fn one_by_one(self) {
-        for (index, vertices) in self.queries.iter().enumerate() {
-            let (a, b) = vertices.as_ref().split_at(K::FIRST);
-            let query: Query<K> = query_of(self.rows, vertices);
-            if let Some(collision) = query.collision(self.separations.between(a, b)) {
-                (self.found)(index, collision);
+        match self.passed {
+            Passed::Unsettled(unsettled) => (0..self.queries.len()).for_each(unsettled),
+            Passed::Colliding(found) => {
+                for (index, vertices) in self.queries.iter().enumerate() {
+                    let (a, b) = vertices.as_ref().split_at(K::FIRST);
+                    let query: Query<K> = query_of(self.rows, vertices);
+                    if let Some(collision) = query.collision(self.separations.between(a, b)) {
+                        found(index, collision);
+                    }
+                }
             }
         }
     }

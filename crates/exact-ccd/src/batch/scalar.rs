@@ -22,7 +22,7 @@ impl Instructions {
     }
 }
 
-/// Calls `found` with each query of a batch that collides, and its index, in order.
+/// Passes the queries of a batch on, in order.
 pub(super) fn run<K: Kind>(batch: Batch<'_, K>) {
     batch.one_by_one();
 }

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::row::Row;
-use super::run::{Batch, query_of};
+use super::run::{Batch, Passed, query_of};
 use super::vectors::Instructions;
 use crate::axis::Axis;
 use crate::collision::Collision;
@@ -128,7 +128,48 @@ impl Trajectories {
         options: impl Into<Options<Separations<'d>>>,
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
-        let Options { separation, until } = options.into();
+        self.run::<K>(queries, options.into(), Passed::Colliding(&mut found))
+    }
+
+    /// Calls `found` with the index of each query of vertices that may come within its separation, in order:
+    /// all but some that the first filters prove to stay beyond it, from t = 0 to t = 1.
+    ///
+    /// A pass over many queries that few of them pass. Which ones, apart from those that come within, depends
+    /// on the processor.
+    ///
+    /// ```
+    /// use exact_ccd::batch::Trajectories;
+    /// use exact_ccd::{Separation, Separations, VertexVertex};
+    ///
+    /// // The second point comes near the first one, the third does not.
+    /// let x0 = [[0.0; 3], [4.0, 0.0, 0.0], [9.0, 0.0, 0.0]];
+    /// let x1 = [[0.0; 3], [1.0, 0.0, 0.0], [8.0, 0.0, 0.0]];
+    /// let mut near = Vec::new();
+    /// let within = Separations::Uniform(Separation::new(1.0)?);
+    /// let trajectories = Trajectories::new(&x0, &x1)?;
+    /// trajectories.may_collide::<VertexVertex>(&[[0, 1], [0, 2]], within, |index| near.push(index))?;
+    /// assert!(near.contains(&0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`collisions`](Self::collisions).
+    pub fn may_collide<'d, K: Kind>(
+        &self,
+        queries: &[K::Vertices],
+        separations: impl Into<Separations<'d>>,
+        mut found: impl FnMut(usize),
+    ) -> Result<(), VertexOutOfRange> {
+        let options = Options::within(separations.into());
+        self.run::<K>(queries, options, Passed::Unsettled(&mut found))
+    }
+
+    fn run<'a, K: Kind>(
+        &'a self,
+        queries: &'a [K::Vertices],
+        Options { separation, until }: Options<Separations<'a>>,
+        passed: Passed<'a, K>,
+    ) -> Result<(), VertexOutOfRange> {
         check::<K>(queries, self.vertex_count())?;
         if let Separations::Thickness(thickness) = separation {
             check::<K>(queries, thickness.vertex_count())?;
@@ -139,7 +180,7 @@ impl Trajectories {
             queries,
             separations: separation,
             until,
-            found: &mut found,
+            passed,
         });
         Ok(())
     }

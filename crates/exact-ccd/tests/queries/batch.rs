@@ -7,7 +7,7 @@ use exact_ccd::batch::{
 };
 use exact_ccd::{
     Axis, CONTACT, Collision, EdgeEdge, Impact, Intervals, Kind, NonFinite, Point, Query, Separation,
-    Separations, Thickness, VertexEdge, VertexFace, exact,
+    Separations, Thickness, VertexEdge, VertexFace, environment, exact,
 };
 use proptest::array::{uniform2, uniform4};
 use proptest::collection::vec;
@@ -25,6 +25,9 @@ const COUNT: u32 = 4_001;
 
 /// The sizes of batches: those around a vector of 8 queries and a chunk of 256, and all queries.
 const SIZES: [usize; 10] = [0, 1, 7, 8, 9, 255, 256, 257, 264, COUNT as usize];
+
+/// True if batches are examined in vectors.
+const HAS_VECTORS: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
 /// Values of a strategy.
 fn values<T: std::fmt::Debug>(count: u32, strategy: impl Strategy<Value = T>) -> Vec<T> {
@@ -118,6 +121,17 @@ fn assert_as_single_queries<K: Kind>(
                 })
                 .unwrap();
             assert!(found == expected, "vertices, {instructions:?}, {separations:?}");
+
+            let mut near = Vec::new();
+            of_vertices
+                .may_collide::<K>(&vertices[..size], separations, |index| near.push(index))
+                .unwrap();
+            assert!(near.is_sorted_by(|a, b| a < b) && near.iter().all(|&index| index < size));
+            let is_near = |answers: &Answers| near.binary_search(&answers.index).is_ok();
+            assert!(expected.iter().all(is_near), "{instructions:?}, {separations:?}");
+            if HAS_VECTORS && environment::is_default() && size == queries.len() {
+                assert!(near.len() < size, "{instructions:?}, {separations:?}");
+            }
 
             if let Separations::Uniform(d) = separations {
                 let mut found = Vec::new();

@@ -42,6 +42,11 @@ impl Unsettled {
         self.count += usize::from(!is_settled);
     }
 
+    /// Passes the indices on.
+    pub(super) fn for_each(&self, pass_on: impl FnMut(usize)) {
+        self.indices[..self.count].iter().copied().for_each(pass_on);
+    }
+
     /// Passes the queries on by index and rows, eight at a time. The last vector is filled up with
     /// copies of its last query, which have no index.
     #[inline(always)]

@@ -7,30 +7,30 @@ use super::chunks::{Unsettled, for_each_chunk};
 use super::gaps::Gaps;
 use super::planes::{LANES, screen, transposed};
 use super::rows;
-use crate::batch::run::{Batch, query_of, rows_of};
+use crate::batch::run::{Batch, Found, Passed, query_of, rows_of};
 use crate::collision::Collision;
 use crate::distance::Separation;
 use crate::filter::{Decision, Gap, Hull, LEAST_UNTIL, decide_between, decide_near_plane, free_until};
 use crate::kind::Kind;
 use crate::query::Query;
 
-/// Calls `found` with each query of a batch that collides, and its index, in order; those after `until` may
-/// be left out.
+/// Passes the queries of a batch on, in order; those that collide after `until` may be left out.
 #[inline(always)]
 pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, gaps: G) {
     let Batch {
         rows,
         queries,
         until,
-        found,
+        mut passed,
         ..
     } = batch;
     let until = until.clamp(LEAST_UNTIL, 1.0);
-    let mut report = |index: usize, query: &Query<K>, separation: Separation, decision: Decision| {
-        if let Ok(collision) = Collision::from_decision(query, separation, decision) {
-            found(index, collision);
-        }
-    };
+    let report =
+        |found: &mut Found<'_, K>, index: usize, query: &Query<K>, separation, decision: Decision| {
+            if let Ok(collision) = Collision::from_decision(query, separation, decision) {
+                found(index, collision);
+            }
+        };
     for_each_chunk(
         queries.len(),
         #[inline(always)]
@@ -50,13 +50,13 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
                         let is_settled = rest.settled >> lane & 1 != 0;
                         if <G::One as Gap<f64>>::IS_POSITIVE {
                             approaching.push_unless(is_settled, index);
-                        } else if !is_settled {
+                        } else if !is_settled && let Passed::Colliding(found) = &mut passed {
                             let query = query_of(rows, &queries[index]);
                             let decision = match rest.cubic(lane) {
                                 Some(cubic) => decide_near_plane(&query, &cubic, until),
                                 None => Decision::Unknown,
                             };
-                            report(index, &query, Separation::ZERO, decision);
+                            report(found, index, &query, Separation::ZERO, decision);
                         }
                     }
                 },
@@ -64,6 +64,10 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
             if !<G::One as Gap<f64>>::IS_POSITIVE {
                 return;
             }
+            let found = match &mut passed {
+                Passed::Colliding(found) => found,
+                Passed::Unsettled(unsettled) => return approaching.for_each(unsettled),
+            };
             approaching.for_each_eight::<K>(
                 rows,
                 queries,
@@ -77,7 +81,7 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
                         if free[lane] < until {
                             let (query, d) = (query_of(rows, &queries[index]), gaps.separation(index));
                             let decision = decide_between(&query, d, [free[lane], until]);
-                            report(index, &query, d, decision);
+                            report(found, index, &query, d, decision);
                         }
                     }
                 },

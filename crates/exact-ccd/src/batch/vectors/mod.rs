@@ -12,17 +12,18 @@ pub use instructions::Instructions;
 
 use instructions::dispatch;
 
-use super::run::Batch;
+use super::run::{Batch, Passed};
 use crate::filter::Touching;
 use crate::kind::Kind;
 use examine::examine;
 use gaps::Separated;
 
-/// Calls `found` with each query of a batch that collides, and its index, in order; those after `until` may
-/// be left out. The environment of the thread is the default one.
+/// Passes the queries of a batch on, in order; those that collide after `until` may be left out. The
+/// environment of the thread is the default one.
 pub(super) fn run<K: Kind>(batch: Batch<'_, K>) {
     let level = batch.instructions.level();
-    if batch.separations.is_contact() {
+    // The filters within the distance 0 are right too: there is one copy of the code for unsettled queries.
+    if batch.separations.is_contact() && matches!(batch.passed, Passed::Colliding(_)) {
         dispatch!(level, simd => examine::<_, K, _>(simd, batch, Touching));
     } else {
         let (queries, separations) = (batch.queries, batch.separations);

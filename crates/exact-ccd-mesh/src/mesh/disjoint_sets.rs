@@ -37,11 +37,11 @@ impl DisjointSets {
         }
     }
 
-    /// Makes one set of those of two vertices.
-    pub(crate) fn unite(&mut self, a: u32, b: u32) {
+    /// Makes one set of those of two vertices. Returns true if they were two sets.
+    pub(crate) fn unite(&mut self, a: u32, b: u32) -> bool {
         let (a, b) = (self.root(a), self.root(b));
         if a == b {
-            return;
+            return false;
         }
         let (less, more) = if self.size[a as usize] < self.size[b as usize] {
             (a, b)
@@ -51,6 +51,7 @@ impl DisjointSets {
         self.above[less as usize] = more;
         // At most the number of vertices.
         self.size[more as usize] = self.size[more as usize].saturating_add(self.size[less as usize]);
+        true
     }
 
     /// The number of vertices that searches have passed so far.
