@@ -82,11 +82,11 @@ pub use range::OutOfRange;
 pub use script::{KeyFrame, Script};
 pub use scripted::Scripted;
 pub use settings::{Formulation, Friction, FrictionPair, Length, LineSearch, Settings};
-pub use simulation::{Contact, Primitive, Simulation, SimulationError, Warning};
+pub use simulation::{BodyPrimitive, Contact, Primitive, Simulation, SimulationError, Warning};
 pub use spring::{Spring, SpringEnd};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
-pub use system::{Fingerprint, System, SystemError};
+pub use system::{BodyError, Designation, Fingerprint, Selecting, System, SystemError};
 
 /// The example of the README, as a documentation test.
 #[cfg(doctest)]

@@ -26,7 +26,7 @@ use crate::system::{Fingerprint, System};
 
 pub use contacts::Contact;
 pub use error::SimulationError;
-pub use start::Primitive;
+pub use start::{BodyPrimitive, Primitive};
 pub use warning::Warning;
 
 /// The motion of a system under elasticity, gravity, contact and friction.

@@ -21,7 +21,7 @@ use crate::scripted::Axes;
 use crate::settings::{Formulation, LineSearch};
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
-use crate::system::System;
+use crate::system::{Designation, System};
 
 /// The data of a minimisation that stay constant.
 pub(crate) struct Newton<'a> {
@@ -103,8 +103,9 @@ impl Newton<'_> {
 
             let clock = Instant::now();
             let solution = memory.linear.solve(quadratic.pattern, quadratic.values, &right);
-            let solution = solution.ok_or(SimulationError::Singular {
+            let solution = solution.ok_or_else(|| SimulationError::Singular {
                 step: statistics.step,
+                body: self.most_loaded(unknowns, &right),
             })?;
             statistics.seconds.solve += clock.elapsed().as_secs_f64();
 
@@ -145,5 +146,14 @@ impl Newton<'_> {
             }
         }
         Ok(false)
+    }
+
+    /// The body of the vertex with the largest force, or with one that is not finite.
+    fn most_loaded(&self, unknowns: &Unknowns, forces: &[f64]) -> Designation {
+        let sizes = forces.iter().map(|force| force.abs()).enumerate();
+        // NaN is above all numbers.
+        let largest = sizes.max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let vertex = largest.map_or(0, |(place, _)| unknowns.vertices()[place / 3]);
+        self.system.designation(self.system.body_of(vertex))
     }
 }

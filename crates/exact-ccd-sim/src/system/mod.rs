@@ -1,6 +1,8 @@
 //! The bodies of a scene, as one list of vertices and lists of elements over it.
 
 mod affine;
+mod body_error;
+mod designation;
 mod error;
 mod fingerprint;
 mod loads;
@@ -34,9 +36,10 @@ use crate::settings::Formulation;
 use crate::spring::Spring;
 use parts::Parts;
 
+pub use body_error::{BodyError, Selecting};
+pub use designation::Designation;
 pub use error::SystemError;
 pub use fingerprint::Fingerprint;
-pub(crate) use names::designation;
 
 /// The vertices, masses, elements and scripts of a scene.
 #[derive(Clone, Debug)]
@@ -98,19 +101,25 @@ impl System {
     /// [`SystemError`] names the body or the script, unless it is about the mesh of all bodies.
     pub fn new(bodies: &[Body], scripts: &[Scripted]) -> Result<Self, SystemError> {
         let mut parts = Parts::default();
-        for (index, body) in bodies.iter().enumerate() {
-            parts.add(index, body)?;
+        for (place, body) in bodies.iter().enumerate() {
+            parts.add(body).map_err(|source| SystemError::Body {
+                body: Designation::among(bodies, place),
+                source,
+            })?;
         }
         let vertex_count = parts.start.len();
         let ranges = Self::ranges(bodies);
-        let body_of = |vertex: u32| ranges.partition_point(|range| range.end <= vertex);
+        let body_of = |vertex: u32| {
+            let place = ranges.partition_point(|range| range.end <= vertex);
+            Designation::among(bodies, place)
+        };
         for (index, scripted) in scripts.iter().enumerate() {
             scripted.check().map_err(|source| SystemError::Motion {
                 script: index,
                 source,
             })?;
             let script = Timed::new(scripted);
-            let what = || format!("script {index}");
+            let what = Selecting::Script(index);
             for vertex in selection::unknowns(&parts.carriers, body_of, &scripted.vertices, what)? {
                 let slot = parts.scripts.get_mut(vertex as usize);
                 let slot = slot.ok_or(SystemError::Script {
