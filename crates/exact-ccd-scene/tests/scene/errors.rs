@@ -280,6 +280,22 @@ fn single_brackets_are_reported_as_the_mistake() {
         single.err().unwrap(),
         "scene.toml, line 2, body: found the table `[body]`, expected an array of tables: write `[[body]]`"
     );
+    for (table, name) in [
+        ("[spring]\nbetween = [\"a\"]", "spring"),
+        ("[half-space]\nnormal = [0.0, 1.0, 0.0]", "half-space"),
+        (
+            "[settings.friction.pair]\ncoefficient = 0.0",
+            "settings.friction.pair",
+        ),
+    ] {
+        assert_eq!(
+            parse(&format!("duration = 1.0\n{table}")).err().unwrap(),
+            format!(
+                "scene.toml, line 2, {name}: found the table `[{name}]`, expected an array of tables: \
+                 write `[[{name}]]`"
+            )
+        );
+    }
     let script = parse("duration = 1.0\n[[body]]\nmesh = \"a.obj\"\n[body.script]\nmotion = \"fixed\"");
     assert_eq!(
         script.err().unwrap(),
