@@ -6,6 +6,7 @@ mod filters;
 mod folder;
 mod grid;
 mod interrupt;
+mod iterations;
 mod json;
 mod layout;
 mod line;
@@ -223,6 +224,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     }
     let bar = progress::bar(usize::try_from(remaining).unwrap_or(usize::MAX), "time steps");
     let lines = bar.clone();
+    simulation = iterations::watched(simulation, &bar);
     let ended = during(bar, |progress| -> Result<Ended, Failure> {
         while simulation.state().step < steps {
             let mut path = folder

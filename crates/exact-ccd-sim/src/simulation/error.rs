@@ -143,7 +143,7 @@ pub enum SimulationError {
     /// magnitudes differ too much.
     #[error(
         "step {step}: the linear system of Newton's method has no solution; the forces are largest on {body}: \
-         set a smaller `time-step`, or make its materials, masses and loads more alike to those of the others"
+         set a smaller `time-step`, or check the numbers of its material, velocity and loads"
     )]
     Singular {
         /// The number of the step.

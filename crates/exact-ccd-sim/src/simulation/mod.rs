@@ -18,6 +18,7 @@ use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::StepFilter;
 use crate::friction::Coefficients;
+use crate::iteration::Iteration;
 use crate::range::{OutOfRange, check, check_finite, check_not_negative};
 use crate::settings::{LineSearch, Settings};
 use crate::solver::Memory;
@@ -51,7 +52,11 @@ pub struct Simulation {
     state: State,
     fingerprint: Fingerprint,
     interrupt: Arc<AtomicBool>,
+    watch: Option<Arc<Watch>>,
 }
+
+/// A function that is called in each iteration of Newton's method.
+type Watch = dyn Fn(&Iteration) + Send + Sync;
 
 impl Simulation {
     /// The simulation of a system from its initial positions and velocities.
@@ -133,6 +138,7 @@ impl Simulation {
             memory: Memory::default(),
             state,
             interrupt: Arc::default(),
+            watch: None,
         })
     }
 
@@ -153,6 +159,14 @@ impl Simulation {
     #[must_use]
     pub fn with_interrupt(self, interrupt: Arc<AtomicBool>) -> Self {
         Self { interrupt, ..self }
+    }
+
+    /// The same simulation with a function that is called in each iteration of Newton's method, also of
+    /// attempts at a time step that are repeated in parts: for displays of progress. No result depends on it.
+    #[must_use]
+    pub fn with_watch(self, watch: impl Fn(&Iteration) + Send + Sync + 'static) -> Self {
+        let watch = Some(Arc::new(watch) as Arc<Watch>);
+        Self { watch, ..self }
     }
 
     /// The filter.

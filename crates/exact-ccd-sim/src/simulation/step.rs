@@ -14,6 +14,7 @@ use crate::dirichlet::{Dirichlet, Motion};
 use crate::energy::Energy;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::integrator::{Integrator, Scheme};
+use crate::iteration::Iteration;
 use crate::scripted::Axes;
 use crate::solver::{Form, Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
@@ -224,6 +225,19 @@ impl Simulation {
             collisions,
         };
         let Self { system, settings, .. } = &*self;
+        let tolerance = settings.newton_tolerance(system.size());
+        let watch = |iteration: usize, residual: f64, collisions: &Collisions| {
+            if let Some(watch) = &self.watch {
+                watch(&Iteration {
+                    step,
+                    part: [part, parts],
+                    iteration,
+                    residual,
+                    tolerance,
+                    contacts: collisions.count(),
+                });
+            }
+        };
         let mut friction = Vec::new();
         for lag in 0..settings.friction.lags.max(1) {
             let iterations = statistics.iterations;
@@ -241,8 +255,9 @@ impl Simulation {
                 filter: &self.filter,
                 formulation: settings.formulation,
                 line_search: settings.line_search,
-                tolerance: settings.newton_tolerance(system.size()),
+                tolerance,
                 max_iterations: settings.max_iterations,
+                watch: &watch,
             };
             statistics.converged &= newton.minimise(&mut memory, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);

@@ -42,6 +42,8 @@ pub(crate) struct Newton<'a> {
     /// The tolerance, in m/s.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,
+    /// Is called in each iteration with its number, the residual in m/s, and the collisions before it.
+    pub(crate) watch: &'a (dyn Fn(usize, f64, &Collisions) + Sync),
 }
 
 /// The memory of a minimisation, for the next one of the same system. No result depends on it.
@@ -115,13 +117,14 @@ impl Newton<'_> {
             }
             self.system.carriers.carry(&mut direction);
             statistics.iterations += 1;
+            let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
+            (self.watch)(statistics.iterations, size / self.duration, &now.collisions);
             if now.dirichlet.is_prescribed() {
                 if self.prescribe(&mut memory.steps, now, &direction, &potential, statistics) {
                     visit(&now.positions);
                 }
                 continue;
             }
-            let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
             // Twice the predicted decrease of the potential. Deep in the barrier, even a short step can
             // release much energy. The step counts as small only if this energy is at most the kinetic
             // energy of all free masses at the tolerance.
