@@ -109,6 +109,9 @@ pub struct ShellProperties {
     pub poisson: f64,
     /// The thickness, in m. It enters mass and stiffness, but not contact.
     pub thickness: f64,
+    /// The limit ε of the strain: no principal stretch reaches 1 + ε. `None` for no limit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strain_limit: Option<f64>,
 }
 
 /// The material of a rod with a circular cross section.

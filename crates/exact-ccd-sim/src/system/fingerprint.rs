@@ -96,8 +96,13 @@ impl Digest for BodyKind {
                     young,
                     poisson,
                     thickness,
+                    strain_limit,
                 } = *material;
                 [density, young, poisson, thickness].digest(hash);
+                // Without a limit, the hash is that of earlier versions.
+                if let Some(limit) = strain_limit {
+                    limit.digest(hash);
+                }
             }
             Self::Rod { material, .. } => {
                 let RodProperties {

@@ -13,8 +13,8 @@ impl System {
     ///
     /// # Errors
     /// [`SystemError::Load`] names the first one with a number that is out of range, or a vertex that the
-    /// system does not have; [`BodyError::Partly`](super::BodyError::Partly) one that accelerates a part of an
-    /// affine body.
+    /// system does not have; [`BodyError::Partly`](super::BodyError::Partly) one that accelerates a part of
+    /// an affine body.
     pub fn with_loads(self, loads: Vec<Load>) -> Result<Self, SystemError> {
         let count = self.start.len();
         for (number, load) in loads.iter().enumerate() {

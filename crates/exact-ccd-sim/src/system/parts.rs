@@ -12,7 +12,7 @@ use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::carriers::Carriers;
-use crate::elasticity::{Bend, Membrane, Stretch, Tetrahedron, bending};
+use crate::elasticity::{Bend, Membrane, StrainLimit, Stretch, Tetrahedron, bending};
 use crate::energy::{Energy, gather};
 use crate::range::{OutOfRange, check, check_finite, check_positive};
 use crate::scripted::Coordinates;
@@ -148,10 +148,18 @@ impl Parts {
     fn add_shell(&mut self, faces: Vec<[u32; 3]>, material: &ShellProperties) -> Result<(), BodyError> {
         check_positive("density", material.density)
             .and(check_positive("thickness", material.thickness))
-            .and(material.moduli().check())?;
+            .and(material.moduli().check())
+            .and(check_positive(
+                "strain-limit",
+                material.strain_limit.unwrap_or(1.0),
+            ))?;
+        let limit = material
+            .strain_limit
+            .map(|limit| StrainLimit::new(limit, material.young));
         for (element, corners) in faces.iter().enumerate() {
             let membrane = Membrane::new(*corners, &self.start, material.thickness, material.moduli())
-                .ok_or(BodyError::Flat { element })?;
+                .ok_or(BodyError::Flat { element })?
+                .with_limit(limit);
             let volume = membrane.volume();
             self.add_element(
                 element,

@@ -25,6 +25,7 @@ mod scripted_axes;
 mod scripts;
 mod springs;
 mod start;
+mod strain_limit;
 mod thick_pairs;
 mod thickness;
 mod twist;

@@ -1,9 +1,11 @@
 //! The convergence of Newton's method.
 
+use std::sync::{Arc, Mutex};
+
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{
-    BodyKind, Force, Friction, Length, Load, Script, Settings, Simulation, SimulationError, Statistics,
-    System, shapes,
+    BodyKind, Force, Friction, Iteration, Length, Load, Script, Settings, Simulation, SimulationError,
+    Statistics, System, shapes,
 };
 
 /// A step counts as converged only if Newton converges for every friction lag.
@@ -150,4 +152,42 @@ fn a_failure_names_the_body() {
         matches!(&error, SimulationError::Singular { body, .. } if body.name() == "anvil"),
         "{error}"
     );
+}
+
+/// Each iteration is reported, the last one of a time step that converges at a residual below the tolerance,
+/// and no result depends on it.
+#[test]
+fn iterations_are_reported() {
+    let simulation = || {
+        let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.002, z + 0.2]);
+        let system = System::new(&[cube, shapes::floor([1, 1], [1.1, 1.2])], &[]).unwrap();
+        Simulation::new(system, Settings::default()).unwrap()
+    };
+    let seen = Arc::new(Mutex::new(Vec::<Iteration>::new()));
+    let record = {
+        let seen = Arc::clone(&seen);
+        move |iteration: &Iteration| seen.lock().unwrap().push(*iteration)
+    };
+    let (mut plain, mut watched) = (simulation(), simulation().with_watch(record));
+    let mut contacts = 0;
+    for step in 1..=5 {
+        let statistics = watched.step().unwrap();
+        plain.step().unwrap();
+        assert_eq!(plain.state(), watched.state());
+        let iterations = std::mem::take(&mut *seen.lock().unwrap());
+        let numbers: Vec<usize> = iterations.iter().map(|iteration| iteration.iteration).collect();
+        assert_eq!(numbers, (1..=statistics.iterations).collect::<Vec<_>>());
+        assert!(
+            iterations
+                .iter()
+                .all(|iteration| (iteration.step, iteration.part) == (step, [1, 1]))
+        );
+        let last = iterations.last().unwrap();
+        assert!(
+            statistics.converged && last.residual <= last.tolerance,
+            "{last:?}"
+        );
+        contacts += last.contacts;
+    }
+    assert!(contacts > 0);
 }
