@@ -38,6 +38,7 @@ mod anchor;
 mod bends;
 mod body;
 mod carriers;
+mod chains;
 mod checkpoint;
 mod contact;
 mod damper;

@@ -17,6 +17,7 @@ mod stable_neo_hookean;
 mod strain_limit;
 mod stretch;
 mod tetrahedron;
+mod twist;
 mod vertex_bend;
 
 pub(crate) use bend::Bend;
@@ -29,4 +30,5 @@ pub use solid_material::SolidMaterial;
 pub(crate) use strain_limit::StrainLimit;
 pub(crate) use stretch::Stretch;
 pub(crate) use tetrahedron::Tetrahedron;
+pub(crate) use twist::{Chain, Twist, angle_about, transported};
 pub(crate) use vertex_bend::bending;

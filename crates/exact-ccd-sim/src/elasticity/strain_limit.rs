@@ -1,8 +1,8 @@
 //! The limit of the stretches of a shell.
 //!
-//! The barrier is that of codimensional incremental potential contact (M. Li, D. Kaufman, C. Jiang, 2021) with
-//! another function. For a principal stretch σ = 1 + e, the limit ε > 0 of the strain e and Young's modulus E,
-//! the energy by volume is
+//! The barrier is that of codimensional incremental potential contact (M. Li, D. Kaufman, C. Jiang, 2021)
+//! with another function. For a principal stretch σ = 1 + e, the limit ε > 0 of the strain e and Young's
+//! modulus E, the energy by volume is
 //!
 //!     f(σ) = −E e² ln(1 − e/ε)  for 0 < e < ε,   0 for e ≤ 0,   ∞ for e ≥ ε.
 //!

@@ -81,7 +81,7 @@ pub enum SimulationError {
     )]
     Start {
         /// The two primitives.
-        primitives: [BodyPrimitive; 2],
+        primitives: Box<[BodyPrimitive; 2]>,
         /// The position of one of their vertices, in m.
         near: Point,
     },
@@ -93,7 +93,7 @@ pub enum SimulationError {
     )]
     Close {
         /// The two primitives.
-        primitives: [BodyPrimitive; 2],
+        primitives: Box<[BodyPrimitive; 2]>,
         /// The sum of the offsets of their bodies, in m.
         thickness: f64,
         /// The position of one of their vertices, in m.

@@ -73,6 +73,7 @@ impl Simulation {
             stiffness: None,
             origins: BTreeMap::new(),
             behind: BTreeMap::new(),
+            twists: BTreeMap::new(),
         };
         Self::resume(system, settings, state)
     }
@@ -236,6 +237,9 @@ fn check_numbers(state: &State) -> Result<(), OutOfRange> {
     }
     let mut times = state.behind.values();
     times.try_for_each(|&time| check_not_negative("behind", time))?;
+    for angle in state.twists.values() {
+        check(angle.is_finite(), "twists", angle, "a finite number")?;
+    }
     check_not_negative("stiffness", state.stiffness.unwrap_or(0.0))
 }
 

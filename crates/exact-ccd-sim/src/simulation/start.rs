@@ -128,13 +128,13 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
 }
 
 /// Two primitives with the names of their bodies, in the order of the bodies.
-fn of_bodies(system: &System, primitives: [Primitive; 2]) -> [BodyPrimitive; 2] {
+fn of_bodies(system: &System, primitives: [Primitive; 2]) -> Box<[BodyPrimitive; 2]> {
     let [a, b] = primitives.map(|primitive| BodyPrimitive::new(system, primitive));
-    if b.body.place() < a.body.place() {
+    Box::new(if b.body.place() < a.body.place() {
         [b, a]
     } else {
         [a, b]
-    }
+    })
 }
 
 /// The position of the first vertex of a primitive.

@@ -15,6 +15,7 @@ use crate::anchor::Anchor;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
 use crate::damper::Damper;
 use crate::dirichlet::Dirichlet;
+use crate::elasticity::Twist;
 use crate::filter::StepFilter;
 use crate::friction::FrictionContact;
 use crate::scripted::Axes;
@@ -34,6 +35,7 @@ pub(crate) struct Newton<'a> {
     pub(crate) interrupt: &'a AtomicBool,
     pub(crate) friction: &'a [FrictionContact],
     pub(crate) dampers: &'a [Damper],
+    pub(crate) twists: &'a [Twist],
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a StepFilter,
@@ -90,6 +92,7 @@ impl Newton<'_> {
                 inertia: self.inertia,
                 friction: self.friction,
                 dampers: self.dampers,
+                twists: self.twists,
             };
             let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
             let prescribed = now.dirichlet.displacements(&now.positions);

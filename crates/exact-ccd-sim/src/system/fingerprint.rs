@@ -99,7 +99,7 @@ impl Digest for BodyKind {
                     strain_limit,
                 } = *material;
                 [density, young, poisson, thickness].digest(hash);
-                // Without a limit, the hash is that of earlier versions.
+                // Without it, the hash is that of earlier versions. The same holds for rods.
                 if let Some(limit) = strain_limit {
                     limit.digest(hash);
                 }
@@ -109,8 +109,12 @@ impl Digest for BodyKind {
                     density,
                     young,
                     radius,
+                    shear,
                 } = *material;
                 [density, young, radius].digest(hash);
+                if let Some(shear) = shear {
+                    shear.digest(hash);
+                }
             }
             Self::Particles { material } => {
                 let ParticleProperties { density, radius } = *material;

@@ -14,6 +14,7 @@ mod origins;
 mod parts;
 mod selection;
 mod springs;
+mod twists;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -28,6 +29,7 @@ use nalgebra::Vector3;
 use crate::body::Body;
 use crate::carriers::Carriers;
 use crate::contact::{Barrier, Part, Surface, Weights};
+use crate::elasticity::Chain;
 use crate::energy::Energy;
 use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
@@ -40,6 +42,7 @@ pub use body_error::{BodyError, Selecting};
 pub use designation::Designation;
 pub use error::SystemError;
 pub use fingerprint::Fingerprint;
+pub(crate) use twists::turn;
 
 /// The vertices, masses, elements and scripts of a scene.
 #[derive(Clone, Debug)]
@@ -51,6 +54,8 @@ pub struct System {
     pub(crate) elements: Vec<Arc<dyn Energy>>,
     /// The map from unknowns to vertices.
     pub(crate) carriers: Carriers,
+    /// The parts of rods that resist twist.
+    chains: Vec<Chain>,
     tetrahedra: Vec<[u32; 4]>,
     /// The hash of the materials, for the fingerprint.
     materials: String,
@@ -172,6 +177,7 @@ impl System {
             masses: parts.masses,
             elements: parts.elements,
             carriers: parts.carriers,
+            chains: parts.chains,
             tetrahedra: parts.tetrahedra,
             materials: Fingerprint::materials(bodies),
             scripts: parts.scripts,

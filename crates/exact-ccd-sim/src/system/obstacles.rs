@@ -15,7 +15,7 @@ impl System {
             half_space
                 .check(number)
                 .map_err(|source| SystemError::HalfSpace {
-                    half_space: Designation::of_half_space(number, &half_space.name),
+                    half_space: Designation::of_half_space(number, half_space.name.as_str()),
                     source,
                 })?;
         }

@@ -12,7 +12,8 @@ use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::carriers::Carriers;
-use crate::elasticity::{Bend, Membrane, StrainLimit, Stretch, Tetrahedron, bending};
+use crate::chains::chains;
+use crate::elasticity::{Bend, Chain, Membrane, StrainLimit, Stretch, Tetrahedron, bending};
 use crate::energy::{Energy, gather};
 use crate::range::{OutOfRange, check, check_finite, check_positive};
 use crate::scripted::Coordinates;
@@ -26,6 +27,8 @@ pub(super) struct Parts {
     pub(super) faces: Vec<[u32; 3]>,
     /// The edges of rods.
     pub(super) edges: Vec<[u32; 2]>,
+    /// The parts of rods that resist twist.
+    pub(super) chains: Vec<Chain>,
     /// The particles.
     pub(super) particles: Vec<u32>,
     pub(super) offsets: Vec<f64>,
@@ -178,7 +181,8 @@ impl Parts {
     fn add_rod(&mut self, edges: Vec<[u32; 2]>, material: &RodProperties) -> Result<(), BodyError> {
         check_positive("density", material.density)
             .and(check_positive("radius", material.radius))
-            .and(check_positive("young", material.young))?;
+            .and(check_positive("young", material.young))
+            .and(check_positive("shear", material.shear.unwrap_or(1.0)))?;
         for (element, ends) in edges.iter().enumerate() {
             let stretch = Stretch::new(*ends, &self.start, material.axial_stiffness())
                 .ok_or(BodyError::Flat { element })?;
@@ -194,6 +198,10 @@ impl Parts {
             let bend = Bend::new(corners, &self.start, material.flexural_rigidity());
             let bend = bend.ok_or(BodyError::Folded { element })?;
             self.elements.push(Arc::new(bend));
+        }
+        if let Some(rigidity) = material.torsional_rigidity() {
+            let chain = |vertices| Chain::new(vertices, &self.start, rigidity);
+            self.chains.extend(chains(&edges).into_iter().map(chain));
         }
         self.edges.extend(edges);
         Ok(())

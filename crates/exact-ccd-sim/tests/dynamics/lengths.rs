@@ -65,7 +65,7 @@ fn warnings_name_the_bodies() {
         gap: 0.01,
         distance: 0.02,
     };
-    assert_eq!(warnings(0.01, 0.02), [near.clone()]);
+    assert_eq!(warnings(0.01, 0.02), std::slice::from_ref(&near));
     assert!(
         near.to_string()
             .starts_with("body[0] and body[1] start 1.000e-2 m apart, less than ")

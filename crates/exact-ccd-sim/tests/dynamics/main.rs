@@ -19,6 +19,7 @@ mod measure;
 mod newton;
 mod rest;
 mod resume;
+mod rod_twist;
 mod rods;
 mod script_starts;
 mod scripted_axes;

@@ -21,7 +21,7 @@ fn start(bodies: &[Body]) -> Result<Simulation, SimulationError> {
 /// The primitives that intersect or touch at the start.
 fn primitives(bodies: &[Body]) -> [BodyPrimitive; 2] {
     match start(bodies).err().unwrap() {
-        SimulationError::Start { primitives, .. } => primitives,
+        SimulationError::Start { primitives, .. } => *primitives,
         other => panic!("{other}"),
     }
 }

@@ -79,7 +79,7 @@ fn a_stretched_cloth_has_the_energy_of_the_theory() {
         until: None,
     };
     let scripts = [Script::Fixed.on(side(0.0)), pull.on(side(1.0))];
-    let system = System::new(&[body.clone()], &scripts).unwrap();
+    let system = System::new(std::slice::from_ref(&body), &scripts).unwrap();
     let settings = Settings {
         gravity: [0.0; 3],
         time_step: 0.5,

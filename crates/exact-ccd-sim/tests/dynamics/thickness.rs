@@ -282,7 +282,7 @@ fn errors_name_the_first_pair_within_its_thickness() {
         body: Designation::of_body(place, ""),
     };
     let expected = SimulationError::Close {
-        primitives: [0, 1].map(|place| of_body(place, Primitive::Vertex(0))),
+        primitives: Box::new([0, 1].map(|place| of_body(place, Primitive::Vertex(0)))),
         thickness: 0.5,
         near: [0.0; 3],
     };
@@ -298,7 +298,7 @@ fn errors_name_the_first_pair_within_its_thickness() {
         panic!("the particle is within the thickness")
     };
     assert_eq!(
-        primitives,
+        *primitives,
         [
             of_body(0, Primitive::Edge([1, 2])),
             of_body(1, Primitive::Vertex(0))
