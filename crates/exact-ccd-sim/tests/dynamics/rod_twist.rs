@@ -115,8 +115,8 @@ fn a_twisted_rod_buckles_at_the_critical_torque() {
     );
 }
 
-/// A bent rod that turns as a whole about an axis which is none of its directions is not twisted: the turns of
-/// its ends and the holonomy of its directions cancel.
+/// A bent rod that turns as a whole about an axis which is none of its directions is not twisted: the turns
+/// of its ends and the holonomy of its directions cancel.
 #[test]
 fn a_rod_that_turns_as_a_whole_is_not_twisted() {
     let (body, material) = rod(4e5);
