@@ -11,8 +11,8 @@ use crate::energy::{Energy, Projection};
 pub(crate) struct Chain {
     /// Its vertices, in their order: at least three.
     vertices: Vec<u32>,
-    /// G J / L, in J, with the torsional rigidity G J in N m² and the length L at rest between the midpoints of
-    /// the first and the last edge.
+    /// G J / L, in J, with the torsional rigidity G J in N m² and the length L at rest between the midpoints
+    /// of the first and the last edge.
     stiffness: f64,
 }
 
@@ -34,9 +34,9 @@ impl Chain {
     }
 }
 
-/// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The twist is uniform along the chain:
-/// the cross sections of an isotropic rod turn to the least energy at once, because waves of twist are much
-/// faster than those of bending (M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete
+/// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The twist is uniform along the
+/// chain: the cross sections of an isotropic rod turn to the least energy at once, because waves of twist are
+/// much faster than those of bending (M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete
 /// elastic rods*, 2008, section 5).
 ///
 /// φ is the angle between the frames of both ends, of which one is transported along the chain without
@@ -186,8 +186,8 @@ pub(crate) fn angle_about(axis: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3
     from.cross(to).dot(axis).atan2(from.dot(to))
 }
 
-/// A vector across the direction `from`, turned with it to the direction `to` by the least rotation: for v · s
-/// = 0, it is v − (v · t) (s + t) / (1 + s · t).
+/// A vector across the direction `from`, turned with it to the direction `to` by the least rotation: for the
+/// vector v with v · s = 0, it is v − (v · t) (s + t) / (1 + s · t).
 pub(crate) fn transported(vector: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> Vector3<f64> {
     vector - (from + to) * (vector.dot(to) / (1.0 + from.dot(to)))
 }

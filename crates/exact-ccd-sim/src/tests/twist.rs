@@ -65,8 +65,8 @@ fn the_derivatives_of_twist_match_differences() {
 }
 
 /// The inner vertices of a chain move on closed paths of many small time steps, each of which continues with
-/// the twist of the one before. At the end, the twist is that at the start; on the way it is another one. It is
-/// the same as in one time step to the same place.
+/// the twist of the one before. At the end, the twist is that at the start; on the way it is another one. It
+/// is the same as in one time step to the same place.
 #[test]
 fn twist_is_a_function_of_the_shape() {
     let mut random = fastrand::Rng::with_seed(32);

@@ -40,8 +40,8 @@ fn settings(gravity: f64) -> Settings {
     }
 }
 
-/// The torque G J φ / L is the derivative of the energy ½ G J φ² / L by the angle φ between the ends, over three
-/// turns. A simulation that is resumed continues with the same bits.
+/// The torque G J φ / L is the derivative of the energy ½ G J φ² / L by the angle φ between the ends, over
+/// three turns. A simulation that is resumed continues with the same bits.
 #[test]
 fn a_twisted_rod_has_the_energy_of_the_theory() {
     let (body, material) = rod(1e4);
@@ -98,8 +98,8 @@ fn deflection(angle: f64) -> f64 {
     positions.map(|x| x[1].hypot(x[2])).fold(0.0, f64::max)
 }
 
-/// A straight rod with clamped ends buckles at the torque M with M L / (E I) = 8.9868, twice the first solution
-/// of tan x = x (A. G. Greenhill, 1883).
+/// A straight rod with clamped ends buckles at the torque M with M L / (E I) = 8.9868, twice the first
+/// solution of tan x = x (A. G. Greenhill, 1883).
 #[test]
 fn a_twisted_rod_buckles_at_the_critical_torque() {
     let critical = 8.9868;
