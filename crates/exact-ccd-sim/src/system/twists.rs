@@ -22,8 +22,8 @@ impl System {
 pub(crate) type Carried<'a> = dyn Fn(u32, Vector3<f64>) -> [Point; 2] + 'a;
 
 /// The angle by which the cross section at the last edge of a chain turns between two times, minus the angle
-/// at the first edge. It is measured about the direction of the edge, relative to a frame that turns with this
-/// direction by the least rotation, and less than half a turn for each end.
+/// at the first edge. It is measured about the direction of the edge, relative to a frame that turns with
+/// this direction by the least rotation, and less than half a turn for each end.
 pub(crate) fn turn(chain: &Chain, carried: &Carried<'_>) -> f64 {
     let [first, last] = chain.ends().map(|edge| turn_of(edge, carried));
     last - first
