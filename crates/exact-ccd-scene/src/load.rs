@@ -127,7 +127,7 @@ impl Scene {
         };
         // A simulation checks the settings, of which the number of steps needs a positive time step.
         let simulation = scene.simulation();
-        simulation.map_err(|error| of_simulation(&scene.system, &error))?;
+        simulation.map_err(|error| of_simulation(&error))?;
         scene.steps = steps(duration, scene.settings.time_step)?;
         Ok(scene)
     }

@@ -1,6 +1,6 @@
 //! From the text of a scene file to its contents.
 
-use toml::de::{DeTable, DeValue};
+use toml::de::DeTable;
 
 use super::description::Description;
 use super::document::{Document, SceneError};
@@ -23,18 +23,30 @@ pub(super) fn parse(document: &Document<'_>) -> Result<Description, SceneError> 
     })
 }
 
-/// The path of `[body]`, or of one of its tables as `[body.script]`, in single brackets, if there is one.
+/// The path of the first table in single brackets, as `[body]`, where an array of tables is expected, if
+/// there is one.
 fn table_for_array(text: &str) -> Option<String> {
-    let table = DeTable::parse(text).ok()?;
-    let bodies = match table.get_ref().get("body")?.get_ref() {
-        DeValue::Table(_) => return Some("body".to_owned()),
-        bodies => bodies.as_array()?,
+    let root = DeTable::parse(text).ok()?;
+    let root = root.get_ref();
+    let single = |table: &DeTable<'_>, names: &[&str]| {
+        let is_table = |name: &&&str| table.get(**name).is_some_and(|value| value.get_ref().is_table());
+        names.iter().find(is_table).map(|name| (*name).to_owned())
     };
+    if let Some(name) = single(root, &["body", "half-space", "spring"]) {
+        return Some(name);
+    }
+    let friction = root
+        .get("settings")
+        .and_then(|settings| settings.get_ref().get("friction"));
+    let friction = friction.and_then(|friction| friction.get_ref().as_table());
+    if let Some(name) = friction.and_then(|friction| single(friction, &["pair"])) {
+        return Some(format!("settings.friction.{name}"));
+    }
+    let bodies = root.get("body")?.get_ref().as_array()?;
     bodies.iter().enumerate().find_map(|(index, body)| {
         let body = body.get_ref().as_table()?;
-        let is_single = |name: &&str| body.get(*name).is_some_and(|value| value.get_ref().is_table());
-        let single = ["script", "load", "region"].into_iter().find(is_single)?;
-        Some(format!("body.{index}.{single}"))
+        let name = single(body, &["script", "load", "region"])?;
+        Some(format!("body.{index}.{name}"))
     })
 }
 

@@ -76,6 +76,33 @@ fn the_cloth_hangs_by_its_corners() {
     assert!(lowest < -0.3, "{lowest}");
 }
 
+/// The ball stretches the cloth almost to its limit, which no edge exceeds in any increment.
+#[test]
+fn the_cloth_catches_the_ball() {
+    let limit = 0.05;
+    let scene = scene("caught-ball.toml");
+    let rest = scene.system.start().to_vec();
+    let cloth = scene.system.body_vertices()[0].clone();
+    let edges = scene.system.surface().edges().iter();
+    let edges: Vec<[u32; 2]> = edges.copied().filter(|edge| cloth.contains(&edge[0])).collect();
+    let length = |points: &[Point], [a, b]: [u32; 2]| {
+        let [a, b] = [a, b].map(|vertex| points[vertex as usize]);
+        (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>().sqrt()
+    };
+    let mut simulation = scene.simulation().unwrap();
+    let mut most = 0.0_f64;
+    for _ in 0..20 {
+        let statistics = simulation.step_along(&mut |positions| {
+            let stretches = edges
+                .iter()
+                .map(|&edge| length(positions, edge) / length(&rest, edge));
+            most = stretches.fold(most, f64::max);
+        });
+        assert!(statistics.unwrap().converged);
+    }
+    assert!(1.0 + 0.7 * limit < most && most < 1.0 + limit, "{most}");
+}
+
 #[test]
 fn the_small_mat_is_the_same_on_any_number_of_threads() {
     let on = |threads: usize| {

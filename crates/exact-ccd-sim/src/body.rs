@@ -46,7 +46,8 @@ pub enum BodyKind {
         /// Its material.
         material: ShellProperties,
     },
-    /// A thin elastic rod, or several of them. They do not resist twist.
+    /// A thin elastic rod, or several of them. They resist twist between ends that are held, if the material
+    /// has a shear modulus.
     Rod {
         /// Its edges. The rods bend at the vertices of two edges; more than two edges are hinged.
         edges: Vec<[u32; 2]>,
@@ -109,6 +110,9 @@ pub struct ShellProperties {
     pub poisson: f64,
     /// The thickness, in m. It enters mass and stiffness, but not contact.
     pub thickness: f64,
+    /// The limit ε of the strain: no principal stretch reaches 1 + ε. `None` for no limit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strain_limit: Option<f64>,
 }
 
 /// The material of a rod with a circular cross section.
@@ -121,6 +125,9 @@ pub struct RodProperties {
     pub young: f64,
     /// The radius of the cross section, in m. It enters mass and stiffness, but not contact.
     pub radius: f64,
+    /// The shear modulus G in Pa, by which a rod between two held ends resists twist. `None`: it does not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear: Option<f64>,
 }
 
 /// The material of particles, which are balls.
@@ -237,6 +244,16 @@ impl RodProperties {
     #[must_use]
     pub fn flexural_rigidity(&self) -> f64 {
         0.25 * self.axial_stiffness() * self.radius * self.radius
+    }
+}
+
+impl RodProperties {
+    /// The torsional rigidity G J, with the polar moment of area J = π r⁴ / 2, in N m². `None` without a
+    /// shear modulus.
+    #[must_use]
+    pub fn torsional_rigidity(&self) -> Option<f64> {
+        let moment = 0.5 * self.area() * self.radius * self.radius;
+        self.shear.map(|shear| shear * moment)
     }
 }
 

@@ -38,6 +38,7 @@ mod anchor;
 mod bends;
 mod body;
 mod carriers;
+mod chains;
 mod checkpoint;
 mod contact;
 mod damper;
@@ -51,6 +52,7 @@ mod friction;
 mod half_space;
 mod hinges;
 mod integrator;
+mod iteration;
 mod load;
 mod moments;
 mod psd;
@@ -77,16 +79,17 @@ pub use elasticity::{ElasticModuli, SolidMaterial};
 pub use filter::StepFilter;
 pub use half_space::{HalfSpace, HalfSpaceError, Plane};
 pub use integrator::Integrator;
+pub use iteration::Iteration;
 pub use load::{Force, Load};
 pub use range::OutOfRange;
 pub use script::{KeyFrame, Script};
 pub use scripted::Scripted;
 pub use settings::{Formulation, Friction, FrictionPair, Length, LineSearch, Settings};
-pub use simulation::{Contact, Primitive, Simulation, SimulationError, Warning};
+pub use simulation::{BodyPrimitive, Contact, Primitive, Simulation, SimulationError, Warning};
 pub use spring::{Spring, SpringEnd};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
-pub use system::{Fingerprint, System, SystemError};
+pub use system::{BodyError, Designation, Fingerprint, Selecting, System, SystemError};
 
 /// The example of the README, as a documentation test.
 #[cfg(doctest)]

@@ -6,6 +6,7 @@ mod filters;
 mod folder;
 mod grid;
 mod interrupt;
+mod iterations;
 mod json;
 mod layout;
 mod line;
@@ -169,7 +170,13 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     let mut notes = Notes::default();
     scene.notes.iter().for_each(|text| notes.note(text.to_string()));
     let (simulation, mut folder) = match &arguments.output {
-        None => (scene.simulation()?, None),
+        None => {
+            let simulation = scene.simulation();
+            (
+                simulation.map_err(|error| Failure::of(&arguments.scene, error))?,
+                None,
+            )
+        }
         Some(folder) => {
             let (simulation, folder) = open(folder, &scene, arguments)?;
             (simulation, Some(folder))
@@ -193,11 +200,10 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         print(&scene_line)?;
     }
     if simulation.state().step == 0 {
-        let system = simulation.system();
         let warnings = simulation.warnings();
         warnings
             .iter()
-            .for_each(|warning| notes.warn(warning.with_names(system)));
+            .for_each(|warning| notes.warn(warning.to_string()));
     }
     let text_of_page = format!(
         "{}\n{}",
@@ -218,6 +224,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     }
     let bar = progress::bar(usize::try_from(remaining).unwrap_or(usize::MAX), "time steps");
     let lines = bar.clone();
+    simulation = iterations::watched(simulation, &bar);
     let ended = during(bar, |progress| -> Result<Ended, Failure> {
         while simulation.state().step < steps {
             let mut path = folder
@@ -232,7 +239,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             if matches!(stepped, Err(SimulationError::Interrupted { .. })) && command.is_some() {
                 return Ok(Ended::Interrupted);
             }
-            let statistics = stepped?;
+            let statistics = stepped.map_err(|error| Failure::of(&arguments.scene, error))?;
             let path = path.map_or_else(|| Ok(Vec::new()), path::Path::finish)?;
             if let Some(queries) = &mut queries {
                 queries.add(statistics.step)?;
@@ -305,7 +312,8 @@ fn open(folder: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Simulati
         let folder = OutputFolder::resume(folder, &simulation, every)?;
         Ok((simulation, folder))
     } else {
-        let simulation = scene.simulation()?;
+        let simulation = scene.simulation();
+        let simulation = simulation.map_err(|error| Failure::of(&arguments.scene, error))?;
         let folder = OutputFolder::begin(folder, &simulation, every, arguments.overwrite)?;
         Ok((simulation, folder))
     }

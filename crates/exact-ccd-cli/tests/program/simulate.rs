@@ -332,7 +332,7 @@ motion = { key-frames = { frames = [{ time = 0.0 }, { time = 0.1, translate = [0
             "normal = [0.0, 0.0, 0.0]",
             "line 5, half-space[0].normal: ",
         ),
-        ("0.002", "-0.002", "body[0]: a vertex at "),
+        ("0.002", "-0.002", "body[0]: vertex "),
         ("until = 0.05", "until = -1.0", "body[0].load[0].until: "),
         (
             "time = 0.1",

@@ -65,6 +65,11 @@ fn each_keyword_changes_its_setting() {
         ("energy FCR", "energy = \"fixed-corotated\""),
         ("timeIntegration BE", "integrator = \"implicit-euler\""),
         ("dampingRatio 0", "damping = 0.0"),
+        ("dampingStiff 0", "damping = 0.0"),
+        // ¾ r h for the time step h, and s / h².
+        ("dampingRatio 0.5\ntime 2 0.5", "stiffness-damping = 0.1875"),
+        ("dampingRatio 4\ntime 2 0.5", "stiffness-damping = 0.375"),
+        ("time 2 0.5\ndampingStiff 0.5", "stiffness-damping = 2.0"),
         ("selfFric 0.3", "[settings.friction]\ncoefficient = 0.3\nlags = 1"),
         ("fricIterAmt 4", "coefficient = 0.0\nlags = 4"),
         ("fricIterAmt -1", "coefficient = 0.0\nlags = 100"),

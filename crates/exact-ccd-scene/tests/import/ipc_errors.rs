@@ -14,14 +14,6 @@ fn errors_name_line_and_keyword() {
             "`timeIntegration`: another time integration than implicit Euler (`BE`)",
         ),
         (
-            "dampingRatio 0.1",
-            "`dampingRatio`: damping proportional to the stiffness",
-        ),
-        (
-            "dampingStiff 1",
-            "`dampingStiff`: damping proportional to the stiffness",
-        ),
-        (
             "constraintSolver SQP",
             "`constraintSolver`: another treatment of contact than by barriers",
         ),

@@ -74,12 +74,12 @@ fn errors_are_at_their_fields() {
         (
             "[[body.load]]",
             "[[body.script]]\nvertices = { vertices = [0] }\nmotion = \"fixed\"\n\n[[body.load]]",
-            "1 of the 8 vertices of body `cube` are selected, expected none or all",
+            "body `cube`, script[0].vertices: 1 of the 8 vertices are selected, expected none or all",
         ),
         (
             "[[body.load]]",
             "[[body.load]]\nvertices = { vertices = [0, 1] }",
-            "2 of the 8 vertices of body `cube` are selected, expected none or all",
+            "body `cube`, load[0].vertices: 2 of the 8 vertices are selected, expected none or all",
         ),
         (
             "between = [\"ring\"]",

@@ -135,7 +135,7 @@ fn errors_of_rods_and_particles_name_their_field() {
         ),
         (
             vec![line, ROD, "offset = 0.3"],
-            "edge [2, 3] of body[0] and edge [0, 1] of body[0] are within the sum of their offsets, 0.6 m, at the start",
+            "edge [0, 1] of body[0] and edge [2, 3] of body[0] are within the sum of their offsets, 0.6 m, at the start",
         ),
     ];
     for (lines, expected) in cases {

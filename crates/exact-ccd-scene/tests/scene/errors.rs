@@ -252,8 +252,8 @@ fn numbers_out_of_range_are_reported_at_their_field() {
     assert_errors(&cases);
     let meeting = error_with("translate = [0.0, 0.0, 3.0]", "translate = [0.2, 0.1, 0.6]");
     assert!(
-        meeting.contains("of body[1] and ")
-            && meeting.contains("of body[0] intersect or touch at the start, near ["),
+        meeting.contains("of body[0] and ")
+            && meeting.contains("of body[1] intersect or touch at the start, near ["),
         "{meeting}"
     );
     let empty = parse("duration = 1.0").err().unwrap();
@@ -280,6 +280,22 @@ fn single_brackets_are_reported_as_the_mistake() {
         single.err().unwrap(),
         "scene.toml, line 2, body: found the table `[body]`, expected an array of tables: write `[[body]]`"
     );
+    for (table, name) in [
+        ("[spring]\nbetween = [\"a\"]", "spring"),
+        ("[half-space]\nnormal = [0.0, 1.0, 0.0]", "half-space"),
+        (
+            "[settings.friction.pair]\ncoefficient = 0.0",
+            "settings.friction.pair",
+        ),
+    ] {
+        assert_eq!(
+            parse(&format!("duration = 1.0\n{table}")).err().unwrap(),
+            format!(
+                "scene.toml, line 2, {name}: found the table `[{name}]`, expected an array of tables: \
+                 write `[[{name}]]`"
+            )
+        );
+    }
     let script = parse("duration = 1.0\n[[body]]\nmesh = \"a.obj\"\n[body.script]\nmotion = \"fixed\"");
     assert_eq!(
         script.err().unwrap(),
@@ -409,12 +425,16 @@ fn errors_have_the_names_of_bodies() {
     let ground = "\n[[half-space]]\nname = \"ground\"\nnormal = [0.0, 1.0, 0.0]\npoint = [0.0, 9.0, 0.0]\n";
     let grounded = parse(&format!("{named}{ground}")).err().unwrap();
     assert!(
-        grounded.contains("body `part`: a vertex at ") && grounded.contains(" touches half-space `ground` "),
+        grounded.contains("body `part`: vertex ")
+            && grounded.contains(" of body `part` touches half-space `ground` "),
         "{grounded}"
     );
     let vertical = ground.replace("[0.0, 1.0, 0.0]", "[0.0, 0.0, 0.0]");
     let vertical = parse(&format!("{named}{vertical}")).err().unwrap();
-    assert!(vertical.contains("half-space `ground`, normal: "), "{vertical}");
+    assert!(
+        vertical.contains("half-space `ground`, normal: the normal is [0.0, 0.0, 0.0], expected"),
+        "{vertical}"
+    );
     // An empty name is none.
     let unnamed = named
         .replace("name = \"part\"", "name = \"\"")

@@ -13,9 +13,9 @@ use crate::energy::{Energy, Projection, first_blocks, first_rows, gather};
 /// Source: M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete elastic rods*, ACM
 /// Transactions on Graphics 27(3), 2008, section 4.2, for an isotropic rod. κ is the length of their
 /// curvature binormal. A vertex stands for the half M / 2 of its edges, on which the curvature of the rod is
-/// κ / (M/2): ½ E I κ² / (M/2) is the energy of a beam. The rods here do not resist twist. Then the
-/// cross sections of a rod that is curved at rest turn until the energy is least, and the energy depends only
-/// on the lengths of the curvatures, not on their directions.
+/// κ / (M/2): ½ E I κ² / (M/2) is the energy of a beam. The cross sections of a rod that is curved at rest
+/// turn until this energy is least, whatever resistance there is to twist, so that it depends only on the
+/// lengths of the curvatures, not on their directions.
 ///
 /// The energy is infinite if an edge has no length, or if the second edge returns along the first; the
 /// derivatives are zero there.
@@ -173,7 +173,7 @@ impl Shape {
 }
 
 /// The derivative of both edges by the points.
-fn ends() -> SMatrix<f64, 6, 9> {
+pub(super) fn ends() -> SMatrix<f64, 6, 9> {
     SMatrix::from_fn(
         |row, column| match (row % 3 == column % 3, (column / 3).checked_sub(row / 3)) {
             (true, Some(0)) => -1.0,

@@ -4,10 +4,12 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3x2, SMatrix};
 
 use super::lame::ElasticModuli;
+use super::strain_limit::StrainLimit;
 use crate::energy::{Energy, Projection, first_blocks, gather};
 
 /// A triangle of a thin shell under plane stress, with the Saint Venant-Kirchhoff energy
-/// h A (μ |E|² + λ/2 tr² E) of the strain E = ½ (FᵀF − 1) in the plane of the triangle.
+/// h A (μ |E|² + λ/2 tr² E) of the strain E = ½ (FᵀF − 1) in the plane of the triangle. The stretches can
+/// have a limit.
 #[derive(Debug)]
 pub(crate) struct Membrane {
     vertices: [u32; 3],
@@ -17,6 +19,7 @@ pub(crate) struct Membrane {
     thickness: f64,
     mu: f64,
     lambda: f64,
+    limit: Option<StrainLimit>,
 }
 
 impl Membrane {
@@ -45,7 +48,13 @@ impl Membrane {
             thickness,
             mu: moduli.shear(),
             lambda: moduli.plane_lambda(),
+            limit: None,
         })
+    }
+
+    /// The same triangle with another limit of its stretches.
+    pub(crate) fn with_limit(self, limit: Option<StrainLimit>) -> Self {
+        Self { limit, ..self }
     }
 
     /// The volume at rest, in m³.
@@ -58,8 +67,26 @@ impl Membrane {
         Matrix3x2::from_columns(&[a - origin, b - origin]) * self.shape.fixed_view::<2, 2>(1, 0)
     }
 
-    /// The second Piola-Kirchhoff stress 2 μ E + λ tr E.
-    fn stress(&self, strain: &Matrix2<f64>) -> Matrix2<f64> {
+    /// The second Piola-Kirchhoff stress at C = FᵀF.
+    fn stress(&self, c: &Matrix2<f64>) -> Matrix2<f64> {
+        let stress = self.linear(&strain(c));
+        match &self.limit {
+            None => stress,
+            Some(limit) => stress + limit.stress(c),
+        }
+    }
+
+    /// The differential of the stress at C along dC.
+    fn differential(&self, c: &Matrix2<f64>, change: &Matrix2<f64>) -> Matrix2<f64> {
+        let differential = self.linear(&(change * 0.5));
+        match &self.limit {
+            None => differential,
+            Some(limit) => differential + limit.differential(c, change),
+        }
+    }
+
+    /// The stress 2 μ E + λ tr E without a limit.
+    fn linear(&self, strain: &Matrix2<f64>) -> Matrix2<f64> {
         strain * (2.0 * self.mu) + Matrix2::identity() * (self.lambda * strain.trace())
     }
 }
@@ -70,20 +97,25 @@ impl Energy for Membrane {
     }
 
     fn value(&self, points: &[Point]) -> f64 {
-        let strain = strain(&self.deformation(points));
+        let f = self.deformation(points);
+        let c = f.tr_mul(&f);
+        let strain = strain(&c);
         let trace = strain.trace();
-        self.volume() * (self.mu * strain.norm_squared() + 0.5 * self.lambda * trace * trace)
+        let density = self.mu * strain.norm_squared() + 0.5 * self.lambda * trace * trace;
+        let limited = self.limit.map_or(0.0, |limit| limit.value(&c));
+        self.volume() * (density + limited)
     }
 
     fn gradient(&self, points: &[Point]) -> DVector<f64> {
         let f = self.deformation(points);
-        let forces = f * self.stress(&strain(&f)) * self.shape.transpose() * self.volume();
+        let forces = f * self.stress(&f.tr_mul(&f)) * self.shape.transpose() * self.volume();
         DVector::from_column_slice(forces.as_slice())
     }
 
     fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
         let f = self.deformation(points);
-        let stress = self.stress(&strain(&f));
+        let c = f.tr_mul(&f);
+        let stress = self.stress(&c);
 
         // The Hessian by the columns of F, stacked into one vector: dP = dF S + F dS.
         let mut second = SMatrix::<f64, 6, 6>::zeros();
@@ -91,7 +123,7 @@ impl Energy for Membrane {
             let mut change = Matrix3x2::<f64>::zeros();
             change[column] = 1.0;
             let product = f.tr_mul(&change);
-            let dstress = self.stress(&((product + product.transpose()) * 0.5));
+            let dstress = self.differential(&c, &(product + product.transpose()));
             let dp = change * stress + f * dstress;
             second.set_column(column, &SMatrix::<f64, 6, 1>::from_column_slice(dp.as_slice()));
         }
@@ -106,7 +138,7 @@ impl Energy for Membrane {
     }
 }
 
-/// The Green strain ½ (FᵀF − 1).
-fn strain(f: &Matrix3x2<f64>) -> Matrix2<f64> {
-    (f.tr_mul(f) - Matrix2::identity()) * 0.5
+/// The Green strain ½ (C − 1) of C = FᵀF.
+fn strain(c: &Matrix2<f64>) -> Matrix2<f64> {
+    (c - Matrix2::identity()) * 0.5
 }

@@ -26,6 +26,7 @@ pub const CLOTH: ShellProperties = ShellProperties {
     young: 1e5,
     poisson: 0.3,
     thickness: 1e-3,
+    strain_limit: None,
 };
 
 /// A box of [`RUBBER`] with a corner at the origin. It has `cells` cells along the axes, at least one each.

@@ -12,6 +12,7 @@ pub const ROPE: RodProperties = RodProperties {
     density: 1000.0,
     young: 1e6,
     radius: 0.01,
+    shear: None,
 };
 
 /// Bead-like: 1000 kg/m³, a radius of 1 cm.

@@ -2,8 +2,9 @@
 
 use exact_ccd_mesh::Point;
 
-use super::start::Primitive;
+use super::start::BodyPrimitive;
 use crate::range::OutOfRange;
+use crate::system::Designation;
 
 /// An error at the start of a simulation or in a time step.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -80,19 +81,19 @@ pub enum SimulationError {
     )]
     Start {
         /// The two primitives.
-        primitives: [Primitive; 2],
+        primitives: Box<[BodyPrimitive; 2]>,
         /// The position of one of their vertices, in m.
         near: Point,
     },
     /// Two primitives start nearer than the thickness of their surfaces.
     #[error(
-        "{} and {} are within {thickness} m of each other at the start, near {near:?}, \
-         expected a distance above the sum of their offsets",
+        "{} and {} are within the sum of their offsets, {thickness} m, at the start, near {near:?}, \
+         expected a larger distance between them",
         primitives[0], primitives[1]
     )]
     Close {
         /// The two primitives.
-        primitives: [Primitive; 2],
+        primitives: Box<[BodyPrimitive; 2]>,
         /// The sum of the offsets of their bodies, in m.
         thickness: f64,
         /// The position of one of their vertices, in m.
@@ -100,14 +101,14 @@ pub enum SimulationError {
     },
     /// A vertex touches a half space at the start, or is inside.
     #[error(
-        "vertex {vertex} is not apart from half space {half_space} at the start, at {near:?}, \
-         expected a positive distance above its offset"
+        "{vertex} touches {half_space} at the start, or is inside of it, at {near:?}, \
+         expected a positive distance above the offset of the body"
     )]
     Grounded {
         /// The vertex.
-        vertex: u32,
-        /// The half space, by its place in the list of half spaces.
-        half_space: usize,
+        vertex: BodyPrimitive,
+        /// The half space.
+        half_space: Designation,
         /// The position of the vertex, in m.
         near: Point,
     },
@@ -135,15 +136,20 @@ pub enum SimulationError {
          the line search `common`"
     )]
     AffineByVertex {
-        /// The body, by its name or its place.
-        body: String,
+        /// The body.
+        body: Designation,
     },
     /// The linear system of a Newton iteration has no finite solution: forces are not finite, or their
     /// magnitudes differ too much.
-    #[error("step {step}: the linear system of Newton's method has no solution; try a smaller time step")]
+    #[error(
+        "step {step}: the linear system of Newton's method has no solution; the forces are largest on {body}: \
+         set a smaller `time-step`, or check the numbers of its material, velocity and loads"
+    )]
     Singular {
         /// The number of the step.
         step: u64,
+        /// The body on which the forces are largest or not finite.
+        body: Designation,
     },
     /// The flag of [`Simulation::with_interrupt`](crate::Simulation::with_interrupt) is true.
     #[error("step {step}: interrupted")]

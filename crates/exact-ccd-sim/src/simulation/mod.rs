@@ -18,6 +18,7 @@ use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::StepFilter;
 use crate::friction::Coefficients;
+use crate::iteration::Iteration;
 use crate::range::{OutOfRange, check, check_finite, check_not_negative};
 use crate::settings::{LineSearch, Settings};
 use crate::solver::Memory;
@@ -26,7 +27,7 @@ use crate::system::{Fingerprint, System};
 
 pub use contacts::Contact;
 pub use error::SimulationError;
-pub use start::Primitive;
+pub use start::{BodyPrimitive, Primitive};
 pub use warning::Warning;
 
 /// The motion of a system under elasticity, gravity, contact and friction.
@@ -51,7 +52,11 @@ pub struct Simulation {
     state: State,
     fingerprint: Fingerprint,
     interrupt: Arc<AtomicBool>,
+    watch: Option<Arc<Watch>>,
 }
+
+/// A function that is called in each iteration of Newton's method.
+type Watch = dyn Fn(&Iteration) + Send + Sync;
 
 impl Simulation {
     /// The simulation of a system from its initial positions and velocities.
@@ -68,6 +73,7 @@ impl Simulation {
             stiffness: None,
             origins: BTreeMap::new(),
             behind: BTreeMap::new(),
+            twists: BTreeMap::new(),
         };
         Self::resume(system, settings, state)
     }
@@ -133,6 +139,7 @@ impl Simulation {
             memory: Memory::default(),
             state,
             interrupt: Arc::default(),
+            watch: None,
         })
     }
 
@@ -153,6 +160,14 @@ impl Simulation {
     #[must_use]
     pub fn with_interrupt(self, interrupt: Arc<AtomicBool>) -> Self {
         Self { interrupt, ..self }
+    }
+
+    /// The same simulation with a function that is called in each iteration of Newton's method, also of
+    /// attempts at a time step that are repeated in parts: for displays of progress. No result depends on it.
+    #[must_use]
+    pub fn with_watch(self, watch: impl Fn(&Iteration) + Send + Sync + 'static) -> Self {
+        let watch = Some(Arc::new(watch) as Arc<Watch>);
+        Self { watch, ..self }
     }
 
     /// The filter.
@@ -222,6 +237,9 @@ fn check_numbers(state: &State) -> Result<(), OutOfRange> {
     }
     let mut times = state.behind.values();
     times.try_for_each(|&time| check_not_negative("behind", time))?;
+    for angle in state.twists.values() {
+        check(angle.is_finite(), "twists", angle, "a finite number")?;
+    }
     check_not_negative("stiffness", state.stiffness.unwrap_or(0.0))
 }
 

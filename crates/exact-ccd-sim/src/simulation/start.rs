@@ -10,7 +10,7 @@ use crate::contact::Barrier;
 use crate::range::{FINITE, OutOfRange};
 use crate::settings::Formulation;
 use crate::state::State;
-use crate::system::System;
+use crate::system::{Designation, System};
 
 /// A primitive of a surface, by its vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +55,34 @@ impl fmt::Display for Primitive {
     }
 }
 
+/// A primitive of a body.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BodyPrimitive {
+    /// The primitive, with the vertex indices of the body.
+    pub primitive: Primitive,
+    /// The body.
+    pub body: Designation,
+}
+
+impl BodyPrimitive {
+    /// A primitive with the vertex indices of a system.
+    fn new(system: &System, primitive: Primitive) -> Self {
+        // A primitive has a vertex, and each vertex belongs to a body.
+        let body = system.body_of(primitive.vertices()[0]);
+        let first = system.body_vertices()[body].start;
+        Self {
+            primitive: primitive.map(|vertex| vertex - first),
+            body: system.designation(body),
+        }
+    }
+}
+
+impl fmt::Display for BodyPrimitive {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {}", self.primitive, self.body)
+    }
+}
+
 /// Checks that no two primitives intersect or touch, including those of two obstacles. An [`Audit`] of the
 /// recorded motion starts with the same check. Then checks that all pairs except those of two obstacles are
 /// farther apart than the sum of their offsets, that particles touch nothing, and that all bodies but
@@ -62,8 +90,8 @@ impl fmt::Display for Primitive {
 pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationError> {
     if let Some((vertex, half_space)) = system.first_grounded(&state.positions) {
         return Err(SimulationError::Grounded {
-            vertex,
-            half_space,
+            vertex: BodyPrimitive::new(system, Primitive::Vertex(vertex)),
+            half_space: system.designation(system.body_vertices().len() + half_space),
             near: state.positions[vertex as usize],
         });
     }
@@ -81,6 +109,7 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
     if let Some(violation) = violation {
         let primitives = primitives(system, &mesh, &violation);
         let near = at(state, primitives[0]);
+        let primitives = of_bodies(system, primitives);
         return Err(SimulationError::Start { primitives, near });
     }
     let positions = &state.positions;
@@ -94,7 +123,17 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
     Err(SimulationError::Close {
         thickness: system.contact_surface(Formulation::Sum).thickness(a, b),
         near: at(state, primitives[0]),
-        primitives,
+        primitives: of_bodies(system, primitives),
+    })
+}
+
+/// Two primitives with the names of their bodies, in the order of the bodies.
+fn of_bodies(system: &System, primitives: [Primitive; 2]) -> Box<[BodyPrimitive; 2]> {
+    let [a, b] = primitives.map(|primitive| BodyPrimitive::new(system, primitive));
+    Box::new(if b.body.place() < a.body.place() {
+        [b, a]
+    } else {
+        [a, b]
     })
 }
 

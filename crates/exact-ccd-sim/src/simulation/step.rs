@@ -11,13 +11,16 @@ use crate::anchor::Anchor;
 use crate::contact::{Collision, Collisions, StiffnessRange};
 use crate::damper::Damper;
 use crate::dirichlet::{Dirichlet, Motion};
+use crate::elasticity::{Chain, Twist};
 use crate::energy::Energy;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::integrator::{Integrator, Scheme};
+use crate::iteration::Iteration;
 use crate::scripted::Axes;
 use crate::solver::{Form, Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Seconds, Statistics};
+use crate::system::turn;
 
 /// A part of a time step. Scripts and loads act in a time step if they act at this part before its end, so
 /// that rounding errors of times do not shift them by a time step. It is smaller than the shortest part of a
@@ -202,13 +205,35 @@ impl Simulation {
         let origins = system.origins(&self.state.origins, &positions, end(part - 1), [before, moment]);
         let start = end(part - 1);
         let behind = &self.state.behind;
-        let path = |vertex: usize, fraction: f64| {
+        let at = |vertex: usize, fraction: f64| {
             let late = behind
                 .get(&(system.body_of(vertex as u32) as u32))
                 .unwrap_or(&0.0);
-            let time = time - (1.0 - fraction) * (time - (start - late));
-            system.scripts[vertex].position(&system.origins_of(&origins, vertex), moment, time)
+            time - (1.0 - fraction) * (time - (start - late))
         };
+        let path = |vertex: usize, fraction: f64| {
+            let origins = system.origins_of(&origins, vertex);
+            system.scripts[vertex].position(&origins, moment, at(vertex, fraction))
+        };
+        // The turn of the ends of a chain up to a fraction of the step. A script that begins within the step
+        // does not turn them before.
+        let turned = |chain: &Chain, fraction: f64| {
+            turn(chain, &|vertex, apart| {
+                let vertex = vertex as usize;
+                let scripts = &system.scripts[vertex];
+                let beginnings = scripts.beginning([before, moment]).into_iter().flatten();
+                let begin = beginnings.fold(f64::NEG_INFINITY, f64::max);
+                let origins = system.origins_of(&origins, vertex);
+                let origins = origins.map(|origin| (Vector3::from(origin) + apart).into());
+                [0.0, fraction].map(|part| scripts.position(&origins, moment, at(vertex, part).max(begin)))
+            })
+        };
+        let chains = system.held_chains(&held);
+        let angle = |number: &u32| self.state.twists.get(number).copied().unwrap_or(0.0);
+        let twist = |(number, chain): &(u32, &Chain)| {
+            Twist::new(chain, &positions, angle(number) + turned(chain, 1.0))
+        };
+        let twists: Vec<Twist> = chains.iter().map(twist).collect();
         let bodies = (0..).zip(system.body_vertices());
         let motions = bodies.filter_map(|(body, vertices)| {
             let unknowns = vertices
@@ -218,12 +243,25 @@ impl Simulation {
         });
         let motions = motions.collect();
         let mut now = Iterate {
-            stiffness: self.stiffness(&scheme, &inertia, &collisions, &range, &held),
+            stiffness: self.stiffness(&scheme, &inertia, &twists, &collisions, &range, &held),
             dirichlet: Dirichlet::new(motions, &path),
             positions,
             collisions,
         };
         let Self { system, settings, .. } = &*self;
+        let tolerance = settings.newton_tolerance(system.size());
+        let watch = |iteration: usize, residual: f64, collisions: &Collisions| {
+            if let Some(watch) = &self.watch {
+                watch(&Iteration {
+                    step,
+                    part: [part, parts],
+                    iteration,
+                    residual,
+                    tolerance,
+                    contacts: collisions.count(),
+                });
+            }
+        };
         let mut friction = Vec::new();
         for lag in 0..settings.friction.lags.max(1) {
             let iterations = statistics.iterations;
@@ -236,13 +274,15 @@ impl Simulation {
                 interrupt: &self.interrupt,
                 friction: &friction,
                 dampers: &dampers,
+                twists: &twists,
                 barrier: self.barrier,
                 range,
                 filter: &self.filter,
                 formulation: settings.formulation,
                 line_search: settings.line_search,
-                tolerance: settings.newton_tolerance(system.size()),
+                tolerance,
                 max_iterations: settings.max_iterations,
+                watch: &watch,
             };
             statistics.converged &= newton.minimise(&mut memory, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);
@@ -261,6 +301,17 @@ impl Simulation {
             (late > 0.0).then_some((motion.body, late))
         };
         let behind = now.dirichlet.motions().iter().filter_map(late).collect();
+        let fraction = |chain: &Chain| {
+            let body = system.body_of(chain.ends()[0][0]) as u32;
+            let mut motions = now.dirichlet.motions().iter();
+            let motion = motions.find(|motion| motion.body == body);
+            motion.map_or(1.0, |motion| motion.fraction)
+        };
+        let twisted = |((number, chain), twist): (&(u32, &Chain), &Twist)| {
+            let turn = turned(chain, fraction(chain)) - turned(chain, 1.0);
+            (*number, twist.angle(&now.positions) + turn)
+        };
+        let angles = chains.iter().zip(&twists).map(twisted).collect();
         let velocities = scheme.velocities(&now.positions);
         let potential = Potential {
             system,
@@ -269,6 +320,7 @@ impl Simulation {
             inertia: &inertia,
             friction: &friction,
             dampers: &dampers,
+            twists: &twists,
         };
         statistics.energies = energies(&potential, settings.gravity, time_step, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
@@ -290,6 +342,7 @@ impl Simulation {
                     .map(|stiffness| stiffness * scheme.duration.powi(-2)),
                 origins,
                 behind,
+                twists: angles,
             },
         );
         self.state.earlier = Some(Earlier {
@@ -305,6 +358,7 @@ impl Simulation {
         &self,
         scheme: &Scheme,
         inertia: &[Anchor],
+        twists: &[Twist],
         collisions: &Collisions,
         range: &StiffnessRange,
         held: &[Axes],
@@ -320,6 +374,7 @@ impl Simulation {
             inertia,
             friction: &[],
             dampers: &[],
+            twists,
         };
         let positions = &self.state.positions;
         let mut energy = potential.gradient(positions, &[]);
@@ -406,7 +461,8 @@ fn energies(
             .zip(velocities)
             .map(|(m, v)| 0.5 * m * Vector3::from(*v).norm_squared())
             .sum(),
-        elastic: potential.elasticity(1.0).value(&now.positions),
+        elastic: potential.elasticity(1.0).value(&now.positions)
+            + Form::of(potential.twists, 1.0).value(&now.positions),
         barrier: scale * Form::of(now.collisions.as_slice(), now.stiffness).value(&now.positions),
         // Slips are velocities times the effective time step, which is shorter than the time step for BDF2.
         friction: scale * friction * time_step / potential.duration,

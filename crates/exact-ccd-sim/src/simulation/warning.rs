@@ -1,35 +1,41 @@
 //! Warnings about a simulation that is valid, but unlikely to be intended.
 
-use std::fmt;
-
 use exact_ccd_mesh::Step;
 
 use super::Simulation;
 use crate::contact::Collisions;
-use crate::system::{System, designation};
+use crate::system::Designation;
 
 /// The largest contact distance without a warning, relative to the diagonal of the smallest body.
 const COARSE: f64 = 0.1;
 
 /// A property of a simulation that is valid, but unlikely to be intended.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Warning {
     /// The contact distance is large for a body, which rests visibly apart from others.
+    #[error(
+        "the contact distance, {distance:.3e} m, is more than a tenth of the size of {body}, {size:.3e} m: \
+         surfaces stay visibly apart; set a smaller `contact-distance`"
+    )]
     ContactDistance {
         /// The contact distance, in m.
         distance: f64,
-        /// The smallest body, by its place in the list of bodies.
-        body: usize,
+        /// The smallest body.
+        body: Designation,
         /// The diagonal of its bounding box, in m.
         size: f64,
     },
     /// Two bodies, two parts of one, or a body and a half space are within the contact distance. At the
     /// start, the barrier then pushes them apart in the first time steps.
+    #[error(
+        "{} start {gap:.3e} m apart, less than the contact distance, {distance:.3e} m: the barrier pushes them \
+         apart; set a smaller `contact-distance`, or place them farther apart",
+        both(bodies)
+    )]
     Near {
-        /// The two bodies, by their places in the list of bodies: twice the same for parts of one body, and
-        /// `None` for a half space.
-        bodies: (usize, Option<usize>),
+        /// The two bodies, or a body and a half space. Twice the same for parts of one body.
+        bodies: [Designation; 2],
         /// The distance between their contact surfaces, in m.
         gap: f64,
         /// The contact distance, in m.
@@ -37,44 +43,12 @@ pub enum Warning {
     },
 }
 
-impl Warning {
-    /// The text of the warning with the names of the bodies of a system in place of their numbers.
-    #[must_use]
-    pub fn with_names(&self, system: &System) -> String {
-        self.text(|body| system.designation(body))
-    }
-
-    fn text(&self, designation: impl Fn(usize) -> String) -> String {
-        match *self {
-            Self::ContactDistance { distance, body, size } => format!(
-                "the contact distance, {distance:.3e} m, is more than a tenth of the size of {}, \
-                 {size:.3e} m: surfaces stay visibly apart; set a smaller `contact-distance`",
-                designation(body)
-            ),
-            Self::Near {
-                bodies: (a, b),
-                gap,
-                distance,
-            } => {
-                let of_a = designation(a);
-                let both = match b {
-                    None => format!("{of_a} and a half space"),
-                    Some(b) if b == a => format!("two parts of {of_a}"),
-                    Some(b) => format!("{of_a} and {}", designation(b)),
-                };
-                format!(
-                    "{both} start {gap:.3e} m apart, less than the contact distance, {distance:.3e} m: \
-                     the barrier pushes them apart; set a smaller `contact-distance`, or place them farther apart"
-                )
-            }
-        }
-    }
-}
-
-/// The text with the numbers of bodies.
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text(|body| designation("body", body, "")))
+/// Two bodies, or two parts of one.
+fn both([a, b]: &[Designation; 2]) -> String {
+    if a == b {
+        format!("two parts of {a}")
+    } else {
+        format!("{a} and {b}")
     }
 }
 
@@ -92,6 +66,7 @@ impl Simulation {
         let (body, size) = sizes
             .filter(|(_, size)| *size > 0.0)
             .min_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        let body = self.system.designation(body);
         (distance > COARSE * size).then_some(Warning::ContactDistance { distance, body, size })
     }
 
@@ -103,10 +78,9 @@ impl Simulation {
         let surface = self.system.contact_surface(self.settings.formulation);
         let (gap, collision) = Collisions::nearest(surface, &candidates, positions, self.barrier)?;
         let [a, b] = self.system.bodies_of(&collision);
-        let is_half_space = collision.half_space().is_some();
         let distance = self.barrier.activation_distance();
         Some(Warning::Near {
-            bodies: (a.min(b), (!is_half_space).then_some(a.max(b))),
+            bodies: [a.min(b), a.max(b)].map(|body| self.system.designation(body)),
             gap,
             distance,
         })

@@ -15,13 +15,14 @@ use crate::anchor::Anchor;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
 use crate::damper::Damper;
 use crate::dirichlet::Dirichlet;
+use crate::elasticity::Twist;
 use crate::filter::StepFilter;
 use crate::friction::FrictionContact;
 use crate::scripted::Axes;
 use crate::settings::{Formulation, LineSearch};
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
-use crate::system::System;
+use crate::system::{Designation, System};
 
 /// The data of a minimisation that stay constant.
 pub(crate) struct Newton<'a> {
@@ -34,6 +35,7 @@ pub(crate) struct Newton<'a> {
     pub(crate) interrupt: &'a AtomicBool,
     pub(crate) friction: &'a [FrictionContact],
     pub(crate) dampers: &'a [Damper],
+    pub(crate) twists: &'a [Twist],
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a StepFilter,
@@ -42,6 +44,8 @@ pub(crate) struct Newton<'a> {
     /// The tolerance, in m/s.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,
+    /// Is called in each iteration with its number, the residual in m/s, and the collisions before it.
+    pub(crate) watch: &'a (dyn Fn(usize, f64, &Collisions) + Sync),
 }
 
 /// The memory of a minimisation, for the next one of the same system. No result depends on it.
@@ -88,6 +92,7 @@ impl Newton<'_> {
                 inertia: self.inertia,
                 friction: self.friction,
                 dampers: self.dampers,
+                twists: self.twists,
             };
             let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
             let prescribed = now.dirichlet.displacements(&now.positions);
@@ -103,8 +108,9 @@ impl Newton<'_> {
 
             let clock = Instant::now();
             let solution = memory.linear.solve(quadratic.pattern, quadratic.values, &right);
-            let solution = solution.ok_or(SimulationError::Singular {
+            let solution = solution.ok_or_else(|| SimulationError::Singular {
                 step: statistics.step,
+                body: self.most_loaded(unknowns, &right),
             })?;
             statistics.seconds.solve += clock.elapsed().as_secs_f64();
 
@@ -114,13 +120,14 @@ impl Newton<'_> {
             }
             self.system.carriers.carry(&mut direction);
             statistics.iterations += 1;
+            let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
+            (self.watch)(statistics.iterations, size / self.duration, &now.collisions);
             if now.dirichlet.is_prescribed() {
                 if self.prescribe(&mut memory.steps, now, &direction, &potential, statistics) {
                     visit(&now.positions);
                 }
                 continue;
             }
-            let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
             // Twice the predicted decrease of the potential. Deep in the barrier, even a short step can
             // release much energy. The step counts as small only if this energy is at most the kinetic
             // energy of all free masses at the tolerance.
@@ -145,5 +152,14 @@ impl Newton<'_> {
             }
         }
         Ok(false)
+    }
+
+    /// The body of the vertex with the largest force, or with one that is not finite.
+    fn most_loaded(&self, unknowns: &Unknowns, forces: &[f64]) -> Designation {
+        let sizes = forces.iter().map(|force| force.abs()).enumerate();
+        // NaN is above all numbers.
+        let largest = sizes.max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let vertex = largest.map_or(0, |(place, _)| unknowns.vertices()[place / 3]);
+        self.system.designation(self.system.body_of(vertex))
     }
 }

@@ -7,6 +7,7 @@ use super::form::Form;
 use crate::anchor::Anchor;
 use crate::contact::Collision;
 use crate::damper::Damper;
+use crate::elasticity::Twist;
 use crate::energy::Energy;
 use crate::friction::FrictionContact;
 use crate::system::System;
@@ -21,14 +22,16 @@ pub(crate) struct Potential<'a> {
     pub(crate) inertia: &'a [Anchor],
     pub(crate) friction: &'a [FrictionContact],
     pub(crate) dampers: &'a [Damper],
+    pub(crate) twists: &'a [Twist],
 }
 
 impl<'a> Potential<'a> {
     /// All terms.
-    pub(super) fn forms<'b>(&'b self, collisions: &'b [Collision]) -> [Form<'b>; 5] {
+    pub(super) fn forms<'b>(&'b self, collisions: &'b [Collision]) -> [Form<'b>; 6] {
         [
             Form::of(self.inertia, 1.0),
             self.elasticity(self.duration * self.duration),
+            Form::of(self.twists, self.duration * self.duration),
             Form::of(collisions, self.stiffness),
             Form::of(self.friction, 1.0),
             // They act on the vertices of elastic elements.

@@ -30,6 +30,7 @@ impl Potential<'_> {
     pub(crate) fn elastic_keys(&self, unknowns: &Unknowns) -> Vec<u64> {
         let (mut keys, carriers) = (Vec::new(), &self.system.carriers);
         add_keys(&mut keys, unknowns, carriers, &self.elasticity(1.0));
+        add_keys(&mut keys, unknowns, carriers, &Form::of(self.twists, 1.0));
         keys.sort_unstable();
         keys.dedup();
         keys

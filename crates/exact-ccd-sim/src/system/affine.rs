@@ -11,7 +11,7 @@ use std::sync::Arc;
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
-use super::error::SystemError;
+use super::body_error::BodyError;
 use super::parts::Parts;
 use crate::body::AffineProperties;
 use crate::carriers::Carrier;
@@ -31,16 +31,13 @@ impl Parts {
     /// Adds the nodes of an affine body after its vertices, which begin with `first`.
     pub(super) fn add_affine(
         &mut self,
-        body: usize,
         first: usize,
         mut faces: Vec<[u32; 3]>,
         material: &AffineProperties,
-    ) -> Result<(), SystemError> {
-        check_positive("density", material.density)
-            .and(check_positive("stiffness", material.stiffness))
-            .map_err(|source| SystemError::Body { body, source })?;
+    ) -> Result<(), BodyError> {
+        check_positive("density", material.density).and(check_positive("stiffness", material.stiffness))?;
         if !is_closed(&faces) {
-            return Err(SystemError::Open { body });
+            return Err(BodyError::Open);
         }
         let mut moments = Moments::new(&self.start, &faces);
         if moments.volume < 0.0 {
@@ -52,7 +49,7 @@ impl Parts {
             center,
             covariance,
         } = moments;
-        let flat = SystemError::Flat { body, element: 0 };
+        let flat = BodyError::Flat { element: 0 };
         let root = covariance.cholesky().ok_or_else(|| flat.clone())?.l();
         let inverse = root.try_inverse().ok_or_else(|| flat.clone())?;
         let count = self.start.len();
@@ -72,7 +69,7 @@ impl Parts {
             .with_volume(volume);
         let stiffness = SaintVenantKirchhoff::orthogonality(material.stiffness);
         self.add_element(
-            [body, 0],
+            0,
             Arc::new(element.of(stiffness)),
             volume,
             [material.density, material.stiffness],

@@ -96,16 +96,25 @@ impl Digest for BodyKind {
                     young,
                     poisson,
                     thickness,
+                    strain_limit,
                 } = *material;
                 [density, young, poisson, thickness].digest(hash);
+                // Without it, the hash is that of earlier versions. The same holds for rods.
+                if let Some(limit) = strain_limit {
+                    limit.digest(hash);
+                }
             }
             Self::Rod { material, .. } => {
                 let RodProperties {
                     density,
                     young,
                     radius,
+                    shear,
                 } = *material;
                 [density, young, radius].digest(hash);
+                if let Some(shear) = shear {
+                    shear.digest(hash);
+                }
             }
             Self::Particles { material } => {
                 let ParticleProperties { density, radius } = *material;

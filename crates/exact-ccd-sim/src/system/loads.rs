@@ -3,6 +3,7 @@
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
+use super::body_error::Selecting;
 use super::{System, SystemError, selection};
 use crate::load::{Force, Load};
 use crate::range::check;
@@ -12,7 +13,8 @@ impl System {
     ///
     /// # Errors
     /// [`SystemError::Load`] names the first one with a number that is out of range, or a vertex that the
-    /// system does not have; [`SystemError::Partly`] one that accelerates a part of an affine body.
+    /// system does not have; [`BodyError::Partly`](super::BodyError::Partly) one that accelerates a part of
+    /// an affine body.
     pub fn with_loads(self, loads: Vec<Load>) -> Result<Self, SystemError> {
         let count = self.start.len();
         for (number, load) in loads.iter().enumerate() {
@@ -29,9 +31,9 @@ impl System {
         for (number, load) in loads.iter_mut().enumerate() {
             // Tractions and pressures act on faces.
             if let Force::Acceleration(_) = load.force {
-                let what = || format!("load {number}");
-                load.vertices =
-                    selection::unknowns(&self.carriers, |v| self.body_of(v), &load.vertices, what)?;
+                let body_of = |vertex| self.designation(self.body_of(vertex));
+                let what = Selecting::Load(number);
+                load.vertices = selection::unknowns(&self.carriers, body_of, &load.vertices, what)?;
             }
         }
         Ok(Self { loads, ..self })

@@ -1,24 +1,22 @@
 //! The material of each tetrahedron of a solid.
 
-use super::error::SystemError;
+use super::body_error::BodyError;
 use crate::body::{Region, SolidProperties};
 use crate::range::{OutOfRange, check_positive};
 
 /// The material of each tetrahedron of a solid: that of its last region, otherwise that of the solid.
 pub(super) fn materials<'a>(
-    body: usize,
     count: usize,
     material: &'a SolidProperties,
     regions: &'a [Region],
-) -> Result<Vec<&'a SolidProperties>, SystemError> {
-    check(material).map_err(|source| SystemError::Body { body, source })?;
+) -> Result<Vec<&'a SolidProperties>, BodyError> {
+    check(material)?;
     let mut materials = vec![material; count];
     for (region, Region { tetrahedra, material }) in regions.iter().enumerate() {
-        check(material).map_err(|source| SystemError::Material { body, region, source })?;
+        check(material).map_err(|source| BodyError::Material { region, source })?;
         for &element in tetrahedra {
             let slot = materials.get_mut(element as usize);
-            *slot.ok_or(SystemError::Region {
-                body,
+            *slot.ok_or(BodyError::Region {
                 region,
                 element,
                 count,

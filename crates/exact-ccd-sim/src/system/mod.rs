@@ -1,6 +1,8 @@
 //! The bodies of a scene, as one list of vertices and lists of elements over it.
 
 mod affine;
+mod body_error;
+mod designation;
 mod error;
 mod fingerprint;
 mod loads;
@@ -12,6 +14,7 @@ mod origins;
 mod parts;
 mod selection;
 mod springs;
+mod twists;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -26,6 +29,7 @@ use nalgebra::Vector3;
 use crate::body::Body;
 use crate::carriers::Carriers;
 use crate::contact::{Barrier, Part, Surface, Weights};
+use crate::elasticity::Chain;
 use crate::energy::Energy;
 use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
@@ -34,9 +38,11 @@ use crate::settings::Formulation;
 use crate::spring::Spring;
 use parts::Parts;
 
+pub use body_error::{BodyError, Selecting};
+pub use designation::Designation;
 pub use error::SystemError;
 pub use fingerprint::Fingerprint;
-pub(crate) use names::designation;
+pub(crate) use twists::turn;
 
 /// The vertices, masses, elements and scripts of a scene.
 #[derive(Clone, Debug)]
@@ -48,6 +54,8 @@ pub struct System {
     pub(crate) elements: Vec<Arc<dyn Energy>>,
     /// The map from unknowns to vertices.
     pub(crate) carriers: Carriers,
+    /// The parts of rods that resist twist.
+    chains: Vec<Chain>,
     tetrahedra: Vec<[u32; 4]>,
     /// The hash of the materials, for the fingerprint.
     materials: String,
@@ -98,19 +106,25 @@ impl System {
     /// [`SystemError`] names the body or the script, unless it is about the mesh of all bodies.
     pub fn new(bodies: &[Body], scripts: &[Scripted]) -> Result<Self, SystemError> {
         let mut parts = Parts::default();
-        for (index, body) in bodies.iter().enumerate() {
-            parts.add(index, body)?;
+        for (place, body) in bodies.iter().enumerate() {
+            parts.add(body).map_err(|source| SystemError::Body {
+                body: Designation::among(bodies, place),
+                source,
+            })?;
         }
         let vertex_count = parts.start.len();
         let ranges = Self::ranges(bodies);
-        let body_of = |vertex: u32| ranges.partition_point(|range| range.end <= vertex);
+        let body_of = |vertex: u32| {
+            let place = ranges.partition_point(|range| range.end <= vertex);
+            Designation::among(bodies, place)
+        };
         for (index, scripted) in scripts.iter().enumerate() {
             scripted.check().map_err(|source| SystemError::Motion {
                 script: index,
                 source,
             })?;
             let script = Timed::new(scripted);
-            let what = || format!("script {index}");
+            let what = Selecting::Script(index);
             for vertex in selection::unknowns(&parts.carriers, body_of, &scripted.vertices, what)? {
                 let slot = parts.scripts.get_mut(vertex as usize);
                 let slot = slot.ok_or(SystemError::Script {
@@ -163,6 +177,7 @@ impl System {
             masses: parts.masses,
             elements: parts.elements,
             carriers: parts.carriers,
+            chains: parts.chains,
             tetrahedra: parts.tetrahedra,
             materials: Fingerprint::materials(bodies),
             scripts: parts.scripts,

@@ -3,29 +3,15 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use super::System;
+use super::{Designation, System};
 use crate::contact::Collision;
 use crate::energy::Energy;
 
-/// A body or a half space in messages.
-pub(crate) fn designation(what: &str, index: usize, name: &str) -> String {
-    match name {
-        "" => format!("{what}[{index}]"),
-        name => format!("{what} `{name}`"),
-    }
-}
-
 impl System {
-    /// The body or half space with this place in [`System::names`], in messages: by its name, or else by its
-    /// place among the bodies or the half spaces of a scene file.
+    /// The body or half space with this place in [`System::names`], in messages.
     #[must_use]
-    pub fn designation(&self, index: usize) -> String {
-        let bodies = self.names.len();
-        let name = self.names().get(index).copied().unwrap_or_default();
-        match index.checked_sub(bodies) {
-            None => designation("body", index, name),
-            Some(half_space) => designation("half-space", half_space, name),
-        }
+    pub fn designation(&self, place: usize) -> Designation {
+        Designation::at(place, &self.names, &self.half_spaces)
     }
 
     /// The name of each body, or `body-N` for the Nth body if it has none.

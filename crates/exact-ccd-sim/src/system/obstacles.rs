@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::{Point, Step};
 
-use super::{System, SystemError};
+use super::{Designation, System, SystemError};
 use crate::half_space::{HalfSpace, Plane};
 
 impl System {
@@ -12,7 +12,12 @@ impl System {
     /// [`SystemError::HalfSpace`] names the first one without a finite point or a normal.
     pub fn with_half_spaces(self, half_spaces: Vec<HalfSpace>) -> Result<Self, SystemError> {
         for (number, half_space) in half_spaces.iter().enumerate() {
-            half_space.check(number)?;
+            half_space
+                .check(number)
+                .map_err(|source| SystemError::HalfSpace {
+                    half_space: Designation::of_half_space(number, half_space.name.as_str()),
+                    source,
+                })?;
         }
         Ok(Self {
             planes: half_spaces.iter().map(Plane::of).collect(),

@@ -7,12 +7,13 @@ use exact_ccd::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
 use nalgebra::Vector3;
 
-use super::error::SystemError;
+use super::body_error::BodyError;
 use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::carriers::Carriers;
-use crate::elasticity::{Bend, Membrane, Stretch, Tetrahedron, bending};
+use crate::chains::chains;
+use crate::elasticity::{Bend, Chain, Membrane, StrainLimit, Stretch, Tetrahedron, bending};
 use crate::energy::{Energy, gather};
 use crate::range::{OutOfRange, check, check_finite, check_positive};
 use crate::scripted::Coordinates;
@@ -26,6 +27,8 @@ pub(super) struct Parts {
     pub(super) faces: Vec<[u32; 3]>,
     /// The edges of rods.
     pub(super) edges: Vec<[u32; 2]>,
+    /// The parts of rods that resist twist.
+    pub(super) chains: Vec<Chain>,
     /// The particles.
     pub(super) particles: Vec<u32>,
     pub(super) offsets: Vec<f64>,
@@ -38,18 +41,14 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    pub(super) fn add(&mut self, body: usize, added: &Body) -> Result<(), SystemError> {
+    pub(super) fn add(&mut self, added: &Body) -> Result<(), BodyError> {
         let is_finite = |point: &Point| point.iter().all(|x| x.is_finite());
         if let Some(vertex) = added.points.iter().position(|point| !is_finite(point)) {
             let position = added.points[vertex];
-            return Err(SystemError::NotFinite {
-                body,
-                vertex,
-                position,
-            });
+            return Err(BodyError::NotFinite { vertex, position });
         }
         let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
-        check_motion(added, is_obstacle).map_err(|source| SystemError::Body { body, source })?;
+        check_motion(added, is_obstacle)?;
         let first = self.start.len();
         let count = added.points.len();
         let end = first + added.vertex_count();
@@ -68,11 +67,11 @@ impl Parts {
             BodyKind::Particles { .. } => count == 0,
         };
         if is_empty {
-            return Err(SystemError::Empty { body });
+            return Err(BodyError::Empty);
         }
         match &added.kind {
             BodyKind::Obstacle { faces } => {
-                let faces = placed(body, faces, first, count)?;
+                let faces = placed(faces, first, count)?;
                 self.faces.extend(faces);
             }
             BodyKind::Solid {
@@ -80,26 +79,25 @@ impl Parts {
                 material,
                 regions,
             } => {
-                let mesh = TetMesh::new(added.points.clone(), tetrahedra.clone())
-                    .map_err(|source| SystemError::Solid { body, source })?;
-                let surface = placed(body, mesh.surface(), first, count)?;
-                let tetrahedra = placed(body, tetrahedra, first, count)?;
-                let materials = materials(body, tetrahedra.len(), material, regions)?;
-                self.add_solid(body, tetrahedra, &materials)?;
+                let mesh = TetMesh::new(added.points.clone(), tetrahedra.clone())?;
+                let surface = placed(mesh.surface(), first, count)?;
+                let tetrahedra = placed(tetrahedra, first, count)?;
+                let materials = materials(tetrahedra.len(), material, regions)?;
+                self.add_solid(tetrahedra, &materials)?;
                 self.faces.extend(surface);
             }
             BodyKind::Shell { faces, material } => {
-                let faces = placed(body, faces, first, count)?;
-                self.add_shell(body, faces, material)?;
+                let faces = placed(faces, first, count)?;
+                self.add_shell(faces, material)?;
             }
             BodyKind::Rod { edges, material } => {
-                let edges = placed(body, edges, first, count)?;
-                self.add_rod(body, edges, material)?;
+                let edges = placed(edges, first, count)?;
+                self.add_rod(edges, material)?;
             }
-            BodyKind::Particles { material } => self.add_particles(body, first..first + count, material)?,
+            BodyKind::Particles { material } => self.add_particles(first..first + count, material)?,
             BodyKind::Affine { faces, material } => {
-                let faces = placed(body, faces, first, count)?;
-                self.add_affine(body, first, faces, material)?;
+                let faces = placed(faces, first, count)?;
+                self.add_affine(first, faces, material)?;
             }
         }
         self.spin(first..end, added.angular_velocity.into());
@@ -129,20 +127,18 @@ impl Parts {
 
     fn add_solid(
         &mut self,
-        body: usize,
         mut tetrahedra: Vec<[u32; 4]>,
         materials: &[&SolidProperties],
-    ) -> Result<(), SystemError> {
+    ) -> Result<(), BodyError> {
         for (element, (corners, material)) in tetrahedra.iter_mut().zip(materials).enumerate() {
             let [a, b, c, d] = gather(&self.start, corners);
             if (b - a).cross(&(c - a)).dot(&(d - a)) < 0.0 {
                 corners.swap(2, 3);
             }
-            let tetrahedron =
-                Tetrahedron::new(*corners, &self.start).ok_or(SystemError::Flat { body, element })?;
+            let tetrahedron = Tetrahedron::new(*corners, &self.start).ok_or(BodyError::Flat { element })?;
             let volume = tetrahedron.volume();
             self.add_element(
-                [body, element],
+                element,
                 material.energy.energy(tetrahedron, material.moduli()),
                 volume,
                 [material.density, material.young],
@@ -152,22 +148,24 @@ impl Parts {
         Ok(())
     }
 
-    fn add_shell(
-        &mut self,
-        body: usize,
-        faces: Vec<[u32; 3]>,
-        material: &ShellProperties,
-    ) -> Result<(), SystemError> {
+    fn add_shell(&mut self, faces: Vec<[u32; 3]>, material: &ShellProperties) -> Result<(), BodyError> {
         check_positive("density", material.density)
             .and(check_positive("thickness", material.thickness))
             .and(material.moduli().check())
-            .map_err(|source| SystemError::Body { body, source })?;
+            .and(check_positive(
+                "strain-limit",
+                material.strain_limit.unwrap_or(1.0),
+            ))?;
+        let limit = material
+            .strain_limit
+            .map(|limit| StrainLimit::new(limit, material.young));
         for (element, corners) in faces.iter().enumerate() {
             let membrane = Membrane::new(*corners, &self.start, material.thickness, material.moduli())
-                .ok_or(SystemError::Flat { body, element })?;
+                .ok_or(BodyError::Flat { element })?
+                .with_limit(limit);
             let volume = membrane.volume();
             self.add_element(
-                [body, element],
+                element,
                 Arc::new(membrane),
                 volume,
                 [material.density, material.young],
@@ -180,22 +178,17 @@ impl Parts {
         Ok(())
     }
 
-    fn add_rod(
-        &mut self,
-        body: usize,
-        edges: Vec<[u32; 2]>,
-        material: &RodProperties,
-    ) -> Result<(), SystemError> {
+    fn add_rod(&mut self, edges: Vec<[u32; 2]>, material: &RodProperties) -> Result<(), BodyError> {
         check_positive("density", material.density)
             .and(check_positive("radius", material.radius))
             .and(check_positive("young", material.young))
-            .map_err(|source| SystemError::Body { body, source })?;
+            .and(check_positive("shear", material.shear.unwrap_or(1.0)))?;
         for (element, ends) in edges.iter().enumerate() {
             let stretch = Stretch::new(*ends, &self.start, material.axial_stiffness())
-                .ok_or(SystemError::Flat { body, element })?;
+                .ok_or(BodyError::Flat { element })?;
             let volume = material.area() * stretch.length();
             self.add_element(
-                [body, element],
+                element,
                 Arc::new(stretch),
                 volume,
                 [material.density, material.young],
@@ -203,23 +196,27 @@ impl Parts {
         }
         for (element, corners) in bends(&edges) {
             let bend = Bend::new(corners, &self.start, material.flexural_rigidity());
-            let bend = bend.ok_or(SystemError::Folded { body, element })?;
+            let bend = bend.ok_or(BodyError::Folded { element })?;
             self.elements.push(Arc::new(bend));
+        }
+        if let Some(rigidity) = material.torsional_rigidity() {
+            let chain = |vertices| Chain::new(vertices, &self.start, rigidity);
+            self.chains.extend(chains(&edges).into_iter().map(chain));
         }
         self.edges.extend(edges);
         Ok(())
     }
 
-    /// Adds an element of a body with its mass, in equal shares for its vertices. The first numbers are those
-    /// of the body and the element; the material has a density and a Young's modulus.
+    /// Adds an element of a body with its mass, in equal shares for its vertices. The
+    /// material has a density and a Young's modulus.
     pub(super) fn add_element(
         &mut self,
-        [body, element]: [usize; 2],
+        element: usize,
         energy: Arc<dyn Energy>,
         volume: f64,
         [density, young]: [f64; 2],
-    ) -> Result<(), SystemError> {
-        let share = mass(body, element, density * volume)? / energy.vertices().len() as f64;
+    ) -> Result<(), BodyError> {
+        let share = mass(element, density * volume)? / energy.vertices().len() as f64;
         for &corner in energy.vertices() {
             self.masses[corner as usize] += share;
         }
@@ -230,14 +227,11 @@ impl Parts {
 
     fn add_particles(
         &mut self,
-        body: usize,
         vertices: Range<usize>,
         material: &ParticleProperties,
-    ) -> Result<(), SystemError> {
-        check_positive("density", material.density)
-            .and(check_positive("radius", material.radius))
-            .map_err(|source| SystemError::Body { body, source })?;
-        self.masses[vertices.clone()].fill(mass(body, 0, material.mass())?);
+    ) -> Result<(), BodyError> {
+        check_positive("density", material.density).and(check_positive("radius", material.radius))?;
+        self.masses[vertices.clone()].fill(mass(0, material.mass())?);
         self.particles.extend(vertices.map(|vertex| vertex as u32));
         Ok(())
     }
@@ -271,28 +265,26 @@ fn check_motion(body: &Body, is_obstacle: bool) -> Result<(), OutOfRange> {
 }
 
 /// Checks the mass of an element.
-fn mass(body: usize, element: usize, mass: f64) -> Result<f64, SystemError> {
+fn mass(element: usize, mass: f64) -> Result<f64, BodyError> {
     if mass.is_normal() {
         Ok(mass)
     } else {
-        Err(SystemError::Mass { body, element, mass })
+        Err(BodyError::Mass { element, mass })
     }
 }
 
 /// The elements of a body, with the vertex indices of the system.
 fn placed<const N: usize>(
-    body: usize,
     elements: &[[u32; N]],
     first: usize,
     vertex_count: usize,
-) -> Result<Vec<[u32; N]>, SystemError> {
+) -> Result<Vec<[u32; N]>, BodyError> {
     let place = |(element, corners): (usize, &[u32; N])| match corners
         .iter()
         .find(|&&vertex| vertex as usize >= vertex_count)
     {
         None => Ok(corners.map(|vertex| first as u32 + vertex)),
-        Some(&vertex) => Err(SystemError::Index {
-            body,
+        Some(&vertex) => Err(BodyError::Index {
             element,
             vertex,
             vertex_count,

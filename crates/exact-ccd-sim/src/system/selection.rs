@@ -2,19 +2,21 @@
 
 use std::collections::BTreeSet;
 
+use super::body_error::{BodyError, Selecting};
+use super::designation::Designation;
 use super::error::SystemError;
 use crate::carriers::Carriers;
 
 /// The selected vertices, with the nodes of affine bodies in place of the vertices that they carry. `what`
-/// selects them, for the error.
+/// selects them, for the error, and `body_of` is the body of a vertex.
 ///
 /// # Errors
-/// [`SystemError::Partly`], if some vertices of an affine body are selected, but not all.
+/// [`BodyError::Partly`], if some vertices of an affine body are selected, but not all.
 pub(super) fn unknowns(
     carriers: &Carriers,
-    body_of: impl Fn(u32) -> usize,
+    body_of: impl Fn(u32) -> Designation,
     vertices: &[u32],
-    what: impl Fn() -> String,
+    what: Selecting,
 ) -> Result<Vec<u32>, SystemError> {
     if carriers.is_empty() {
         return Ok(vertices.to_vec());
@@ -26,11 +28,13 @@ pub(super) fn unknowns(
             continue;
         }
         if found < expected {
-            return Err(SystemError::Partly {
-                what: what(),
+            return Err(SystemError::Body {
                 body: body_of(carried.start),
-                found,
-                expected,
+                source: BodyError::Partly {
+                    what,
+                    found,
+                    expected,
+                },
             });
         }
         selected.retain(|vertex| !carried.contains(vertex));

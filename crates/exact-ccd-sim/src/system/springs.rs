@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::{System, SystemError};
+use super::{Designation, System, SystemError};
 use crate::spring::{Spring, SpringEnd, SpringEnergy};
 
 /// The greatest distance of the end of a spring from its vertex, relative to the extent of the scene.
@@ -60,7 +60,7 @@ impl System {
     fn parts_of(&self, spring: usize, body: usize, end: &SpringEnd) -> Result<Vec<(u32, f64)>, SystemError> {
         let missing = |nearest: Option<u32>| SystemError::SpringEnd {
             spring,
-            body,
+            body: Designation::of_body(body, self.names.get(body).map_or("", String::as_str)),
             at: end.at,
             nearest: nearest.map(|vertex| self.start[vertex as usize]),
         };

@@ -15,3 +15,4 @@ mod springs;
 mod stiffness;
 mod strips;
 mod thickness;
+mod twist;

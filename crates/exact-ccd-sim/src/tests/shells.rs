@@ -1,12 +1,12 @@
 //! Elastic energies of shells.
 
 use exact_ccd_mesh::Point;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
-use super::differences::{Points, at, check, random_points};
+use super::differences::{Points, at, check, curvature, random_points, random_rotation};
 use super::elasticity::MODULI;
-use crate::elasticity::{Hinge, Membrane};
-use crate::energy::Energy;
+use crate::elasticity::{Hinge, Membrane, StrainLimit};
+use crate::energy::{Energy, Projection};
 use crate::{Body, BodyKind};
 
 #[test]
@@ -23,6 +23,50 @@ fn the_derivatives_of_membranes_match_differences() {
         indefinite += usize::from(check(&membrane, &points, 1e-3, [1e-8; 2], "membrane") < -1e-6);
     }
     assert!(indefinite > 5);
+}
+
+/// The limit is three tenths of the strain. Stretches are up to its 0.97th part, and some are compressions.
+#[test]
+fn the_derivatives_of_limited_membranes_match_differences() {
+    let mut random = fastrand::Rng::with_seed(16);
+    let rest = [[0.0; 3], [1.0, 0.1, 0.0], [0.2, 0.9, 0.1]];
+    let limit = StrainLimit::new(0.3, 1.5);
+    let membrane = |limit| {
+        let membrane = Membrane::new([0, 1, 2], &rest, 0.1, MODULI).unwrap();
+        membrane.with_limit(limit)
+    };
+    let (free, limited) = (membrane(None), membrane(Some(limit)));
+    let mut active = 0;
+    for round in 0..60 {
+        let turn = random_rotation(&mut random);
+        let about = random_rotation(&mut random);
+        let mut stretches = Vector3::from_fn(|_, _| 0.7 + 0.59 * random.f64());
+        if round % 6 == 0 {
+            // Twice the same stretch.
+            stretches.fill(1.0 + 0.28 * random.f64());
+        }
+        let deformation = turn.matrix() * Matrix3::from_diagonal(&stretches) * about.matrix();
+        let corner = |place: usize| deformation * Vector3::from(rest[place]);
+        let points = [corner(0), corner(1), corner(2), Vector3::zeros()];
+        check(&limited, &points, 1e-5, [1e-6; 2], "limited membrane");
+        // The energy of the limit is convex.
+        let projection = Projection::None;
+        let own = curvature(&limited, &points, projection) - curvature(&free, &points, projection);
+        let eigenvalues = own.symmetric_eigenvalues();
+        assert!(eigenvalues.min() >= -1e-12 * eigenvalues.amax(), "{eigenvalues}");
+        let [with, without] = [&limited, &free].map(|energy| energy.value(&at(&points)));
+        active += usize::from(with > without);
+        assert!(with >= without);
+    }
+    assert!(active > 30, "{active}");
+    let at_limit = rest.map(|[x, y, z]| [1.3 * x, 1.3 * y, 1.3 * z]);
+    let beyond = at_limit.map(|point| point.map(|x| 1.001 * x));
+    assert_eq!(limited.value(&beyond), f64::INFINITY);
+    assert!(
+        limited
+            .value(&at_limit.map(|point| point.map(|x| 0.999 * x)))
+            .is_finite()
+    );
 }
 
 /// The energy of a triangle that is stretched along one side is h A (μ ε² + λ/2 ε²) with ε = (s² − 1) / 2.

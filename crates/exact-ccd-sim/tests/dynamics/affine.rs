@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Audit;
 use exact_ccd_sim::{
-    AffineProperties, Body, BodyKind, Friction, Integrator, Length, Script, Settings, Simulation,
+    AffineProperties, Body, BodyError, BodyKind, Friction, Integrator, Length, Script, Settings, Simulation,
     SimulationError, State, System, SystemError, shapes,
 };
 use nalgebra::{Matrix3, Vector3};
@@ -234,27 +234,32 @@ fn errors_name_the_body() {
     let message = |body: Body, script: &[u32]| {
         let bodies = [affine_box([0.1; 3]).placed(|[x, y, z]| [x - 5.0, y, z]), body];
         let scripts = [Script::Fixed.on(script.iter().copied())];
-        System::new(&bodies, if script.is_empty() { &[] } else { &scripts }).unwrap_err()
+        let error = System::new(&bodies, if script.is_empty() { &[] } else { &scripts }).unwrap_err();
+        let SystemError::Body { body, source } = &error else {
+            panic!("{error}")
+        };
+        assert_eq!(body.place(), 1);
+        (source.clone(), error.to_string())
     };
     let mut open = affine_box([0.1; 3]);
     if let BodyKind::Affine { faces, .. } = &mut open.kind {
         faces.pop();
     }
-    assert_eq!(message(open, &[]), SystemError::Open { body: 1 });
+    assert_eq!(message(open, &[]).0, BodyError::Open);
     let flat = affine_box([0.1; 3]).placed(|[x, y, _]| [x, y, 0.0]);
-    assert!(matches!(message(flat, &[]), SystemError::Flat { body: 1, .. }));
+    assert!(matches!(message(flat, &[]).0, BodyError::Flat { .. }));
     let mut soft = affine_box([0.1; 3]);
     if let BodyKind::Affine { material, .. } = &mut soft.kind {
         material.stiffness = f64::NAN;
     }
     assert_eq!(
-        message(soft, &[]).to_string(),
-        "body 1: `stiffness` is NaN, expected a positive number"
+        message(soft, &[]).1,
+        "body[1]: `stiffness` is NaN, expected a positive number"
     );
-    let partly = message(affine_box([0.1; 3]), &[12, 13, 14]);
+    let partly = message(affine_box([0.1; 3]).named("brick"), &[12, 13, 14]);
     assert_eq!(
-        partly.to_string(),
-        "script 0: 3 of the 8 vertices of body 1 are selected, expected none or all: an affine body moves as a whole"
+        partly.1,
+        "body `brick`: script 0 selects 3 of the 8 vertices, expected none or all: an affine body moves as a whole"
     );
     let settings = Settings {
         line_search: exact_ccd_sim::LineSearch::Vertex,
@@ -262,5 +267,5 @@ fn errors_name_the_body() {
     };
     let system = System::new(&[affine_box([0.1; 3]).named("brick")], &[]).unwrap();
     let error = Simulation::new(system, settings).err().unwrap();
-    assert!(matches!(&error, SimulationError::AffineByVertex { body } if body == "body `brick`"));
+    assert!(matches!(&error, SimulationError::AffineByVertex { body } if body.name() == "brick"));
 }

@@ -133,6 +133,7 @@ fn no_step_ends_in_contact() {
         young: 1e-30,
         poisson: 0.25,
         thickness: 0.5,
+        strain_limit: None,
     };
     let faces = vec![[0, 1, 2]];
     let points = vec![[0.0, 3.0, 0.0], [0.0, 7.0, 1.0], [0.0, 7.0, -1.0]];

@@ -1,6 +1,6 @@
 //! The unit of relative lengths, and warnings about contact distances.
 
-use exact_ccd_sim::{HalfSpace, Length, Settings, Simulation, System, Warning, shapes};
+use exact_ccd_sim::{Designation, HalfSpace, Length, Settings, Simulation, System, Warning, shapes};
 
 fn cube(height: f64) -> exact_ccd_sim::Body {
     shapes::solid_box([1, 1, 1], [0.3; 3]).placed(|[x, y, z]| [x + 50.0, y + height, z + 50.0])
@@ -61,28 +61,31 @@ fn warnings_name_the_bodies() {
     };
     assert_eq!(warnings(0.01, 1e-3), []);
     let near = Warning::Near {
-        bodies: (0, Some(1)),
+        bodies: [0, 1].map(|place| Designation::of_body(place, "")),
         gap: 0.01,
         distance: 0.02,
     };
-    assert_eq!(warnings(0.01, 0.02), [near]);
+    assert_eq!(warnings(0.01, 0.02), std::slice::from_ref(&near));
     assert!(
         near.to_string()
             .starts_with("body[0] and body[1] start 1.000e-2 m apart, less than ")
     );
     let named = [cube(0.01).named("cube"), floor.clone()];
-    let text = near.with_names(&System::new(&named, &[]).unwrap());
+    let settings = Settings {
+        contact_distance: Length::Absolute(0.02),
+        ..Settings::default()
+    };
+    let named = Simulation::new(System::new(&named, &[]).unwrap(), settings).unwrap();
+    let text = named.warnings()[0].to_string();
     assert!(
         text.starts_with("body `cube` and body[1] start 1.000e-2 m apart, less than "),
         "{text}"
     );
-    let [
-        Warning::ContactDistance { body: 0, size, .. },
-        Warning::Near { .. },
-    ] = warnings(0.01, 0.1)[..]
-    else {
+    let coarse = warnings(0.01, 0.1);
+    let [Warning::ContactDistance { body, size, .. }, Warning::Near { .. }] = &coarse[..] else {
         panic!("the distance is a fifth of the cube");
     };
+    assert_eq!(body.place(), 0);
     assert!((size - 0.3 * 3.0_f64.sqrt()).abs() < 1e-12);
     // A half space has no body: the vertex that is near it counts.
     let ground = HalfSpace::new([0.0, -1e-3, 0.0], [0.0, 1.0, 0.0]);
@@ -94,11 +97,11 @@ fn warnings_name_the_bodies() {
         contact_distance: Length::Absolute(0.01),
         ..Settings::default()
     };
-    let warning = Simulation::new(system, settings).unwrap().warnings()[0];
+    let warning = &Simulation::new(system, settings).unwrap().warnings()[0];
     assert!(
         warning
             .to_string()
-            .starts_with("body[0] and a half space start 1.000e-3 m apart, "),
+            .starts_with("body[0] and half-space[0] start 1.000e-3 m apart, "),
         "{warning}"
     );
 }

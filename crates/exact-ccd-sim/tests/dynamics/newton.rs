@@ -1,7 +1,12 @@
 //! The convergence of Newton's method.
 
+use std::sync::{Arc, Mutex};
+
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::{BodyKind, Friction, Length, Script, Settings, Simulation, Statistics, System, shapes};
+use exact_ccd_sim::{
+    BodyKind, Force, Friction, Iteration, Length, Load, Script, Settings, Simulation, SimulationError,
+    Statistics, System, shapes,
+};
 
 /// A step counts as converged only if Newton converges for every friction lag.
 #[test]
@@ -117,4 +122,72 @@ fn shapes_surface() -> exact_ccd_mesh::TriangleMesh {
     let cube = || shapes::solid_box([1, 1, 1], [0.5; 3]);
     let other = cube().placed(|[x, y, z]| [x + 1.0, y, z]);
     System::new(&[cube(), other], &[]).unwrap().surface().clone()
+}
+
+/// The body on which the forces are not finite is named.
+#[test]
+fn a_failure_names_the_body() {
+    let plank = |x: f64, name| {
+        let plank = shapes::solid_box([1, 1, 1], [0.3; 3]);
+        plank.placed(move |[a, y, z]| [a + x, y, z]).named(name)
+    };
+    let mut heavy = plank(2.0, "anvil");
+    if let BodyKind::Solid { material, .. } = &mut heavy.kind {
+        material.density = 1e9;
+    }
+    let bodies = [plank(0.0, "plank"), heavy, plank(4.0, "")];
+    // The acceleration times the mass is beyond the largest number.
+    let load = Load {
+        vertices: (8..16).collect(),
+        force: Force::Acceleration([0.0, 1e308, 0.0]),
+        from: 0.0,
+        until: None,
+    };
+    let system = System::new(&bodies, &[]).unwrap().with_loads(vec![load]).unwrap();
+    let error = Simulation::new(system, Settings::default())
+        .unwrap()
+        .step()
+        .unwrap_err();
+    assert!(
+        matches!(&error, SimulationError::Singular { body, .. } if body.name() == "anvil"),
+        "{error}"
+    );
+}
+
+/// Each iteration is reported, the last one of a time step that converges at a residual below the tolerance,
+/// and no result depends on it.
+#[test]
+fn iterations_are_reported() {
+    let simulation = || {
+        let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.002, z + 0.2]);
+        let system = System::new(&[cube, shapes::floor([1, 1], [1.1, 1.2])], &[]).unwrap();
+        Simulation::new(system, Settings::default()).unwrap()
+    };
+    let seen = Arc::new(Mutex::new(Vec::<Iteration>::new()));
+    let record = {
+        let seen = Arc::clone(&seen);
+        move |iteration: &Iteration| seen.lock().unwrap().push(*iteration)
+    };
+    let (mut plain, mut watched) = (simulation(), simulation().with_watch(record));
+    let mut contacts = 0;
+    for step in 1..=5 {
+        let statistics = watched.step().unwrap();
+        plain.step().unwrap();
+        assert_eq!(plain.state(), watched.state());
+        let iterations = std::mem::take(&mut *seen.lock().unwrap());
+        let numbers: Vec<usize> = iterations.iter().map(|iteration| iteration.iteration).collect();
+        assert_eq!(numbers, (1..=statistics.iterations).collect::<Vec<_>>());
+        assert!(
+            iterations
+                .iter()
+                .all(|iteration| (iteration.step, iteration.part) == (step, [1, 1]))
+        );
+        let last = iterations.last().unwrap();
+        assert!(
+            statistics.converged && last.residual <= last.tolerance,
+            "{last:?}"
+        );
+        contacts += last.contacts;
+    }
+    assert!(contacts > 0);
 }

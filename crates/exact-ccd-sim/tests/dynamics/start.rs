@@ -1,6 +1,8 @@
 //! A simulation starts only without intersections.
 
-use exact_ccd_sim::{Body, BodyKind, Primitive, Settings, Simulation, SimulationError, System, shapes};
+use exact_ccd_sim::{
+    Body, BodyKind, BodyPrimitive, Primitive, Settings, Simulation, SimulationError, System, shapes,
+};
 
 /// An obstacle of one triangle in the plane of x and z, at a height.
 fn triangle(height: f64) -> Body {
@@ -17,9 +19,9 @@ fn start(bodies: &[Body]) -> Result<Simulation, SimulationError> {
 }
 
 /// The primitives that intersect or touch at the start.
-fn primitives(bodies: &[Body]) -> [Primitive; 2] {
+fn primitives(bodies: &[Body]) -> [BodyPrimitive; 2] {
     match start(bodies).err().unwrap() {
-        SimulationError::Start { primitives, .. } => primitives,
+        SimulationError::Start { primitives, .. } => *primitives,
         other => panic!("{other}"),
     }
 }
@@ -28,20 +30,27 @@ fn primitives(bodies: &[Body]) -> [Primitive; 2] {
 fn errors_name_the_primitives_that_intersect_at_the_start() {
     let cube = || shapes::solid_box([2, 2, 2], [0.5; 3]);
     assert!(start(&[cube(), triangle(-0.1)]).is_ok());
+    let triangle = |height| triangle(height).named("plate");
     // One of the 27 vertices of the cube is in its interior, not on the surface.
     for height in [0.0, 0.1] {
         let error = start(&[cube(), triangle(height)]).err().unwrap();
-        assert!(error.to_string().contains("[27, 28, 29]"), "{error}");
+        assert!(
+            error.to_string().contains("face [0, 1, 2] of body `plate`"),
+            "{error}"
+        );
         assert!(
             error.to_string().contains("intersect or touch at the start"),
             "{error}"
         );
     }
-    let [Primitive::Edge(edge), Primitive::Face(face)] = primitives(&[triangle(0.1), cube()]) else {
+    let [plate, cube] = primitives(&[triangle(0.1), cube()]);
+    assert_eq!(plate.primitive, Primitive::Face([0, 1, 2]));
+    assert_eq!((plate.body.place(), plate.body.name()), (0, "plate"));
+    let Primitive::Edge(edge) = cube.primitive else {
         panic!("an edge passes through the face")
     };
-    assert_eq!(face, [0, 1, 2]);
-    assert!(edge.iter().all(|vertex| (3..30).contains(vertex)));
+    assert!(edge.iter().all(|vertex| (0..27).contains(vertex)));
+    assert_eq!(cube.body.to_string(), "body[1]");
 }
 
 /// An audit of the motion would report them too.
@@ -49,7 +58,11 @@ fn errors_name_the_primitives_that_intersect_at_the_start() {
 fn intersections_of_obstacles_are_errors() {
     let steep = triangle(0.0).placed(|[x, y, z]| [x, y + x, z]);
     let primitives = primitives(&[triangle(0.0), steep]);
-    assert!(matches!(primitives, [Primitive::Edge(_), Primitive::Face(_)]));
+    let primitives = primitives.map(|of_body| of_body.primitive);
+    assert!(matches!(
+        primitives,
+        [Primitive::Edge(_), Primitive::Face(_)] | [Primitive::Face(_), Primitive::Edge(_)]
+    ));
 }
 
 #[test]

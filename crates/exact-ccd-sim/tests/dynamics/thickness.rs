@@ -2,8 +2,8 @@
 
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{
-    Body, Checkpoint, Friction, Integrator, Length, Primitive, Script, Scripted, Settings, Simulation,
-    SimulationError, Statistics, StepFilter, System, shapes,
+    Body, BodyPrimitive, Checkpoint, Designation, Friction, Integrator, Length, Primitive, Script, Scripted,
+    Settings, Simulation, SimulationError, Statistics, StepFilter, System, shapes,
 };
 use nalgebra::Vector3;
 
@@ -277,23 +277,33 @@ fn errors_name_the_first_pair_within_its_thickness() {
     assert!(error(&[bead(0.0), bead(0.5_f64.next_up())]).is_none());
     // A distance that is exactly the thickness is a contact.
     let touching = error(&[bead(0.0), bead(0.5)]).unwrap();
+    let of_body = |place, primitive| BodyPrimitive {
+        primitive,
+        body: Designation::of_body(place, ""),
+    };
     let expected = SimulationError::Close {
-        primitives: [Primitive::Vertex(0), Primitive::Vertex(1)],
+        primitives: Box::new([0, 1].map(|place| of_body(place, Primitive::Vertex(0)))),
         thickness: 0.5,
         near: [0.0; 3],
     };
     assert_eq!(touching, expected);
     assert!(
-        touching
-            .to_string()
-            .contains("vertex 0 and vertex 1 are within 0.5 m"),
+        touching.to_string().contains(
+            "vertex 0 of body[0] and vertex 0 of body[1] are within the sum of their offsets, 0.5 m"
+        ),
         "{touching}"
     );
     let rod = moved(shapes::line(2, 2.0), [-1.0, 0.3, 0.0]).with_offset(0.125);
     let SimulationError::Close { primitives, .. } = error(&[rod.clone(), bead(0.5)]).unwrap() else {
         panic!("the particle is within the thickness")
     };
-    assert_eq!(primitives, [Primitive::Vertex(3), Primitive::Edge([1, 2])]);
+    assert_eq!(
+        *primitives,
+        [
+            of_body(0, Primitive::Edge([1, 2])),
+            of_body(1, Primitive::Vertex(0))
+        ]
+    );
     // Edges that are shorter than the thickness are within it: two edges with one between them.
     let short = shapes::line(8, 1.0).with_offset(0.1);
     assert!(matches!(error(&[short]), Some(SimulationError::Close { .. })));

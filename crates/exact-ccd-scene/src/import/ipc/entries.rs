@@ -81,12 +81,8 @@ impl File {
                 [self.duration, settings.time_step] = line.numbers(expected)?;
             }
             "turnOffGravity" => settings.gravity = [0.0; 3],
-            "dampingStiff" | "dampingRatio" => {
-                if line.number("a number")? > 0.0 {
-                    let instead = "write 0, or use `settings.damping`, which is proportional to the mass";
-                    return Err(line.unsupported("damping proportional to the stiffness", instead));
-                }
-            }
+            "dampingStiff" => self.damping_stiffness = line.number("a number in s³")?.max(0.0),
+            "dampingRatio" => self.damping_ratio = line.number("a number")?.clamp(0.0, 1.0),
             "energy" => {
                 self.material.energy = match line.word("a name")? {
                     "NH" => SolidMaterial::NeoHookean,

@@ -28,12 +28,29 @@ pub(super) struct File {
     /// The material of the shapes without one of their own.
     pub(super) material: SolidProperties,
     pub(super) duration: f64,
+    /// `dampingStiff` and `dampingRatio`.
+    pub(super) damping_stiffness: f64,
+    pub(super) damping_ratio: f64,
     /// The settings, with lengths in diagonals of the box.
     pub(super) settings: Settings,
     /// True if lengths are in m.
     pub(super) is_absolute: bool,
     pub(super) dirichlet_times: [f64; 2],
     pub(super) neumann_times: [f64; 2],
+}
+
+impl File {
+    /// The stiffness damping β, in s. With the time step h, the displacement d in it and the elastic Hessian
+    /// K, IPC adds ½ s/h dᵀ K d for `dampingStiff` s to an incremental potential that has ½ β h dᵀ K d here
+    /// (`Optimizer::computeDampingMtr`). A `dampingRatio` r stands for s = ¾ r h³ (`Config.cpp`).
+    pub(super) fn stiffness_damping(&self) -> f64 {
+        let time_step = self.settings.time_step;
+        if self.damping_ratio > 0.0 {
+            0.75 * self.damping_ratio * time_step
+        } else {
+            self.damping_stiffness / (time_step * time_step)
+        }
+    }
 }
 
 /// `meshCO`.
@@ -82,6 +99,8 @@ impl Default for File {
                 energy: SolidMaterial::NeoHookean,
             },
             duration: 5.0,
+            damping_stiffness: 0.0,
+            damping_ratio: 0.0,
             settings: Settings {
                 time_step: 0.025,
                 gravity: [0.0, -9.80665, 0.0],

@@ -30,7 +30,9 @@ pub(super) fn import(text: &str, meshes: &mut Meshes, notes: &Notes) -> Result<D
     let mut body = bodies::bodies(&file, meshes, notes)?;
     let mut half_space: Vec<HalfSpace> = file.planes.iter().map(|(plane, _)| plane.clone()).collect();
     let pairs = friction::pairs(&file, &mut body, &mut half_space, notes);
+    let stiffness_damping = file.stiffness_damping();
     let mut settings = file.settings;
+    settings.stiffness_damping = stiffness_damping;
     settings.friction.pairs = pairs;
     if file.is_absolute {
         let lengths = [

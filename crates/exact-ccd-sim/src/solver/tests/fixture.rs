@@ -88,6 +88,7 @@ impl Fixture {
             inertia: &self.inertia,
             friction: &self.friction,
             dampers: &[],
+            twists: &[],
         }
     }
 

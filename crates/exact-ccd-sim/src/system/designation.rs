@@ -1,0 +1,75 @@
+//! Bodies and half spaces in messages.
+
+use std::fmt;
+
+use crate::body::Body;
+use crate::half_space::HalfSpace;
+
+/// A body or a half space in messages: by its name, or else by its place among the bodies or the half spaces
+/// of a scene, as ``body `sheet` `` or `body[1]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Designation {
+    is_body: bool,
+    place: usize,
+    name: Box<str>,
+}
+
+impl Designation {
+    /// The body at a place in the list of bodies. An empty name is none.
+    #[must_use]
+    pub fn of_body(place: usize, name: impl Into<Box<str>>) -> Self {
+        let name = name.into();
+        let is_body = true;
+        Self { is_body, place, name }
+    }
+
+    /// The half space at a place in the list of half spaces. An empty name is none.
+    #[must_use]
+    pub fn of_half_space(place: usize, name: impl Into<Box<str>>) -> Self {
+        let name = name.into();
+        let is_body = false;
+        Self { is_body, place, name }
+    }
+
+    /// The body or half space at a place in the list of all bodies, followed by all half spaces.
+    pub(crate) fn at(place: usize, bodies: &[String], half_spaces: &[HalfSpace]) -> Self {
+        match place.checked_sub(bodies.len()) {
+            None => Self::of_body(place, bodies[place].as_str()),
+            Some(place) => {
+                let name = half_spaces
+                    .get(place)
+                    .map_or("", |half_space| half_space.name.as_str());
+                Self::of_half_space(place, name)
+            }
+        }
+    }
+
+    /// The body at a place in a list of bodies.
+    pub(crate) fn among(bodies: &[Body], place: usize) -> Self {
+        Self::of_body(place, bodies.get(place).map_or("", |body| body.name.as_str()))
+    }
+
+    /// The place in the list of bodies, or in that of half spaces, from 0.
+    #[must_use]
+    pub fn place(&self) -> usize {
+        self.place
+    }
+
+    /// The name. Empty for no name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+impl fmt::Display for Designation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { is_body, place, name } = self;
+        let what = if *is_body { "body" } else { "half-space" };
+        if name.is_empty() {
+            write!(f, "{what}[{place}]")
+        } else {
+            write!(f, "{what} `{name}`")
+        }
+    }
+}

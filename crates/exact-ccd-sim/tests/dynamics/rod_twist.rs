@@ -1,0 +1,146 @@
+//! Twist of rods against theory.
+
+use exact_ccd_sim::{
+    Body, BodyKind, Integrator, Length, RodProperties, Script, Settings, Simulation, System, shapes,
+};
+
+const EDGES: u32 = 20;
+
+/// The twist is uniform between the midpoints of the end edges.
+const LENGTH: f64 = 1.0 - 1.0 / EDGES as f64;
+
+/// A rod of 1 m along x with a shear modulus.
+fn rod(shear: f64) -> (Body, RodProperties) {
+    let mut rod = shapes::line(EDGES as u16, 1.0);
+    let BodyKind::Rod { material, .. } = &mut rod.kind else {
+        panic!("a line is a rod")
+    };
+    material.shear = Some(shear);
+    let material = *material;
+    (rod, material)
+}
+
+/// A rotation about the x axis.
+fn twisting(rate: f64, until: f64) -> Script {
+    Script::Twisting {
+        center: [0.0; 3],
+        axis: [1.0, 0.0, 0.0],
+        rate,
+        until: Some(until),
+    }
+}
+
+fn settings(gravity: f64) -> Settings {
+    Settings {
+        time_step: 0.1,
+        gravity: [0.0, -gravity, 0.0],
+        contact_distance: Length::Absolute(1e-4),
+        tolerance: Length::Absolute(1e-7),
+        ..Settings::default()
+    }
+}
+
+/// The torque G J φ / L is the derivative of the energy ½ G J φ² / L by the angle φ between the ends, over
+/// three turns. A simulation that is resumed continues with the same bits.
+#[test]
+fn a_twisted_rod_has_the_energy_of_the_theory() {
+    let (body, material) = rod(1e4);
+    let scripts = [
+        twisting(-0.5, 10.0).on([0, 1]),
+        twisting(1.5, 10.0).on([EDGES - 1, EDGES]),
+    ];
+    let system = || System::new(std::slice::from_ref(&body), &scripts).unwrap();
+    let mut simulation = Simulation::new(system(), settings(0.0)).unwrap();
+    let rigidity = material.torsional_rigidity().unwrap();
+    assert!((rigidity / (1e4 * core::f64::consts::PI * 1e-8 / 2.0) - 1.0).abs() < 1e-12);
+    let mut middle = None;
+    for step in 1..=110 {
+        let statistics = simulation.step().unwrap();
+        let angle = 0.2 * f64::from(step.min(100));
+        let expected = 0.5 * rigidity * angle * angle / LENGTH;
+        let elastic = statistics.energies.elastic;
+        assert!(
+            statistics.converged && (elastic / expected - 1.0).abs() < 1e-9,
+            "{elastic} {expected}"
+        );
+        assert!((simulation.state().twists[&0] - angle).abs() < 1e-9);
+        if step == 55 {
+            middle = Some(simulation.state().clone());
+        }
+    }
+    let mut resumed = Simulation::resume(system(), settings(0.0), middle.unwrap()).unwrap();
+    (0..55).for_each(|_| drop(resumed.step().unwrap()));
+    assert_eq!(resumed.state(), simulation.state());
+    // A free end turns without resistance.
+    let free = System::new(std::slice::from_ref(&body), &scripts[..1]).unwrap();
+    let mut free = Simulation::new(free, settings(0.0)).unwrap();
+    assert!(free.step().unwrap().energies.elastic < 1e-20);
+    assert!(free.state().twists.is_empty());
+}
+
+/// The acceleration of gravity in the test of buckling, in m/s².
+const GRAVITY: f64 = 1e-4;
+
+/// The deflection of a rod with clamped ends, one of which turns by an angle in 3 s, after 12 s.
+fn deflection(angle: f64) -> f64 {
+    // E I = G J.
+    let (body, _) = rod(5e5);
+    let scripts = [
+        Script::Fixed.on([0, 1]),
+        twisting(angle / 3.0, 3.0).on([EDGES - 1, EDGES]),
+    ];
+    let system = System::new(&[body], &scripts).unwrap();
+    let mut simulation = Simulation::new(system, settings(GRAVITY)).unwrap();
+    for _ in 0..120 {
+        assert!(simulation.step().unwrap().converged);
+    }
+    let positions = simulation.state().positions.iter();
+    positions.map(|x| x[1].hypot(x[2])).fold(0.0, f64::max)
+}
+
+/// A straight rod with clamped ends buckles at the torque M with M L / (E I) = 8.9868, twice the first
+/// solution of tan x = x (A. G. Greenhill, 1883).
+#[test]
+fn a_twisted_rod_buckles_at_the_critical_torque() {
+    let critical = 8.9868;
+    let [free, below, above] = [0.0, 0.95, 1.05].map(|part| deflection(part * critical));
+    // By its weight alone, the rod deflects by ρ A g L⁴ / (384 E I).
+    let (_, material) = rod(5e5);
+    let weight = material.density * material.area() * GRAVITY;
+    let expected = weight * LENGTH.powi(4) / (384.0 * material.flexural_rigidity());
+    assert!((free / expected - 1.0).abs() < 0.01, "{free} {expected}");
+    assert!(
+        below < 20.0 * free && above > 100.0 * free,
+        "{free} {below} {above}"
+    );
+}
+
+/// A bent rod that turns as a whole about an axis which is none of its directions is not twisted: the turns
+/// of its ends and the holonomy of its directions cancel.
+#[test]
+fn a_rod_that_turns_as_a_whole_is_not_twisted() {
+    let (body, material) = rod(4e5);
+    let arc = body.placed(|[x, _, _]| {
+        let (sin, cos) = (2.5 * x).sin_cos();
+        [0.4 * sin, 0.1 * x, 0.4 * (1.0 - cos)]
+    });
+    let turn = Script::Twisting {
+        center: [0.1, 0.2, 0.3],
+        axis: [1.0, 2.0, -0.5],
+        rate: 1.0,
+        until: None,
+    };
+    let scripts = [turn.on([0, 1, EDGES - 1, EDGES])];
+    let settings = Settings {
+        integrator: Integrator::QuasiStatic,
+        ..settings(0.0)
+    };
+    let mut simulation = Simulation::new(System::new(&[arc], &scripts).unwrap(), settings).unwrap();
+    for _ in 0..30 {
+        let statistics = simulation.step().unwrap();
+        assert!(statistics.converged);
+        let angle = simulation.state().twists[&0];
+        assert!(angle.abs() < 1e-6, "{angle}");
+    }
+    assert!(material.shear.is_some());
+}
