@@ -36,6 +36,10 @@ pub(crate) use dyadic::{parts, to_integers};
 pub(crate) use first_contact::FirstContact;
 pub use nearness::distance_at;
 pub(crate) use nearness::{first_within, impact_at, intervals_within};
+#[cfg(test)]
+pub(crate) use polynomial::Polynomial;
+#[cfg(test)]
+pub(crate) use roots::roots;
 
 use crate::collision::Collision;
 use crate::filter::Decision;

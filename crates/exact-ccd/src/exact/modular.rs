@@ -57,3 +57,39 @@ fn remainder(mut a: Vec<i64>, b: &[i64]) -> Vec<i64> {
     while a.pop_if(|leading| *leading == 0).is_some() {}
     a
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn product(a: &[i64], b: &[i64]) -> Vec<IBig> {
+        let mut product = alloc::vec![IBig::ZERO; a.len() + b.len() - 1];
+        for (i, &x) in a.iter().enumerate() {
+            for (j, &y) in b.iter().enumerate() {
+                product[i + j] += IBig::from(x) * IBig::from(y);
+            }
+        }
+        product
+    }
+
+    #[test]
+    fn polynomials_with_a_common_factor_are_not_coprime() {
+        // The last factors are constant modulo the prime, which no longer proves that they are not common.
+        for factor in [[1, 1], [-3, 2], [PRIME - 1, 5], [1, PRIME], [-7, 2 * PRIME]] {
+            for [other, another] in [[[1, 2], [1, 3]], [[2, -1], [5, 7]]] {
+                let [a, b] = [other, another].map(|other| product(&factor, &other));
+                assert!(!are_coprime(&a, &b), "{factor:?}");
+                assert!(!are_coprime(&b, &a), "{factor:?}");
+                assert!(!are_coprime(&a, &product(&factor, &[1])), "{factor:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn most_others_are() {
+        for (a, b) in [([1, 1], [1, 2]), ([3, -4], [5, 6]), ([0, 1], [1, 1])] {
+            assert!(are_coprime(&product(&a, &[1]), &product(&b, &[1])));
+            assert!(are_coprime(&product(&a, &a), &product(&b, &b)));
+        }
+    }
+}

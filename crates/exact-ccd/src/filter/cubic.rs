@@ -327,3 +327,6 @@ impl Cubic<f64> {
         self.sign(self.blossom(t, t, t))
     }
 }
+
+#[cfg(test)]
+mod tests;

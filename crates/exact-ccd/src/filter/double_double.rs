@@ -12,7 +12,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use super::number::Number;
 
-/// 2⁻¹⁰⁰: an upper bound of the relative error of one operation.
+/// 2⁻¹⁰⁰: an upper bound of the relative error of one operation, four times the least power of two that Gappa
+/// proves (`proof/double_double_product.g`).
 pub(crate) const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 
 /// high + low, with |low| at most half a unit in the last place of `high`.

@@ -227,3 +227,38 @@ fn precise(cubic: &[Volume; 4]) -> (PreciseCubic, [f64; 4]) {
     let rounded = values.map(|value| value.high);
     (PreciseCubic::new(values, largest(rounded)), rounded)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fraction_of_the_step_is_found_where_the_cubic_vanishes() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut found = 0;
+        for _ in 0..200 {
+            // The product of linear functions from −a to b, each of which vanishes at a / (a + b).
+            let [[a, b], [c, d], [e, f]] = [(); 3].map(|()| {
+                let a = random.i128(1..8);
+                [-a, 8 - a]
+            });
+            let coefficients = [
+                a * c * e,
+                b * c * e + a * d * e + a * c * f,
+                b * d * e + b * c * f + a * d * f,
+                b * d * f,
+            ];
+            let cubic = coefficients.map(Volume::from);
+            for elapsed in 0..=PARTS {
+                let [t, s] = [elapsed, PARTS - elapsed].map(i128::from);
+                let linear = |[x, y]: [i128; 2]| x * s + y * t;
+                let is_root = [[a, b], [c, d], [e, f]].into_iter().any(|ends| linear(ends) == 0);
+                let time = at_fraction(8, &cubic, elapsed);
+                let expected = ContactTime::exactly(elapsed as f64 / PARTS as f64);
+                assert_eq!(time, is_root.then_some(expected), "{coefficients:?} {elapsed}");
+                found += u32::from(is_root);
+            }
+        }
+        assert!(found > 200, "{found}");
+    }
+}

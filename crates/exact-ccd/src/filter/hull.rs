@@ -207,3 +207,62 @@ fn on_one_side(points: impl Iterator<Item = (f64, f64)>, sides_of: impl Fn(f64, 
     }
     sides != [false; 4]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::filter::gap::Within;
+    use crate::kind::VertexVertex;
+
+    /// Points that move in small integers: the distances from the planes x = ±y, y = ±z and z = ±x are exact
+    /// apart from a factor of √2, and none is near the gap.
+    #[test]
+    fn diagonals_prove_what_all_corners_have() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut proved = [0; 12];
+        for _ in 0..20_000 {
+            let mut corner = || [(); 3].map(|()| f64::from(random.i32(-8..=8)));
+            let [start, end] = [corner(), corner()];
+            let origin = [0.0; 3];
+            let hull =
+                Hull::new::<VertexVertex>(&[[start, start, origin, origin], [end, end, origin, origin]]);
+            let sides = |[x, y, z]: Point| {
+                [
+                    x - y,
+                    y - x,
+                    x + y,
+                    -x - y,
+                    y - z,
+                    z - y,
+                    y + z,
+                    -y - z,
+                    z - x,
+                    x - z,
+                    z + x,
+                    -z - x,
+                ]
+            };
+            let both = sides(start).into_iter().zip(sides(end));
+            let least = both
+                .map(|(a, b)| a.min(b))
+                .collect::<arrayvec::ArrayVec<f64, 12>>();
+            for d in [0.0, 1.0, 2.0, 4.0] {
+                let is_beyond = least.iter().any(|&side| side > d * SQRT_2);
+                let found = if d == 0.0 {
+                    hull.is_beyond_diagonal(Touching)
+                } else {
+                    hull.is_beyond_diagonal(Within(d))
+                };
+                assert_eq!(found, is_beyond, "{start:?} {end:?} {d}");
+                if let Ok([side]) = <[usize; 1]>::try_from(
+                    (0..12)
+                        .filter(|&i| least[i] > d * SQRT_2)
+                        .collect::<alloc::vec::Vec<_>>(),
+                ) {
+                    proved[side] += 1;
+                }
+            }
+        }
+        assert!(proved.iter().all(|&count| count > 10), "{proved:?}");
+    }
+}

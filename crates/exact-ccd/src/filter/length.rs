@@ -144,3 +144,55 @@ impl Area for Volume {
         self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A triple product of lengths below 2¹⁶, which fits in 128 bits.
+    fn volume_of<L: Length>([a, b, c]: [i64; 3]) -> Volume {
+        let scaled = |x: i64| L::scaled(x, 0);
+        scaled(a).volume(scaled(b).times(scaled(c)))
+    }
+
+    #[test]
+    fn both_widths_are_integers() {
+        let mut random = fastrand::Rng::with_seed(1);
+        for _ in 0..1000 {
+            let lengths = [(); 3].map(|()| random.i64(-(1 << 40)..1 << 40));
+            let [a, b, c] = lengths.map(i128::from);
+            let volume = Volume::from(a) * Volume::from(b * c);
+            assert!(volume_of::<i64>(lengths) == volume, "{lengths:?}");
+            assert!(volume_of::<i128>(lengths) == volume, "{lengths:?}");
+            let areas = [
+                <i64 as Length>::times(lengths[0], lengths[1]).widened(),
+                <i128 as Length>::times(a, b).widened(),
+            ];
+            assert!(areas == [Volume::from(a * b); 2], "{lengths:?}");
+        }
+    }
+
+    #[test]
+    fn a_coordinate_is_a_power_of_two_of_its_mantissa() {
+        for k in -70..=8_i32 {
+            for mantissa in [0, 1, -1, 3, 1 << 52, -(1 << 52)] {
+                // It fits, or it is 0.
+                let unit = 1_i128 << k.unsigned_abs();
+                let wide = if k < 0 {
+                    i128::from(mantissa) / unit
+                } else {
+                    i128::from(mantissa) * unit
+                };
+                let is_integer = k >= 0 || i128::from(mantissa) % unit == 0;
+                if is_integer {
+                    assert_eq!(<i128 as Length>::scaled(mantissa, k), wide, "{mantissa} {k}");
+                    assert_eq!(
+                        <i64 as Length>::scaled(mantissa, k),
+                        wide as i64,
+                        "{mantissa} {k}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -6,7 +6,7 @@ use core::ops::Mul;
 use super::cubic::Root;
 use super::double_double::{DoubleDouble, ROUNDOFF};
 use super::number::Number;
-use super::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
+use super::roundoff::{UNDERFLOW, certain_sign, margin};
 use crate::time::ContactTime;
 
 /// c(t) = a₀ + a₁ t + a₂ t² + a₃ t³.
@@ -41,8 +41,11 @@ impl<T: Number<Real = f64> + Mul<f64, Output = T>> PreciseCubic<T> {
 
 impl PreciseCubic {
     /// Returns true if |c(t)| certainly is above a bound.
+    ///
+    /// The high part is the nearest f64 of the value, and the sum that of the bound and the error. Rounding
+    /// is monotone: numbers whose nearest f64 are in strict order are so themselves.
     pub(super) fn exceeds(&self, t: f64, bound: f64) -> bool {
-        self.value(t).high.abs() * (1.0 - UNIT) > self.error + bound * (1.0 + 4.0 * UNIT)
+        self.value(t).high.abs() > self.error + bound
     }
 
     /// The sign of c(t), if it is certainly not zero.
@@ -84,5 +87,40 @@ impl PreciseCubic {
             floor = next;
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rounding of half a unit in the last place, above 1.
+    const HALF: f64 = f64::EPSILON / 2.0;
+
+    #[test]
+    fn a_value_exceeds_a_bound_by_more_than_its_error() {
+        // Multiples of a fourth of a unit in the last place: values next to the bound 3 / 2, and errors.
+        let bound = 1.5;
+        let mut exceeded = 0;
+        for value in -16_i32..=16 {
+            for error in 0..=16_i32 {
+                let [above, by] = [value, error].map(|fourths| f64::from(fourths) * HALF / 2.0);
+                let cubic = |sign: f64| PreciseCubic {
+                    powers: [
+                        DoubleDouble::sum(sign * bound, sign * above),
+                        DoubleDouble::default(),
+                        DoubleDouble::default(),
+                        DoubleDouble::default(),
+                    ],
+                    error: by,
+                };
+                let exceeds = cubic(1.0).exceeds(0.5, bound);
+                assert_eq!(exceeds, cubic(-1.0).exceeds(0.5, bound));
+                assert!(!exceeds || value > error, "{value} of {error}");
+                assert!(exceeds || value <= error + 4, "a unit in the last place suffices");
+                exceeded += i32::from(exceeds);
+            }
+        }
+        assert!(exceeded > 100, "{exceeded}");
     }
 }

@@ -17,11 +17,15 @@ pub(crate) const fn margin(n: u32) -> f64 {
     (n + n.div_ceil(4)).next_power_of_two() as f64
 }
 
-/// 2²⁰⁰: the largest difference of two coordinates that the filters work on.
-pub(crate) const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
+/// The range of the filters, as a power of two. Up to 212, [`UNDERFLOW`] is above all that underflows.
+const RANGE: u64 = 200;
 
-/// 2⁻⁶⁰⁰ > 1000 · 2⁻¹⁰⁷⁵ · (2 · LARGEST)².
-pub(crate) const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
+/// 2²⁰⁰: the largest difference of two coordinates that the filters work on.
+pub(crate) const LARGEST: f64 = f64::from_bits((1023 + RANGE) << 52);
+
+/// 2⁻⁶⁰⁰, the volume of a cube with the side 1 / [`LARGEST`]: above 1000 errors of 2⁻¹⁰⁷⁵, each enlarged by
+/// two factors of 2 · [`LARGEST`].
+pub(crate) const UNDERFLOW: f64 = f64::from_bits((1023 - 3 * RANGE) << 52);
 
 /// The sign of a number that differs from `value` by at most `error`; `None` if it may be zero or
 /// of either sign.

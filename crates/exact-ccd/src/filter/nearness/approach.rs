@@ -216,17 +216,28 @@ impl Step {
     }
 }
 
-/// −(e · x) / (e · e), if e certainly is not zero.
-///
-/// For q = r / s, the exact (r + ρ) / (s + σ) is off by (ρ − q σ) / (s + σ). The factor of 2 covers the
-/// roundings of the error, and 4 u that of q.
-fn along(e: &Near, x: &Near) -> Option<Step> {
-    let [square, of_square] = product(e, e);
-    let [residual, of_residual] = product(e, x);
-    let least = square - of_square;
-    let value = -residual / square;
-    let error = 2.0 * (of_residual + value.abs() * of_square) / least + 4.0 * UNIT * value.abs();
+/// The quotient of two numbers with errors, if the least denominator is positive.
+fn quotient([r, of_r]: [f64; 2], [s, of_s]: [f64; 2], least: f64) -> Option<Step> {
+    let value = r / s;
+    let error = error_of_quotient(value, of_r, of_s, least);
     (least > 0.0).then_some(Step { value, error })
+}
+
+/// The error of q, the rounded quotient of r and s, given their errors and the least s.
+///
+/// The exact (r + ρ) / (s + σ) differs from r / s by (ρ − σ r / s) / (s + σ), and q by u of itself. The least
+/// s has one rounding, as |q| has; sums, the product and the quotient lead to n = 6. The factors of 2 and 4
+/// cover them, and less than 2⁵⁰ roundings of the errors.
+pub(super) fn error_of_quotient<T: Lanes>(value: T, of_r: T, of_s: T, least: T) -> T {
+    let size = value.abs();
+    (of_r + size * of_s) * 2.0 / least + size * (4.0 * UNIT)
+}
+
+/// −(e · x) / (e · e), if e certainly is not zero.
+fn along(e: &Near, x: &Near) -> Option<Step> {
+    let [residual, of_residual] = product(e, x);
+    let [square, of_square] = product(e, e);
+    quotient([-residual, of_residual], [square, of_square], square - of_square)
 }
 
 /// The error of [`minor`] by its roundings.
@@ -242,7 +253,7 @@ pub(super) fn minor<T: Lanes>([a, b]: [T; 2], [c, d]: [T; 2]) -> T {
 /// By Cramer's rule, for [aa, ab; ab, bb] δ = −[ax, bx]. The determinant results from two more roundings
 /// of terms that add up to aa bb + ab² ≤ 2 aa bb: the first is relative to each term, the last to the
 /// result, so that both together are at most u (aa bb + ab² + det) = 2 u aa bb. So do the numerators, of
-/// their terms. The error of a quotient is that of [`along`]; the factors of 2 cover its roundings.
+/// their terms. The least determinant is less by twice its error, for the roundings of that.
 fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
     let [aa, of_aa] = product(a, a);
     let [bb, of_bb] = product(b, b);
@@ -254,11 +265,7 @@ fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
         of_aa * most_bb + of_bb * most_aa + 2.0 * of_ab * most_ab + OF_MINOR * most_aa * most_bb;
     let determinant = minor([aa, bb], [ab, ab]);
     let least = determinant - 2.0 * of_determinant;
-    let step = |numerator: f64, error: f64| {
-        let value = numerator / determinant;
-        let error = 2.0 * (error + value.abs() * of_determinant) / least + 4.0 * UNIT * value.abs();
-        Step { value, error }
-    };
+    let over = |numerator: [f64; 2]| quotient(numerator, [determinant, of_determinant], least);
     let [size_of_ax, size_of_bx] = [ax.abs(), bx.abs()];
     let of_u = most_ab * of_bx
         + of_ab * size_of_bx
@@ -270,12 +277,10 @@ fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
         + most_aa * of_bx
         + of_aa * size_of_bx
         + OF_MINOR * (most_ab * size_of_ax + most_aa * size_of_bx);
-    (least > 0.0).then(|| {
-        [
-            step(minor([ab, bx], [bb, ax]), of_u),
-            step(minor([ab, ax], [aa, bx]), of_v),
-        ]
-    })
+    Some([
+        over([minor([ab, bx], [bb, ax]), of_u])?,
+        over([minor([ab, ax], [aa, bx]), of_v])?,
+    ])
 }
 
 /// `Some` if all distances of the parameters from the ends of their range certainly are positive.

@@ -10,6 +10,8 @@ use super::scaled::Scaled;
 use crate::filter::Within;
 use crate::filter::coplanarity::{self, Coplanarity};
 use crate::filter::hull::Hull;
+use crate::filter::number::Lanes;
+use crate::filter::roundoff::{UNIT, margin};
 use crate::filter::screening::{Decision, Proved, decide_near_plane};
 use crate::kind::Kind;
 use crate::query::Query;
@@ -51,14 +53,22 @@ pub(super) fn first_after<K: Kind>(
 /// True if the planes certainly are farther than d apart from one time to a second one, given a third one
 /// until which c vanishes.
 ///
-/// If c is monotone until then, its magnitude is least at the second time. A component of |n| is at most that
-/// of the sums of magnitudes whose sum is the extent, so that |n| is, up to a few roundings.
+/// If c is monotone until then, its magnitude is least at the second time.
 fn are_planes_beyond<K: Kind>(
     query: &Query<K>,
     planes: &Coplanarity<f64>,
     d: f64,
     [from, to, contact]: [f64; 3],
 ) -> bool {
-    let least = (d * planes.extent() * (1.0 + 1e-9)).next_up();
+    let least = least_volume(d, planes.extent());
     planes.cubic.is_monotone(from, contact) && coplanarity::precise(query).exceeds(to, least)
+}
+
+/// A bound of d |n|, apart from underflow.
+///
+/// A component of |n| is at most the sum of magnitudes that the extent adds up, so that |n| is at most the
+/// extent. Two differences, a product and three sums lead to a term of that, and the bound has two roundings:
+/// n = 8.
+pub(super) fn least_volume<T: Lanes>(d: T, extent: T) -> T {
+    d * extent * (1.0 + margin(8) * UNIT)
 }

@@ -1,7 +1,8 @@
 //! The bounds of a distance above 0, by the numbers of [`proof`](crate::filter::proof).
 
 use super::advance::Advancement;
-use super::approach::{Near, OF_MINOR, Step, minor, product};
+use super::approach::{Near, OF_MINOR, Step, error_of_quotient, minor, product};
+use super::beside_contact::least_volume;
 use super::closest::Closest;
 use super::largest_square;
 use super::scaled::Scaled;
@@ -9,6 +10,7 @@ use super::snapshot::{
     Moving, OF_SQUARE, OF_SUM, OF_THRESHOLD, Precision, error_of_excess, excess, least_along, threshold,
 };
 use super::turning::{Heading, limit};
+use crate::filter::coplanarity::Coplanarity;
 use crate::filter::double_double::ROUNDOFF;
 use crate::filter::hull::Hull;
 use crate::filter::number::Number;
@@ -88,6 +90,35 @@ fn scalar_products_of_vectors_with_errors() {
     let [value, error] = product(&a, &b);
     assert_eq!(value, symbol.value);
     assert_bound(error, 2.0 * a.extent() * b.extent(), 3);
+}
+
+#[test]
+fn quotients_of_numbers_with_errors() {
+    let [r, s, of_r, of_s] = [3.0, 7.0, 1.0, 2.0].map(Symbol::exactly);
+    let (value, least) = (r / s, (s - of_s).afresh().rounded());
+    assert_eq!(value.roundings, 1);
+    assert_eq!(error_of_quotient(value, of_r, of_s, least).roundings, 6);
+    // The terms without roundings are 1, 1 and u: margin(6) u above that would do.
+    assert_eq!(error_of_quotient(0.0, 1.0, 1.0, 1.0), 2.0);
+    assert_eq!(error_of_quotient(1.0, 0.0, 1.0, 1.0), 2.0 + 4.0 * UNIT);
+    assert_eq!(error_of_quotient(-1.0, 0.0, 0.0, 1.0), 4.0 * UNIT);
+    // Quotients of 1 ± 1 / 4 and 1 ± 1 / 2 are at most 2.5.
+    assert_eq!(error_of_quotient(1.0, 0.25, 0.5, 0.5), 2.0 * 1.5 + 4.0 * UNIT);
+}
+
+#[test]
+fn a_small_distance_of_planes() {
+    fn check<K: Kind>() {
+        for seed in 1..=20 {
+            let planes = Coplanarity::<Symbol>::new::<K>(&symbols(opposite_points(seed)));
+            let d = Symbol::input(0.5);
+            let least = least_volume(d, planes.extent());
+            assert_counts(&[least], 8, 3, least.permanent);
+            assert_eq!(least.value, 0.5 * planes.extent().value * (1.0 + power(8) * UNIT));
+        }
+    }
+    check::<VertexFace>();
+    check::<EdgeEdge>();
 }
 
 impl<const TWICE: bool> Precision for Precise<TWICE> {

@@ -12,6 +12,8 @@ use core::fmt::Write;
 use std::path::Path;
 
 use super::symbol::{Operation, Symbol, record};
+use crate::filter::double_double::ROUNDOFF;
+use crate::filter::roundoff::UNIT;
 
 /// The statement of a script: if all inputs are at most 1 in magnitude, a value is off by at most some error.
 pub(in crate::filter) struct Script<'a> {
@@ -19,8 +21,8 @@ pub(in crate::filter) struct Script<'a> {
     pub(in crate::filter) name: &'a str,
     /// The statement in words.
     pub(in crate::filter) about: &'a str,
-    /// True for [`Precise<true>`](super::Precise): each operation has an error of at most 2⁻¹⁰⁰ relative to
-    /// its operands. Otherwise, it is that of f64.
+    /// True for [`Precise<true>`](super::Precise): each operation has an error of at most [`ROUNDOFF`]
+    /// relative to its operands. Otherwise, it is that of f64.
     pub(in crate::filter) is_twice: bool,
     /// Numbers that stand for all in [0, 1].
     pub(in crate::filter) parameters: &'a [f64],
@@ -28,7 +30,7 @@ pub(in crate::filter) struct Script<'a> {
     pub(in crate::filter) bounded: &'a [Symbol],
     /// The value.
     pub(in crate::filter) value: Symbol,
-    /// The error, in units of u or of 2⁻¹⁰⁰.
+    /// The error, in units of u or of [`ROUNDOFF`].
     pub(in crate::filter) units: u32,
 }
 
@@ -50,6 +52,7 @@ impl Script<'_> {
     }
 
     fn text(&self) -> String {
+        let exponent = exponent(if self.is_twice { ROUNDOFF } else { UNIT });
         let record = record();
         let mut places = BTreeSet::new();
         let mut open = alloc::vec![self.value.place];
@@ -104,9 +107,9 @@ impl Script<'_> {
                 let [error, inherited] = error_of_one(record[place], of, name);
                 writeln!(text, "{n} = ({}) + ({error});", expression("n")).unwrap();
                 writeln!(hints, "{n} - {e} -> ({inherited}) + ({error});").unwrap();
-                write!(given, "|a{of}| <= 1b-100 /\\ ").unwrap();
+                write!(given, "|a{of}| <= 1b{exponent} /\\ ").unwrap();
                 if !matches!(record[place], Operation::Product(..)) {
-                    write!(given, "|b{of}| <= 1b-100 /\\ ").unwrap();
+                    write!(given, "|b{of}| <= 1b{exponent} /\\ ").unwrap();
                 }
             } else {
                 writeln!(text, "{n} = rnd({});", expression("n")).unwrap();
@@ -119,19 +122,23 @@ impl Script<'_> {
             write!(given, "p{index} in [0, 1] /\\ ").unwrap();
         }
         let given = given.trim_end_matches(" /\\ ").replace(" /\\ ", " /\\\n  ");
-        let exponent = if self.is_twice { 100 } else { 53 };
         let (value, units) = (self.value.place - first, self.units);
         write!(
             text,
-            "{{ {given}\n  -> |n{value} - e{value}| <= {units}b-{exponent} }}\n{hints}"
+            "{{ {given}\n  -> |n{value} - e{value}| <= {units}b{exponent} }}\n{hints}"
         )
         .unwrap();
         text
     }
 }
 
+/// The exponent of a power of two.
+pub(super) fn exponent(power: f64) -> i32 {
+    power.log2() as i32
+}
+
 /// The error of one operation in twice the precision, and the error of its operands, in terms of the
-/// operands' names and of factors of at most 2⁻¹⁰⁰.
+/// operands' names and of factors of at most [`ROUNDOFF`].
 fn error_of_one(operation: Operation, place: usize, name: impl Fn(&str, usize) -> String) -> [String; 2] {
     let of = |x: usize| [name("n", x), name("e", x)];
     match operation {

@@ -1,0 +1,82 @@
+//! Cubics with small integer coefficients: roots by exact arithmetic, and derivatives without rounding.
+
+use alloc::vec::Vec;
+
+use dashu_int::IBig;
+
+use super::Cubic;
+use crate::exact::{Polynomial, roots};
+
+/// Cubics with the Bernstein coefficients b₀ … b₃, all integers of this magnitude at most.
+fn all_cubics(most: i32) -> impl Iterator<Item = [f64; 4]> {
+    let range = move || -most..=most;
+    let pairs = move || range().flat_map(move |a| range().map(move |b| [f64::from(a), f64::from(b)]));
+    pairs().flat_map(move |[a, b]| pairs().map(move |[c, d]| [a, b, c, d]))
+}
+
+fn cubic([b0, b1, b2, b3]: [f64; 4]) -> Cubic<f64> {
+    let magnitude = [b0, b1, b2, b3].map(f64::abs).into_iter().fold(0.0, f64::max);
+    Cubic::new([b0, 3.0 * b1, 3.0 * b2, b3], magnitude)
+}
+
+/// c(t) for t = time / 64 in [0, 1], without rounding.
+fn value([b0, b1, b2, b3]: [f64; 4], time: f64) -> f64 {
+    let t = time / 64.0;
+    let s = 1.0 - t;
+    b0 * s * s * s + 3.0 * b1 * s * s * t + 3.0 * b2 * s * t * t + b3 * t * t * t
+}
+
+#[test]
+fn roots_are_all_roots_of_the_exact_cubic() {
+    let mut found = [0; 4];
+    for bernstein in all_cubics(6) {
+        let Some(brackets) = cubic(bernstein).roots() else {
+            continue;
+        };
+        let [b0, b1, b2, b3] = bernstein.map(|b| IBig::from(b as i64));
+        let coefficients = [b0, b1 * IBig::from(3), b2 * IBig::from(3), b3];
+        let exact = roots([Polynomial::new(coefficients.to_vec())].to_vec());
+        assert_eq!(brackets.len(), exact.len(), "{bernstein:?}");
+        let ends: Vec<f64> = brackets.iter().flat_map(|root| [root.low, root.high]).collect();
+        assert!(ends.is_sorted(), "{bernstein:?}");
+        found[brackets.len()] += 1;
+    }
+    assert!(found.iter().all(|&count| count > 10), "{found:?}");
+}
+
+#[test]
+fn slopes_are_those_of_the_blossom() {
+    // The exact derivative of the cubic, and its mean over both arguments of the blossom.
+    for b @ [b0, b1, b2, b3] in all_cubics(2) {
+        let [linear, square] = [b2 - 2.0 * b1 + b0, b3 - 3.0 * b2 + 3.0 * b1 - b0];
+        for (low, high) in [(0.0, 1.0), (0.25, 0.5), (0.125, 0.875)] {
+            let of_blossom = |s: f64, t: f64| (b1 - b0) + linear * (s + t) + square * s * t;
+            let expected = [
+                of_blossom(low, low),
+                of_blossom(low, high),
+                of_blossom(high, high),
+            ];
+            assert_eq!(cubic(b).slopes(low, high), expected, "{b:?}");
+        }
+    }
+}
+
+#[test]
+fn pieces_between_cuts_are_monotone() {
+    for b in all_cubics(3) {
+        let mut ends: Vec<f64> = [0.0].into_iter().chain(cubic(b).cuts()).chain([1.0]).collect();
+        ends.retain(|t| !t.is_nan());
+        for pair in ends.windows(2) {
+            // At the multiples of 1 / 64 in the piece, the cubic does not turn.
+            let inner = (0..=64)
+                .map(f64::from)
+                .filter(|time| *time >= 64.0 * pair[0] && *time <= 64.0 * pair[1]);
+            let values: Vec<f64> = inner.map(|time| value(b, time)).collect();
+            let falls = values.iter().rev().is_sorted();
+            assert!(values.is_sorted() || falls, "{b:?} {pair:?}");
+        }
+        let [b0, b1, b2, b3] = b;
+        let bend = (b2 - 2.0 * b1 + b0) + (b3 - 3.0 * b2 + 3.0 * b1 - b0) * cubic(b).inflection();
+        assert!(bend.is_nan() || bend.is_infinite() || bend.abs() < 1e-12, "{b:?}");
+    }
+}
