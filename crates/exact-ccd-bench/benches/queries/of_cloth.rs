@@ -1,16 +1,22 @@
 //! The candidates of a step as queries of a batch.
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_mesh::{Bvh, Candidates, PairKind, Step};
+use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, PairKind, Step};
 
 /// For each candidate vertex and face the four vertices of the query.
 pub(crate) fn vertex_face(step: Step<'_>) -> Vec<[u32; 4]> {
-    queries::<VertexFace>(step, Candidates::new(step, &Bvh).vertex_face())
+    queries::<VertexFace>(step, candidates(step).vertex_face())
 }
 
 /// For each two candidate edges the four vertices of the query.
 pub(crate) fn edge_edge(step: Step<'_>) -> Vec<[u32; 4]> {
-    queries::<EdgeEdge>(step, Candidates::new(step, &Bvh).edge_edge())
+    queries::<EdgeEdge>(step, candidates(step).edge_edge())
+}
+
+/// The pairs whose boxes around the path meet: most of them are easy, as those of other broad phases are.
+fn candidates(step: Step<'_>) -> Candidates {
+    let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
+    Candidates::with_options(step, &Bvh, &options).expect("the default distances are 0")
 }
 
 fn queries<K: PairKind>(step: Step<'_>, pairs: &[[u32; 2]]) -> Vec<K::Vertices> {
