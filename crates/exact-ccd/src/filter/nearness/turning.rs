@@ -92,8 +92,8 @@ impl Heading<f64> {
     ///
     /// The square of its length is computed from rounded components, with three roundings: it differs by at
     /// most 5 u, and the length by less than 3 u. So a square of at most 1 + 8 u suffices. The two roundings,
-    /// of a corner and of a direction, and the four of [`Heading::along`] make n = 6; the errors of corners in
-    /// twice the precision, 8 ε, are less than another u r.
+    /// of a corner and of a direction, and the four of [`Heading::along`] make n = 6; the errors of corners
+    /// in twice the precision, 8 ε, are less than another u r.
     pub(super) fn rounded(corners: &[[DoubleDouble; 3]; 4], direction: [DoubleDouble; 3]) -> Self {
         let direction = direction.map(Number::value);
         let is_short = dot(direction, direction) <= 1.0 + 8.0 * UNIT;
