@@ -83,8 +83,8 @@ fn some_queries_need_the_integers() {
     some_need_integers::<EdgeEdge>();
 }
 
-/// The vertex reaches the plane and a side of a moving face at t = 1 / (p + 1), for the prime p = 2⁶¹ − 2373 by
-/// which common factors are ruled out. With u = 1 − t, the cubic and the side have the factor u − p t in
+/// The vertex reaches the plane and a side of a moving face at t = 1 / (p + 1), for the prime p = 2⁶¹ − 2373
+/// by which common factors are ruled out. With u = 1 − t, the cubic and the side have the factor u − p t in
 /// common. It is a constant modulo p.
 #[test]
 fn a_common_factor_that_vanishes_modulo_the_prime() {

@@ -56,8 +56,8 @@ impl Crossings {
         })
     }
 
-    /// The time at which the primitives leave, by a guess from an earlier one on, and a proof that D < d until a
-    /// time if D < d then, at the closest points that are given with it.
+    /// The time at which the primitives leave, by a guess from an earlier one on. The proof is given a time
+    /// at which D < d, and the closest points then; it proves D < d from the earlier one to this time.
     fn leaving<K: Kind>(
         &self,
         from: f64,

@@ -191,8 +191,8 @@ impl<'a> Headed<'a> {
         }
     }
 
-    /// True if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for all corners. Where D is not next to d,
-    /// f64 prove it.
+    /// True if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for all corners.
+    /// Where D is not next to d, f64 prove it.
     fn is_beyond_across(&self, other: &Self) -> bool {
         let Snapshot { count, limit, .. } = *self.snapshot;
         self.rounded.is_beyond_across(&other.rounded, count, limit) || are_beyond(self, other)

@@ -87,14 +87,19 @@ impl<T: Lanes> Heading<T> {
 }
 
 impl Heading<f64> {
-    /// The same in twice the precision, each component rounded.
+    /// The same in twice the precision, each component rounded. The direction is NaN, which proves nothing,
+    /// if it may be longer than 1 + 8 u before the rounding.
     ///
-    /// The length of the direction is at most 1 + 8 u before the rounding. Both roundings together are fewer
-    /// than the four of a corner, and their errors in twice the precision are far below one.
+    /// The square of its length is computed from rounded components, with three roundings: it differs by at
+    /// most 5 u, and the length by less than 3 u. So a square of at most 1 + 8 u suffices. The two roundings,
+    /// of a corner and of a direction, and the four of [`Heading::along`] make n = 6; the errors of corners
+    /// in twice the precision, 8 ε, are less than another u r.
     pub(super) fn rounded(corners: &[[DoubleDouble; 3]; 4], direction: [DoubleDouble; 3]) -> Self {
+        let direction = direction.map(Number::value);
+        let is_short = dot(direction, direction) <= 1.0 + 8.0 * UNIT;
         Self {
             corners: corners.map(|corner| corner.map(Number::value)),
-            direction: direction.map(Number::value),
+            direction: if is_short { direction } else { [f64::NAN; 3] },
         }
     }
 
