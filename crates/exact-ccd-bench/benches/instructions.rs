@@ -66,7 +66,7 @@ impl<K: Kind<Vertices = [u32; 4]>> Batch<K> {
         let mut colliding = Vec::new();
         self.trajectories
             .collisions::<K>(&self.queries, CONTACT, |_, collision| {
-                colliding.push(*collision.query())
+                colliding.push(*collision.query());
             })
             .expect("a mesh has the vertices of its primitives");
         let stride = colliding.len() / QUERIES;

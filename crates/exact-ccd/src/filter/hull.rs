@@ -149,20 +149,18 @@ impl Hull<f64> {
     /// Returns true if all corners are farther than the gap from a plane x = ±y, y = ±z or z = ±x, on
     /// one side.
     ///
-    /// Without a gap, the exact differences are in strict order if the rounded ones are: rounding is
-    /// monotone. With one, [`diagonal_limit`] has the bound.
+    /// Without a gap this is exact: a difference that is rounded has the sign of the exact one, even when it
+    /// overflows or is subnormal. With one, [`diagonal_limit`] has the bound.
     #[inline]
     pub(super) fn is_beyond_diagonal<G: Gap<f64>>(&self, gap: G) -> bool {
         [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
-            let points = self.corners[i].into_iter().zip(self.corners[j]);
-            if !G::IS_POSITIVE {
-                return on_one_side(points, |x, y| [x > y, x < y, x > -y, x < -y]);
-            }
-            let least = diagonal_limit(gap.value(0.0), self.reach(i) + self.reach(j));
-            on_one_side(points, |x, y| {
-                let (difference, sum) = (x - y, x + y);
-                [difference > least, difference < -least, sum > least, sum < -least]
-            })
+            let least = if G::IS_POSITIVE {
+                diagonal_limit(gap.value(0.0), self.reach(i) + self.reach(j))
+            } else {
+                0.0
+            };
+            let points = || self.corners[i].into_iter().zip(self.corners[j]);
+            are_beyond(least, points().map(|(x, y)| x - y)) || are_beyond(least, points().map(|(x, y)| x + y))
         })
     }
 
@@ -196,16 +194,14 @@ impl Hull<f64> {
     }
 }
 
-/// Returns true if all points (x, y) are on the same of four sides.
+/// Returns true if all values are above a limit, or all below its opposite. The first one says which.
 #[inline]
-fn on_one_side(points: impl Iterator<Item = (f64, f64)>, sides_of: impl Fn(f64, f64) -> [bool; 4]) -> bool {
-    let mut sides = [true; 4];
-    for (x, y) in points {
-        for (all, one) in sides.iter_mut().zip(sides_of(x, y)) {
-            *all &= one;
-        }
+fn are_beyond(least: f64, mut values: impl Iterator<Item = f64>) -> bool {
+    match values.next() {
+        Some(first) if first > least => values.all(|value| value > least),
+        Some(first) if first < -least => values.all(|value| value < -least),
+        _ => false,
     }
-    sides != [false; 4]
 }
 
 #[cfg(test)]
