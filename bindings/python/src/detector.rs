@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
 use exact_ccd::{Point, Separation};
 use exact_ccd_mesh::{PairCounts, TriangleMesh};
-use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -316,10 +316,6 @@ impl Detector {
         })?;
         page.add_contacts(&contacts.concat())
     }
-}
-
-pub(crate) fn points<'a>(positions: &'a PyReadonlyArray2<'_, f64>) -> PyResult<&'a [Point]> {
-    Ok(positions.as_slice()?.as_chunks().0)
 }
 
 fn by_kind(counts: PairCounts) -> [i64; 4] {

@@ -8,9 +8,9 @@ use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
-use crate::detector::points;
 use crate::error::refused;
 use crate::mesh::{Mesh, Table, rows};
+use crate::positions::points;
 
 /// Vertices, faces and loose edges.
 type Arrays<'py> = (Table<'py, f64>, Table<'py, u32>, Table<'py, u32>);

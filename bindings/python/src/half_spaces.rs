@@ -4,8 +4,8 @@ use exact_ccd_mesh::HalfSpace;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::detector::points;
 use crate::error::refused;
+use crate::positions::points;
 
 /// Half spaces, each with a point of its boundary and the outward normal.
 #[pyclass(frozen, module = "exact_ccd._native")]

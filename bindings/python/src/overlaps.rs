@@ -11,9 +11,9 @@ use rayon::prelude::*;
 
 use crate::broad_phase::Interruptible;
 use crate::compute::{Watch, compute};
-use crate::detector::points;
 use crate::error::refused;
 use crate::mesh::{Table, rows};
+use crate::positions::points;
 
 /// Pairs of primitives, one of each array, without a common vertex, whose boxes over the step meet, each
 /// enlarged by `inflation` on every side. Each row of an array has the vertices of a primitive.

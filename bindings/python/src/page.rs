@@ -7,9 +7,9 @@ use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::detector::points;
 use crate::error::refused;
 use crate::mesh::Mesh;
+use crate::positions::points;
 
 /// A page under construction.
 #[pyclass(module = "exact_ccd._native")]

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use exact_ccd::Point;
 use numpy::ndarray::{ArrayView2, ArrayView3, Axis};
-use numpy::{PyArray3, PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::{PyArray3, PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::error::refused;
@@ -108,4 +108,9 @@ fn query<T: Copy + Into<f64>, const POINTS: usize>(row: &ArrayView2<'_, T>) -> [
         Some(points) => points.map(|point| point.map(Into::into)),
         None => from_fn(|i| from_fn(|axis| row[[i, axis]].into())),
     }
+}
+
+/// The points of an array of shape (V, 3).
+pub(crate) fn points<'a>(positions: &'a PyReadonlyArray2<'_, f64>) -> PyResult<&'a [Point]> {
+    Ok(positions.as_slice()?.as_chunks().0)
 }

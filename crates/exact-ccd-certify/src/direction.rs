@@ -6,6 +6,7 @@
 //! of it.
 
 use exact_ccd::Point;
+use exact_ccd_mesh::vector::{cross, dot, minus};
 
 /// The best direction, and the least g · p / |g|, if that is positive.
 pub(crate) fn best(points: &[Point]) -> Option<(Point, f64)> {
@@ -47,20 +48,4 @@ pub(crate) fn rounded(g: Point, bits: u32) -> [i64; 3] {
         .fold(0.0_f64, |largest, component| largest.max(component.abs()));
     let scale = ((1_i64 << (bits - 1)) - 1) as f64 / largest;
     g.map(|component| (component * scale).round() as i64)
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

@@ -62,7 +62,7 @@ impl CertificateOption {
 }
 
 impl Certificate<'_> {
-    /// True if one is asked for.
+    /// Returns true if one is asked for.
     pub(crate) fn is_wanted(&self) -> bool {
         self.making.is_some()
     }

@@ -65,7 +65,7 @@ pub(crate) struct Counts {
     /// The vertices that touch half spaces, if there are half spaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) half_spaces: Option<HalfSpaceCounts>,
-    /// Those of the list of all.
+    /// The violations in the list of all.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) violations: Option<Violations>,
 }
@@ -117,14 +117,14 @@ impl Report {
     /// Adds an intersection or a contact, unless there is an earlier one. A contact in motion is in the step
     /// that leads to frame `index`.
     pub(crate) fn add(&mut self, scene: &Scene, index: usize, record: &ContactRecord) {
-        let first = if record.is_intersection() {
+        let is_at_rest = record.is_intersection();
+        let first = if is_at_rest {
             &mut self.intersection
         } else {
             self.touches = true;
             &mut self.contact
         };
         if first.is_none() {
-            let is_at_rest = record.is_intersection();
             let last = if is_at_rest { record.frame } else { index };
             let files = (record.frame..=last).map(|frame| scene.frame_name(frame));
             *first = Some(Finding {

@@ -22,7 +22,7 @@ pub(super) fn accuracy(table: &Table) -> String {
     svg(SIZE, |area| draw_accuracy(table, area))
 }
 
-/// True if the colour is used for the second time: then lines are dashed and symbols open.
+/// Returns true if the colour is used for the second time: then lines are dashed and symbols open.
 fn is_second_round(index: usize) -> bool {
     index >= COLOR_COUNT
 }

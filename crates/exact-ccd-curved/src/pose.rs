@@ -1,9 +1,10 @@
 //! Poses of rigid bodies.
 
 use exact_ccd::Point;
+use exact_ccd_mesh::vector::cross;
 
 use crate::rigid::{RigidMotion, RigidMotionError};
-use crate::rounding::{cross, length};
+use crate::rounding::length;
 
 /// A place and an orientation of a rigid body: the point p of the body is at R p + x.
 #[derive(Clone, Copy, Debug, PartialEq)]

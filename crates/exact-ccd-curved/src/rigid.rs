@@ -1,8 +1,9 @@
 //! Rigid motion: rotation about an axis that moves in a straight line.
 
 use exact_ccd::Point;
+use exact_ccd_mesh::vector::cross;
 
-use crate::rounding::{FLOOR, UNIT, above, cross, length, sum};
+use crate::rounding::{FLOOR, UNIT, above, length, sum};
 use crate::sine::sine;
 use crate::trajectory::{Position, Trajectory};
 

@@ -44,11 +44,6 @@ pub(crate) fn length(vector: Point) -> f64 {
     largest * libm::sqrt(squares[0] + squares[1] + squares[2])
 }
 
-/// a × b, rounded.
-pub(crate) fn cross(a: Point, b: Point) -> Point {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k): (usize, usize)| a[j] * b[k] - a[k] * b[j])
-}
-
 /// a + b, rounded up, for non-negative numbers; exact if one of them is 0.
 pub(crate) fn add_up(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {

@@ -77,7 +77,7 @@ impl Scene {
         })
     }
 
-    /// True if there are files with the queried pairs and with verdicts on them, for both kinds.
+    /// Returns true if there are files with the queried pairs and with verdicts on them, for both kinds.
     #[must_use]
     pub fn has_pairs(&self) -> bool {
         let has = |kind: &str| {

@@ -34,7 +34,7 @@ impl<W: Write> QueryWriter<W> {
     /// count at the end of each. The other fields of the record are left out.
     ///
     /// # Errors
-    /// Those of the writer. If only some of the queries have a ground truth, or if a count is missing.
+    /// The errors of the writer. If only some of the queries have a ground truth, or if a count is missing.
     pub fn write<K: QueryKind>(&mut self, record: &Record<K>) -> io::Result<()> {
         let value = match self.seventh {
             Seventh::Contact => record.sample.truth.map(i64::from),
@@ -72,7 +72,7 @@ impl<W: Write> QueryWriter<W> {
 /// Every coordinate is a fraction in lowest terms, which is exactly the `f64`; −0.0 becomes 0/1.
 ///
 /// # Errors
-/// Those of the writer.
+/// The errors of the writer.
 pub fn write_query<K: QueryKind>(writer: &mut impl Write, query: &Query<K>) -> io::Result<()> {
     write_rows(writer, query, "")
 }

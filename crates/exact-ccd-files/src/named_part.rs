@@ -34,7 +34,7 @@ impl NamedPart {
         })
     }
 
-    /// True if parts, in their order, cover vertices from 0 to this count.
+    /// Returns true if parts, in their order, cover vertices from 0 to this count.
     pub(crate) fn cover(parts: &[Self], count: usize) -> bool {
         let end = parts.iter().try_fold(0, |end, part| {
             (part.vertices.start == end && end <= part.vertices.end).then_some(part.vertices.end)

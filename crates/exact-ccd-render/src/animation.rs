@@ -20,7 +20,7 @@ impl<W: io::Write> Animation<W> {
     /// Begins a file of `count` pictures with this width and height in pixels.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no
+    /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no
     /// pictures or no pixels.
     pub fn new(writer: W, size: [u16; 2], count: u32) -> io::Result<Self> {
         if count == 0 {
@@ -41,7 +41,7 @@ impl<W: io::Write> Animation<W> {
     /// and its rounding errors do not add up.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture has
+    /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture has
     /// another size, or exceeds the number of pictures.
     pub fn add(&mut self, picture: &Picture, seconds: f64) -> io::Result<()> {
         if picture.size() != self.size {
@@ -61,7 +61,7 @@ impl<W: io::Write> Animation<W> {
     /// Completes the file.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if pictures are missing.
+    /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if pictures are missing.
     pub fn finish(self) -> io::Result<()> {
         if self.missing > 0 {
             return Err(invalid("pictures are missing"));
@@ -75,7 +75,7 @@ impl<W: io::Write> Animation<W> {
 /// `seconds` is the duration of each picture.
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures
+/// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures
 /// or no pixels, or if the sizes differ.
 pub fn write_apng(writer: impl io::Write, pictures: &[Picture], seconds: f64) -> io::Result<()> {
     let size = pictures.first().map_or([1, 1], Picture::size);

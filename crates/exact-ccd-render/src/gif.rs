@@ -28,7 +28,7 @@ impl<W: io::Write> Gif<W> {
     /// Begins a file of pictures with this width and height in pixels.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pixels.
+    /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pixels.
     pub fn new(writer: W, size: [u16; 2]) -> io::Result<Self> {
         if size.contains(&0) {
             return Err(invalid("the picture has no pixels"));
@@ -49,7 +49,7 @@ impl<W: io::Write> Gif<W> {
     /// because programs would show both too long.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture has another
+    /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture has another
     /// size.
     pub fn add(&mut self, picture: &Picture, seconds: f64) -> io::Result<()> {
         if picture.size() != self.size {
@@ -67,7 +67,7 @@ impl<W: io::Write> Gif<W> {
     /// Completes the file.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures.
+    /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures.
     pub fn finish(mut self) -> io::Result<()> {
         if self.pending.is_none() {
             return Err(invalid("there are no pictures"));

@@ -58,7 +58,7 @@ impl Picture {
     /// Writes a PNG file.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a picture without
+    /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a picture without
     /// pixels.
     pub fn write_png(&self, writer: impl io::Write) -> io::Result<()> {
         let mut writer = encoder(writer, self.size)?.write_header()?;

@@ -129,8 +129,8 @@ fn add_path(value: &DeValue<'_>, byte: usize, path: &mut Vec<String>) {
     }
 }
 
-/// True if a byte belongs to a value. The span of a table with a header is only the header, so the entries
-/// of the table are searched too.
+/// Returns true if a byte belongs to a value. The span of a table with a header is only the header, so the
+/// entries of the table are searched too.
 fn contains(value: &Spanned<DeValue<'_>>, byte: usize) -> bool {
     value.span().contains(&byte)
         || match value.get_ref() {

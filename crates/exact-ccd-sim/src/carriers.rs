@@ -60,7 +60,7 @@ impl Carriers {
         self.bodies.push(first..self.carriers.len() as u32);
     }
 
-    /// True if no vertex is carried.
+    /// Returns true if no vertex is carried.
     pub(crate) fn is_empty(&self) -> bool {
         self.bodies.is_empty()
     }

@@ -118,7 +118,7 @@ impl<'a> Dirichlet<'a> {
         }
     }
 
-    /// True if the next step moves the bodies.
+    /// Returns true if the next step moves the bodies.
     pub(crate) fn is_prescribed(&self) -> bool {
         self.mode == Mode::Prescribed
     }

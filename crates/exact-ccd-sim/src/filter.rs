@@ -96,8 +96,8 @@ impl StepFilter {
         &self.name
     }
 
-    /// True if the times of the method are exact. The kernel computes the same times then, also within the
-    /// offsets of surfaces, and takes the place of the method.
+    /// Returns true if the times of the method are exact. The kernel computes the same times then, also
+    /// within the offsets of surfaces, and takes the place of the method.
     #[must_use]
     pub fn is_exact(&self) -> bool {
         self.method.guarantees().time == TimeGuarantee::Exact

@@ -53,7 +53,7 @@ impl Moments {
     }
 }
 
-/// True if faces enclose a volume: each edge is passed as often in one direction as in the other one.
+/// Returns true if faces enclose a volume: each edge is passed as often in one direction as in the other one.
 pub(crate) fn is_closed(faces: &[[u32; 3]]) -> bool {
     let mut passes: BTreeMap<[u32; 2], i64> = BTreeMap::new();
     for &[a, b, c] in faces {

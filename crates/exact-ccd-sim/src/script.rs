@@ -120,7 +120,7 @@ impl Script {
         }
     }
 
-    /// True if it turns vertices, so that it is rigid along all axes together only.
+    /// Returns true if it turns vertices, so that it is rigid along all axes together only.
     pub(crate) fn turns(&self) -> bool {
         match self {
             Self::Fixed | Self::Moving { .. } => false,

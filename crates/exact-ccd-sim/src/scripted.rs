@@ -107,7 +107,7 @@ impl Timed {
         })
     }
 
-    /// True if no time is between the end of the script and the start of the next one.
+    /// Returns true if no time is between the end of the script and the start of the next one.
     fn lasts_until(&self, next: f64) -> bool {
         self.release.is_none_or(|release| release >= next)
     }
@@ -123,7 +123,7 @@ impl Coordinates {
         }
     }
 
-    /// True if a script holds every coordinate at all times.
+    /// Returns true if a script holds every coordinate at all times.
     pub(crate) fn are_held(&self) -> bool {
         let held = |scripts: &Vec<Arc<Timed>>| {
             scripts.first().is_some_and(|script| script.from == 0.0)
@@ -133,13 +133,13 @@ impl Coordinates {
         self.0.iter().all(held)
     }
 
-    /// True if vertices with these scripts keep their distances.
+    /// Returns true if vertices with these scripts keep their distances.
     pub(crate) fn are_rigid(&self) -> bool {
         let [x, y, z] = &self.0;
         x == y && y == z || !self.0.iter().flatten().any(|script| script.script.turns())
     }
 
-    /// True if no script moves a coordinate at any time.
+    /// Returns true if no script moves a coordinate at any time.
     pub(crate) fn are_fixed(&self) -> bool {
         self.0
             .iter()

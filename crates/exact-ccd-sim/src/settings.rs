@@ -230,7 +230,7 @@ pub struct FrictionPair {
 }
 
 impl Friction {
-    /// True if the coefficient of a pair is positive.
+    /// Returns true if the coefficient of a pair is positive.
     #[must_use]
     pub fn acts(&self) -> bool {
         self.coefficient > 0.0 || self.pairs.iter().any(|pair| pair.coefficient > 0.0)

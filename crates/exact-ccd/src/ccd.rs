@@ -7,7 +7,7 @@ use crate::query::Query;
 
 /// A decision of queries of one kind, right or wrong: the part of a [`Ccd`] that depends on the kind.
 pub trait Decide<K: Kind>: Send + Sync {
-    /// True if the primitives touch, according to this method.
+    /// Returns true if the primitives touch, according to this method.
     fn collides(&self, query: &Query<K>) -> bool;
 
     /// The earliest contact time according to this method, in \[0, 1\]; `None` if the primitives do

@@ -218,7 +218,7 @@ impl<'a, K: Kind> Collision<'a, K> {
         DistanceBounds { lower: d, upper: d }
     }
 
-    /// An answer by the filters if they determine it, otherwise by the exact path; or that for a
+    /// An answer. For contact, by the filters if they determine it, otherwise by the exact path. For a
     /// separation above 0, from the first time. The filters need the default environment of the
     /// thread that reads the answer: the query may have been decided on another one.
     fn answer<T>(

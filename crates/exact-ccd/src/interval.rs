@@ -11,8 +11,8 @@ use crate::time::ContactTime;
 pub struct Interval {
     /// The first time.
     pub start: ContactTime,
-    /// The last time. That of an interval shorter than the difference of two adjacent f64 may compare
-    /// equal to the first one.
+    /// The last time. In an interval shorter than the difference of two adjacent f64, it may compare equal
+    /// to the first time.
     pub end: ContactTime,
     /// True for a single moment, false for an interval of positive length.
     pub is_moment: bool,

@@ -54,7 +54,7 @@ pub struct Features {
 }
 
 impl Features {
-    /// True if the domain of (u, v) is a triangle, false if it is a square or a part of its boundary.
+    /// Returns true if the domain of (u, v) is a triangle, false if it is a square or a part of its boundary.
     pub(crate) const fn are_of_triangle(&self) -> bool {
         self.vertices.len() == 3
     }

@@ -21,7 +21,7 @@ impl VertexSet {
         vertices.iter().any(|&vertex| self.has(vertex))
     }
 
-    /// True if they are of the part with these vertices.
+    /// Returns true if they are of the part with these vertices.
     pub(super) fn is_of(&self, part: &Range<u32>) -> bool {
         part.contains(&self.first)
     }

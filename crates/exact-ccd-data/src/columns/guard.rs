@@ -76,7 +76,7 @@ impl GuardedFile {
         self.budget.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// True if a column chunk lies in the file.
+    /// Returns true if a column chunk lies in the file.
     pub(super) fn holds(&self, chunk: &ColumnChunkMetaData) -> bool {
         let start = chunk.dictionary_page_offset().unwrap_or(chunk.data_page_offset());
         let [start, length] = [start, chunk.compressed_size()].map(u64::try_from);

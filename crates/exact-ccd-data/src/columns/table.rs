@@ -24,7 +24,7 @@ pub enum TableColumn<'a> {
 /// Writes a table of columns, each with its name, as a Parquet file.
 ///
 /// # Errors
-/// Those of the writer, and if the columns do not have the same number of values.
+/// The errors of the writer, and if the columns do not have the same number of values.
 ///
 /// # Panics
 /// If a name is no identifier.

@@ -38,7 +38,7 @@ impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
     /// Begins a file.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// The errors of the writer.
     pub fn new(writer: W) -> io::Result<Self> {
         let schema = parse_message_type(SCHEMA).expect("the schema is well-formed");
         let file = SerializedFileWriter::new(writer, Arc::new(schema), Arc::new(properties::<K>()))
@@ -52,7 +52,7 @@ impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
     /// Adds a query.
     ///
     /// # Errors
-    /// Those of the writer, and if an id is too large for an i64.
+    /// The errors of the writer, and if an id is too large for an i64.
     pub fn write(&mut self, record: Record<K>) -> io::Result<()> {
         let is_large = |id: &u64| i64::try_from(*id).is_err();
         if let Some(id) = record.ids.and_then(|ids| ids.into_iter().find(is_large)) {
@@ -70,7 +70,7 @@ impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
     /// Ends the file, and returns the writer.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// The errors of the writer.
     pub fn finish(mut self) -> io::Result<W> {
         if !self.group.is_empty() {
             self.end_group()?;

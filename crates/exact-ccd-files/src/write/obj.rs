@@ -13,7 +13,7 @@ use super::check::check_frame;
 /// statements `l`.
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there is no vertex,
+/// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there is no vertex,
 /// or, with the [`PositionsError`](exact_ccd_mesh::PositionsError), if the positions do not fit the
 /// mesh.
 pub fn write_obj(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {

@@ -13,7 +13,7 @@ use crate::named_part::NamedPart;
 /// element `edge`.
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there is no vertex,
+/// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there is no vertex,
 /// or, with the [`PositionsError`](exact_ccd_mesh::PositionsError), if the positions do not fit the
 /// mesh.
 pub fn write_ply(writer: impl io::Write, frame: &Frame) -> io::Result<()> {

@@ -16,7 +16,7 @@ use super::check::invalid;
 /// ```
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a time that is not
+/// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a time that is not
 /// finite or a path with a character that XML does not allow.
 pub fn write_pvd(
     mut writer: impl io::Write,

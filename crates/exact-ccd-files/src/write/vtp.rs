@@ -33,7 +33,7 @@ pub enum PointArray<'a> {
 /// ```
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is
+/// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is
 /// written, if a coordinate is not finite, or the numbers of values and points differ.
 pub fn write_vtp(
     mut writer: impl io::Write,

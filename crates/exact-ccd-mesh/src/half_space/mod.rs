@@ -91,8 +91,8 @@ impl HalfSpace {
         self.normal.map(|x| x / length)
     }
 
-    /// True if a point is farther than `offset` ≥ 0 from the half space: n · (x − p) > `offset` |n|, exactly,
-    /// for the numbers as they are. False if a coordinate is not finite.
+    /// Returns true if a point is farther than `offset` ≥ 0 from the half space: n · (x − p) > `offset` |n|,
+    /// exactly, for the numbers as they are. False if a coordinate is not finite.
     ///
     /// A vertex in linear motion has n · (x − p) linear in time, hence at least its lesser value at both
     /// ends: the vertex stays apart in the whole step if and only if it is apart at both ends.

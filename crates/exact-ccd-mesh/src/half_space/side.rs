@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use exact_ccd::{Point, environment};
 
-/// True if n · (x − p) > `offset` |n|, exactly, for `offset` ≥ 0. False if a number is not finite.
+/// Returns true if n · (x − p) > `offset` |n|, exactly, for `offset` ≥ 0. False if a number is not finite.
 pub(super) fn is_beyond(normal: Point, point: Point, x: Point, offset: f64) -> bool {
     let numbers = normal.iter().chain(&point).chain(&x).chain([&offset]);
     if !numbers.into_iter().all(|number| number.is_finite()) {

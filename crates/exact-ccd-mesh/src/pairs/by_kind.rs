@@ -3,13 +3,13 @@
 /// One value for each kind of pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ByKind<T> {
-    /// That of pairs of a vertex and a face.
+    /// The value of pairs of a vertex and a face.
     pub vertex_face: T,
-    /// That of pairs of two edges.
+    /// The value of pairs of two edges.
     pub edge_edge: T,
-    /// That of pairs of a vertex and a loose edge.
+    /// The value of pairs of a vertex and a loose edge.
     pub vertex_edge: T,
-    /// That of pairs of two loose vertices.
+    /// The value of pairs of two loose vertices.
     pub vertex_vertex: T,
 }
 

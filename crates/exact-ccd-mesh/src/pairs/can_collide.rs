@@ -3,6 +3,8 @@
 use std::fmt;
 use std::sync::Arc;
 
+use super::PairKind;
+
 /// A predicate on pairs of primitives: only pairs that can collide are examined.
 ///
 /// Primitives that share a vertex are never examined, whatever the predicate. Clones share the
@@ -103,6 +105,13 @@ impl CanCollide {
     #[must_use]
     pub fn allows(&self, a: &[u32], b: &[u32]) -> bool {
         self.takes_part(a) && self.takes_part(b) && self.predicate.as_ref().is_none_or(|rule| rule(a, b))
+    }
+
+    /// Returns true if the primitives of a pair have no common vertex, and can collide.
+    #[inline]
+    pub(crate) fn allows_pair<K: PairKind>(&self, vertices: &K::Vertices) -> bool {
+        let (a, b) = vertices.as_ref().split_at(K::FIRST);
+        K::are_apart(vertices) && (self.is_all() || self.allows(a, b))
     }
 
     /// Returns true if all pairs can collide.

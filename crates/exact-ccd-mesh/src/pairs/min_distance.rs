@@ -108,8 +108,8 @@ impl MinDistance {
         Self { inner: None, ..self }
     }
 
-    /// The distances for pairs that start beyond them, but for those of [`between`](Self::between) that are
-    /// 0.
+    /// The distances for pairs that start beyond them. Connected pairs are an exception:
+    /// [`between`](Self::between) is 0 for them.
     #[must_use]
     pub fn separations(&self) -> Separations<'_> {
         match &self.outer {

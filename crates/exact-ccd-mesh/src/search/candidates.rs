@@ -23,7 +23,8 @@ use crate::steps::Step;
 /// [`Options`] have the distance at which primitives touch, and the last time that counts. Decisions are
 /// about all pairs of the mesh if that distance is not above the [minimum
 /// distance](CandidateOptions::min_distance) for which the candidates were found. A vertex without a
-/// thickness has the thickness 0. Other methods decide contact.
+/// thickness has the thickness 0. Other methods decide contact. No pair collides until a time that is
+/// negative or not a number; a [`Detector`](crate::Detector) refuses it.
 ///
 /// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
 /// mesh does not have are no contacts.

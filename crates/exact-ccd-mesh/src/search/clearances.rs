@@ -17,11 +17,11 @@ impl<B: BroadPhase> Detector<B> {
     /// The clearance of each vertex at rest: the least distance of a [`Pair`](crate::Pair) whose primitives
     /// have the vertex, or the cut-off, if all are farther apart. It is the largest f64 that is not above.
     ///
-    /// The pairs of a vertex are those of it with a face, those of a face that has it with another vertex,
-    /// and those of an edge that has it with another edge; with points and rods, the others that [`Pair`]
-    /// lists. So a mesh of which each vertex moves by less than half of its clearance, on whatever path, is
-    /// free of contact: no point of a primitive moves farther than one of its vertices, which is less than
-    /// half of the distance of any of its pairs.
+    /// The pairs of a vertex are the vertex with a face, a face of the vertex with another vertex, and an
+    /// edge of the vertex with another edge; with points and rods, also the others that [`Pair`] lists. So a
+    /// mesh of which each vertex moves by less than half of its clearance, on whatever path, is free of
+    /// contact: no point of a primitive moves farther than one of its vertices, which is less than half of
+    /// the distance of any of its pairs.
     ///
     /// The cost grows with the number of pairs within the cut-off, which should be about twice the largest
     /// displacement of interest.

@@ -84,8 +84,8 @@ impl<B: BroadPhase> CulledSearch<B> {
         self.memory.narrow_phase.contact(step.mesh(), pair)
     }
 
-    /// Passes all candidates until the collector's time to the collector, possibly with others: those that
-    /// come within a distance. The search ends early if the collector breaks.
+    /// Passes to the collector all candidates that come within their distance until its time, and possibly
+    /// others. The search ends early if the collector breaks.
     pub(crate) fn run(&mut self, step: &Step<'_>, min_distance: &MinDistance, collector: &impl Collect) {
         self.memory.kept = None;
         self.pass(step, min_distance, collector, None);

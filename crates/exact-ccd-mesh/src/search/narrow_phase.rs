@@ -67,10 +67,7 @@ impl NarrowPhase {
             self.approaches_if(mesh, pairs, until, separations, K::are_apart, found);
             return;
         }
-        let can_collide = |vertices: &K::Vertices| {
-            let (a, b) = vertices.as_ref().split_at(K::FIRST);
-            K::are_apart(vertices) && self.can_collide.allows(a, b)
-        };
+        let can_collide = |vertices: &K::Vertices| self.can_collide.allows_pair::<K>(vertices);
         if !K::CAN_BE_CONNECTED {
             self.approaches_if(mesh, pairs, until, separations, can_collide, found);
             return;
@@ -112,9 +109,7 @@ impl NarrowPhase {
         mut found: impl FnMut(&K::Vertices, Query<K>),
     ) {
         for vertices in pairs.iter().filter_map(|&ids| K::vertices(mesh, ids)) {
-            let (a, b) = vertices.as_ref().split_at(K::FIRST);
-            if K::are_apart(&vertices)
-                && self.can_collide.allows(a, b)
+            if self.can_collide.allows_pair::<K>(&vertices)
                 && let Some(query) = self.trajectories.query::<K>(vertices)
             {
                 found(&vertices, query);

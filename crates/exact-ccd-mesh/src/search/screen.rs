@@ -25,14 +25,7 @@ use crate::steps::Step;
 pub(super) struct Screen {
     trajectories: Trajectories,
     /// The minimum distance and the margin; none, if their sum is too large.
-    thickened: Option<Thickened>,
-}
-
-/// Separations that are larger by a margin.
-#[derive(Clone, Debug)]
-enum Thickened {
-    Uniform(Separation),
-    Thickness(Thickness),
+    thickened: Option<MinDistance>,
 }
 
 impl Screen {
@@ -52,7 +45,7 @@ impl Screen {
             .set(x0, &step.at(time))
             .expect("a step has as many positions at both ends, and all are finite");
         let margin = 64.0 * f64::EPSILON * step.largest_coordinate() + 64.0 * f64::MIN_POSITIVE;
-        self.thickened = Thickened::new(min_distance.separations(), margin);
+        self.thickened = thickened(min_distance.separations(), margin);
     }
 
     /// The pairs that may come within their minimum distance, apart from those that cannot collide.
@@ -62,11 +55,7 @@ impl Screen {
         can_collide: &CanCollide,
         pairs: &[[u32; 2]],
     ) -> Vec<[u32; 2]> {
-        let is_all = can_collide.is_all();
-        let can_collide = |vertices: &K::Vertices| {
-            let (a, b) = vertices.as_ref().split_at(K::FIRST);
-            K::are_apart(vertices) && (is_all || can_collide.allows(a, b))
-        };
+        let can_collide = |vertices: &K::Vertices| can_collide.allows_pair::<K>(vertices);
         let mut passing = Vec::new();
         for_each_chunk::<K>(mesh, pairs, can_collide, |ids, queries| {
             let Some(thickened) = &self.thickened else {
@@ -81,26 +70,18 @@ impl Screen {
     }
 }
 
-impl Thickened {
-    fn new(separations: Separations<'_>, margin: f64) -> Option<Self> {
-        match separations {
-            Separations::Uniform(d) => {
-                let d = Separation::new(sum_above(d.get(), margin)).ok()?;
-                Some(Self::Uniform(d))
-            }
-            Separations::Thickness(thickness) => {
-                let vertices = 0..thickness.vertex_count() as u32;
-                let thicker = |vertex| sum_above(thickness.of(&[vertex]).get(), margin);
-                let values: Vec<f64> = vertices.map(thicker).collect();
-                Thickness::new(&values).ok().map(Self::Thickness)
-            }
+/// Separations that are larger by a margin, unless one is too large.
+fn thickened(separations: Separations<'_>, margin: f64) -> Option<MinDistance> {
+    match separations {
+        Separations::Uniform(d) => {
+            let d = Separation::new(sum_above(d.get(), margin)).ok()?;
+            Some(MinDistance::uniform(d))
         }
-    }
-
-    fn separations(&self) -> Separations<'_> {
-        match self {
-            Self::Uniform(d) => Separations::Uniform(*d),
-            Self::Thickness(thickness) => Separations::Thickness(thickness),
+        Separations::Thickness(thickness) => {
+            let vertices = 0..thickness.vertex_count() as u32;
+            let thicker = |vertex| sum_above(thickness.of(&[vertex]).get(), margin);
+            let values: Vec<f64> = vertices.map(thicker).collect();
+            Thickness::new(&values).ok().map(MinDistance::thickness)
         }
     }
 }

@@ -37,7 +37,7 @@ impl<N: Number> Curve<N> {
         &self.coefficients
     }
 
-    /// True if all coefficients have the same strict sign, so that there is no root.
+    /// Returns true if all coefficients have the same strict sign, so that there is no root.
     pub(super) fn is_one_sided(&self) -> bool {
         let first = self.signs[0];
         first != Equal && self.signs == [first; 4]

@@ -18,7 +18,7 @@ pub(super) trait Number:
     /// method continues without it. `None` is an open sign at which the method stops.
     fn sign(&self) -> Option<Ordering>;
 
-    /// True if this is zero for certain.
+    /// Returns true if this is zero for certain.
     fn is_zero(&self) -> bool;
 }
 

@@ -104,7 +104,7 @@ mod tests {
 
     use super::*;
 
-    /// True if the cubic has an inflection point that matters according to its control polygon.
+    /// Returns true if the cubic has an inflection point that matters according to its control polygon.
     fn is_given_up(configuration: &Configuration) -> bool {
         let polynomials = Polynomials::new(to_integers(&configuration.points), configuration);
         let curve = Curve::new(polynomials.coplanarity()).unwrap();

@@ -45,7 +45,7 @@ use super::number::signs;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TightCcd;
 
-/// True if there may be contact. Always `Some`, since [`Bounded`] leaves no sign open.
+/// Returns true if there may be contact. Always `Some`, since [`Bounded`] leaves no sign open.
 fn decide(configuration: &Configuration) -> Option<bool> {
     let polynomials = Polynomials::<Bounded>::from_coordinates(configuration);
     let curve = Curve::new(polynomials.coplanarity())?;

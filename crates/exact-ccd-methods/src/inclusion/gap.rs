@@ -49,7 +49,7 @@ pub(crate) trait Gap: Kind<Points = [Point; 4]> {
     /// A coordinate of F, from that coordinate of the four points.
     fn gap<T: Arithmetic>(points: [T; 4], u: T, v: T) -> T;
 
-    /// True if a part of the box lies in the domain.
+    /// Returns true if a part of the box lies in the domain.
     fn meets_domain(cell: &Cell<3>) -> bool;
 }
 

@@ -87,14 +87,14 @@ impl Barycentric {
         (position(self.point), self.triangle.map(position))
     }
 
-    /// True if q may lie in the plane of the triangle.
+    /// Returns true if q may lie in the plane of the triangle.
     fn may_be_coplanar(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
         let (q, [x, y, z]) = self.at(coordinates, t);
         dot(&minus(&q, &x), &cross(&minus(&y, &x), &minus(&z, &x))).contains_zero()
     }
 
-    /// True if the barycentric coordinates may have their signs. For the normal n, the one of x is
-    /// n · ((y − q) × (z − q)) / n², and so on around the triangle.
+    /// Returns true if the barycentric coordinates may have their signs. For the normal n, the one of x is n
+    /// · ((y − q) × (z − q)) / n², and so on around the triangle.
     fn may_meet(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
         let (q, triangle) = self.at(coordinates, t);
         let [x, y, z] = triangle;

@@ -79,7 +79,7 @@ fn extent(corners: &[Vector<Interval>]) -> f64 {
     distance(|corner, axis| corner[axis].upper).max(distance(|corner, axis| -corner[axis].lower))
 }
 
-/// True if the ray, as a segment of this length, meets a triangle at the origin, up to rounding.
+/// Returns true if the ray, as a segment of this length, meets a triangle at the origin, up to rounding.
 ///
 /// It meets it at V / (S₀ + S₁ + S₂), in units of the direction: V is the volume of the
 /// corners, Sᵢ that of the direction and an edge. What remains of the segment is the

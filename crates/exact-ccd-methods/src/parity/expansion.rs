@@ -25,7 +25,7 @@ pub(super) struct Expansion(Vec<f64>);
 const RANGE: [f64; 2] = [7.6e-37, 1.4e48];
 
 impl Expansion {
-    /// True if predicates of points of such coordinates are exact.
+    /// Returns true if predicates of points of such coordinates are exact.
     pub(super) fn can_hold(points: &[Point]) -> bool {
         let is_in_range = |&x: &f64| (x == 0.0) | ((x.abs() >= RANGE[0]) & (x.abs() < RANGE[1]));
         points

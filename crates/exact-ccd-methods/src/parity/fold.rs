@@ -12,7 +12,7 @@ type Coefficients = [IBig; 3];
 /// A line from s = 0 to s = 1: its constant and its linear part.
 type Line = [Vector<IBig>; 2];
 
-/// True if a patch with four corners, all in one plane with the origin, contains the origin.
+/// Returns true if a patch with four corners, all in one plane with the origin, contains the origin.
 ///
 /// It is swept by a segment, from P(s) on the side ab to Q(s) on the side dc. The origin is on the
 /// segment if P × Q = 0 and P · Q ≤ 0: the sign of one quadratic at the roots in [0, 1] of another,
@@ -61,7 +61,7 @@ fn discriminant([c, b, a]: &Coefficients) -> IBig {
     b * b - IBig::from(4) * a * c
 }
 
-/// True if a quadratic is zero or less somewhere in [0, 1]: at an end, or at a minimum in between,
+/// Returns true if a quadratic is zero or less somewhere in [0, 1]: at an end, or at a minimum in between,
 /// which there is if it falls at the start and rises at the end.
 fn falls_to_zero(quadratic: &Coefficients) -> bool {
     let [c, b, a] = quadratic;

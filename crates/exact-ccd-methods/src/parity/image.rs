@@ -118,8 +118,8 @@ pub(super) enum Predicate {
 }
 
 impl Predicate {
-    /// True if this is a determinant of vectors of which two are the same, as for a triangle that
-    /// has a corner twice, and for a point at rest. It is zero then, but no rounded arithmetic proves it.
+    /// Returns true if this is a determinant of vectors of which two are the same, as for a triangle that has
+    /// a corner twice, and for a point at rest. It is zero then, but no rounded arithmetic proves it.
     pub(super) fn vanishes<V: PartialEq>(self, vectors: &[V; 9]) -> bool {
         let same = |i: usize, j: usize| vectors[i] == vectors[j];
         match self {

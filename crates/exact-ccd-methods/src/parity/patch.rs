@@ -57,7 +57,7 @@ pub(super) fn stand_in(
     }
 }
 
-/// True if a patch contains the origin, which is in one plane with its corners.
+/// Returns true if a patch contains the origin, which is in one plane with its corners.
 ///
 /// If just one of the two triangles beside a diagonal contains it, then it is not on the diagonal. So it is
 /// on a side of the patch, or the sides wind around it an odd number of times, and the patch fills them.
@@ -78,7 +78,7 @@ fn flat_patch_contains_origin(
     }
 }
 
-/// True if a triangle contains the origin, which is in its plane.
+/// Returns true if a triangle contains the origin, which is in its plane.
 ///
 /// The areas of the origin with the three edges have one sign, as seen along any axis. If all are
 /// zero, the corners are on a line through the origin, and it is between two of them, or not.

@@ -137,7 +137,7 @@ impl Passage {
         is_in(self.left[from]).cmp(&is_in(self.right[from]))
     }
 
-    /// True if the ray crosses a triangle of corners of the patch that does not contain the origin;
+    /// Returns true if the ray crosses a triangle of corners of the patch that does not contain the origin;
     /// `None` if it meets the boundary.
     ///
     /// The ray crosses the triangle if its volumes with the three edges have the sign of the volume of
@@ -165,7 +165,7 @@ impl Passage {
     }
 }
 
-/// True if the ray meets an edge that is in one plane with it.
+/// Returns true if the ray meets an edge that is in one plane with it.
 ///
 /// Seen along an axis, if the ends of the edge are not both on the line of the ray, they are on
 /// different sides of it, or one is on it, and the turn from one end to the other is that from the

@@ -287,7 +287,8 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     }
 }
 
-/// True if all points are strictly on one side of a plane x = ±y, y = ±z or z = ±x. Comparisons are exact.
+/// Returns true if all points are strictly on one side of a plane x = ±y, y = ±z or z = ±x. Comparisons are
+/// exact.
 #[inline]
 fn are_beyond_diagonal(points: &[Point; 8]) -> bool {
     [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {

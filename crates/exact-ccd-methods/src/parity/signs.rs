@@ -26,7 +26,7 @@ impl Signs {
         signs
     }
 
-    /// True if the bounding box of the corners that are listed excludes the origin.
+    /// Returns true if the bounding box of the corners that are listed excludes the origin.
     #[inline]
     pub(super) fn exclude_origin(&self, corners: &[usize]) -> bool {
         let mask = mask(corners);
@@ -35,8 +35,8 @@ impl Signs {
         })
     }
 
-    /// True if that box excludes a ray whose coordinates are not negative or, if it is the x axis, all but x
-    /// are zero.
+    /// Returns true if that box excludes a ray whose coordinates are not negative or, if it is the x axis,
+    /// all but x are zero.
     #[inline]
     pub(super) fn exclude_ray(&self, is_axis: bool, corners: &[usize]) -> bool {
         let mask = mask(corners);

@@ -147,7 +147,7 @@ fn end(query: &Query<EdgeEdge>, [i, j, k, l]: [usize; 4]) -> Polynomial {
     dot(&edge, &line) * dot(&w, &line) - dot(&line, &line) * dot(&w, &edge)
 }
 
-/// True if the two edges count as parallel at t.
+/// Returns true if the two edges count as parallel at t.
 fn are_parallel(query: &Query<EdgeEdge>, t: f64) -> bool {
     let edge = |i, j| difference(query, i, j).map(|x| Polynomial::new([x.at(t)]));
     let normal = cross(&edge(1, 0), &edge(3, 2));

@@ -54,7 +54,7 @@ impl Barrier {
         self.activation_distance
     }
 
-    /// True if the barrier is positive at a squared distance d².
+    /// Returns true if the barrier is positive at a squared distance d².
     pub(crate) fn is_active(&self, squared: f64) -> bool {
         self.reduced(squared) < self.range
     }

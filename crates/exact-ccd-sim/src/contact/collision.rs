@@ -28,7 +28,7 @@ pub(crate) struct Collision {
 /// The sum of weights, relative to that of their absolute values, up to which it is a rounding error.
 const CANCELLED: f64 = 1e-12;
 
-/// That between which a collision is: two features of its vertices, or its only vertex and a plane.
+/// The two sides of a collision: two features of its vertices, or its only vertex and a plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Between {
     Features(Feature),
@@ -155,12 +155,12 @@ impl Collision {
         }
     }
 
-    /// True if its terms cancel, up to rounding.
+    /// Returns true if its terms cancel, up to rounding.
     pub(crate) fn is_cancelled(&self) -> bool {
         self.multiplicity.abs() <= CANCELLED * self.total
     }
 
-    /// True if its terms repel the features from each other, and do not correct the sum of others.
+    /// Returns true if its terms repel the features from each other, and do not correct the sum of others.
     pub(crate) fn is_repulsive(&self) -> bool {
         self.multiplicity > 0.0
     }
@@ -173,7 +173,7 @@ impl Collision {
         }
     }
 
-    /// True if two collisions are between the same features.
+    /// Returns true if two collisions are between the same features.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         self.vertices == other.vertices
             && self.between == other.between

@@ -279,8 +279,8 @@ fn ends_and_edges(surface: Surface<'_>, candidates: &Candidates) -> Vec<[u32; 3]
     pairs
 }
 
-/// True if the bounding boxes of two sets of points are more than a distance apart along an axis. This
-/// cheap test rejects most pairs.
+/// Returns true if the bounding boxes of two sets of points are more than a distance apart along an axis.
+/// This cheap test rejects most pairs.
 #[inline]
 fn are_apart(a: &[Vector3<f64>], b: &[Vector3<f64>], distance: f64) -> bool {
     (0..3).any(|axis| {

@@ -34,7 +34,7 @@ impl StiffnessRange {
         }
     }
 
-    /// True if the range is positive and finite.
+    /// Returns true if the range is positive and finite.
     pub(crate) fn is_valid(&self) -> bool {
         self.least > 0.0 && self.greatest.is_finite()
     }

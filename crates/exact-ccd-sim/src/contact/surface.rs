@@ -39,7 +39,7 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// True if a vertex never moves.
+    /// Returns true if a vertex never moves.
     pub(super) fn is_fixed(&self, vertex: u32) -> bool {
         self.fixed.get(vertex as usize).is_some_and(|&is_fixed| is_fixed)
     }

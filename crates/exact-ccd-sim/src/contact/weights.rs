@@ -200,7 +200,7 @@ fn edge_of(mesh: &TriangleMesh, [a, b]: [u32; 2]) -> Option<u32> {
     place.ok().map(|place| place as u32)
 }
 
-/// True if the faces of an edge (the first two points) and two opposite corners are coplanar and on
+/// Returns true if the faces of an edge (the first two points) and two opposite corners are coplanar and on
 /// different sides of the edge.
 fn is_flat(&[a, b, c, d]: &[Vector3<f64>; 4]) -> bool {
     let edge = b - a;

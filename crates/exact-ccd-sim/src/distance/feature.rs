@@ -110,7 +110,7 @@ impl Feature {
         (0..4).find(is_point).unwrap_or(0)
     }
 
-    /// True if the distance depends on the point with this index.
+    /// Returns true if the distance depends on the point with this index.
     pub(crate) fn uses(&self, point: usize) -> bool {
         self.weights[point] != 0.0 || self.along.iter().any(|along| along[point] != 0.0)
     }

@@ -20,7 +20,7 @@ impl Mollifier {
         Self { threshold }
     }
 
-    /// True if m < 1, for these positions of the edges' ends.
+    /// Returns true if m < 1, for these positions of the edges' ends.
     pub(crate) fn is_active(&self, points: &[Vector3<f64>; 4]) -> bool {
         cross(points).norm_squared() < self.threshold
     }

@@ -4,13 +4,17 @@
 //! with another function. For a principal stretch σ = 1 + e, the limit ε > 0 of the strain e and Young's
 //! modulus E, the energy by volume is
 //!
-//!     f(σ) = −E e² ln(1 − e/ε)  for 0 < e < ε,   0 for e ≤ 0,   ∞ for e ≥ ε.
+//! ```text
+//! f(σ) = −E e² ln(1 − e/ε)  for 0 < e < ε,   0 for e ≤ 0,   ∞ for e ≥ ε.
+//! ```
 //!
 //! It begins as E e³/ε, so that f is twice continuously differentiable and the moduli at small strains are
 //! those of the material. Both derivatives are positive for e > 0:
 //!
-//!     f′ = E (−2 e ln(1 − e/ε) + e²/(ε − e)),
-//!     f″ = E (−2 ln(1 − e/ε) + 4 e/(ε − e) + e²/(ε − e)²).
+//! ```text
+//! f′ = E (−2 e ln(1 − e/ε) + e²/(ε − e)),
+//! f″ = E (−2 ln(1 − e/ε) + 4 e/(ε − e) + e²/(ε − e)²).
+//! ```
 //!
 //! So the sum over both stretches is a convex function of the deformation gradient F: a convex function of
 //! singular values that does not decrease. The largest singular value is convex too. F is linear in the

@@ -102,8 +102,8 @@ impl Simulation {
         }
     }
 
-    /// True if a body with a script has not moved since a state one time step before, because something is in
-    /// its way. Shorter time steps would not move it either.
+    /// Returns true if a body with a script has not moved since a state one time step before, because
+    /// something is in its way. Shorter time steps would not move it either.
     fn is_stuck_since(&self, start: &State) -> bool {
         let least = STUCK * self.settings.time_step;
         let mut late = self.state.behind.iter();

@@ -165,13 +165,13 @@ impl Newton<'_> {
         dot(&gradient, direction.displacements) <= -0.8 * before
     }
 
-    /// True if a step is free of contact: between surfaces by the filter, with half spaces exactly.
+    /// Returns true if a step is free of contact: between surfaces by the filter, with half spaces exactly.
     pub(super) fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
         let free = self.filter.is_free(candidates, step, self.system.min_distance());
         free && self.system.first_grounded(step.positions()[1]).is_none()
     }
 
-    /// True if a part of a step is free of contact. `candidates` are those of the whole step. Carried
+    /// Returns true if a part of a step is free of contact. `candidates` are those of the whole step. Carried
     /// vertices are rounded in another way than those of a part, so that they have candidates of their own.
     fn is_free_again(&self, candidates: &Candidates, part: Step<'_>) -> bool {
         if self.system.carriers.is_empty() {

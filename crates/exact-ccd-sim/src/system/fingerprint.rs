@@ -60,7 +60,7 @@ impl Fingerprint {
         Hash::of(&materials)
     }
 
-    /// True if the hashes have the same definition, so that they can be compared.
+    /// Returns true if the hashes have the same definition, so that they can be compared.
     pub(crate) fn is_current(&self) -> bool {
         self.version == VERSION
     }

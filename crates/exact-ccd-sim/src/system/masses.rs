@@ -4,13 +4,13 @@ use super::System;
 use crate::scripted::{Axes, Coordinates};
 
 impl System {
-    /// True if a vertex has mass, and at least one coordinate that no script holds at all times.
+    /// Returns true if a vertex has mass, and at least one coordinate that no script holds at all times.
     #[must_use]
     pub fn is_free(&self, vertex: usize) -> bool {
         self.masses[vertex] > 0.0 && !self.scripts[vertex].are_held()
     }
 
-    /// True if a vertex has mass, or an affine body carries it.
+    /// Returns true if a vertex has mass, or an affine body carries it.
     #[must_use]
     pub fn has_mass(&self, vertex: u32) -> bool {
         self.masses[vertex as usize] > 0.0 || self.carriers.of(vertex).is_some()

@@ -241,7 +241,7 @@ impl System {
         &self.min_distance
     }
 
-    /// True if a body has an offset.
+    /// Returns true if a body has an offset.
     #[must_use]
     pub fn is_thick(&self) -> bool {
         self.offsets.iter().any(|&offset| offset > 0.0)

@@ -79,7 +79,7 @@ pub fn impact<K: Kind>(query: &Query<K>, options: impl Into<Options>) -> Option<
     collision(query, options.into()).map(|collision| collision.impact())
 }
 
-/// The collision of a query of which the filters know nothing: all its answers are computed in integers.
+/// The collision of a query, without filters: all its answers are computed in integers.
 fn collision<K: Kind>(query: &Query<K>, options: Options) -> Option<Collision<'_, K>> {
     let collision = Collision::from_decision(query, options.separation, Decision::Unknown).ok()?;
     collision.until(options.until)

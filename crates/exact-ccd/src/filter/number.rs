@@ -26,7 +26,7 @@ pub(crate) trait Lanes:
     /// True in each lane that is greater than that of another number; never for a NaN.
     fn gt(self, other: Self) -> Self::Mask;
 
-    /// True if a lane is true.
+    /// Returns true if a lane is true.
     fn any(mask: Self::Mask) -> bool;
 
     fn abs(self) -> Self;

@@ -21,7 +21,7 @@ pub(super) struct Held<'a> {
 }
 
 impl Held<'_> {
-    /// True if the displacement differs from place to place.
+    /// Returns true if the displacement differs from place to place.
     pub(super) fn depends_on_place(&self) -> bool {
         let words = |entry: &Entry<'_>| {
             let text = entry.value.as_str().unwrap_or_default();
@@ -117,7 +117,7 @@ fn motion(
     })
 }
 
-/// True if a key frame is on the line between two others, up to rounding.
+/// Returns true if a key frame is on the line between two others, up to rounding.
 fn is_between(before: &KeyFrame, frame: &KeyFrame, after: &KeyFrame) -> bool {
     let share = (frame.time - before.time) / (after.time - before.time);
     (0..3).all(|axis| {

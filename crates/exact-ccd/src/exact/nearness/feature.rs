@@ -77,7 +77,7 @@ impl Feature {
         [&self.numerator, &self.denominator]
     }
 
-    /// True if the quotient is the squared distance of two points of the primitives.
+    /// Returns true if the quotient is the squared distance of two points of the primitives.
     ///
     /// A guard that is easily proved to be negative spares the other signs.
     pub(super) fn exists(&self, instant: &Narrowing) -> bool {
@@ -92,7 +92,7 @@ impl Feature {
         instant.sign(&self.length).is_ne() && unknown.into_iter().all(|guard| instant.sign(guard).is_ge())
     }
 
-    /// True if two points of these features are at most d apart.
+    /// Returns true if two points of these features are at most d apart.
     pub(super) fn is_within(&self, instant: &Narrowing) -> bool {
         instant.sign(&self.excess).is_le() && self.exists(instant)
     }

@@ -28,7 +28,7 @@ use feature::Feature;
 /// The first and the last time.
 static STEP: [Split; 2] = [Split::START, Split::END];
 
-/// True if the primitives come within d.
+/// Returns true if the primitives come within d.
 pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
     let features = Approach::new(query, d).features::<K>();
     is_within_at(&features, &STEP[0]) || first_crossings(&features, &STEP).next().is_some()
@@ -110,7 +110,7 @@ fn first_crossings(features: &[Feature], bounds: &[Split; 2]) -> impl Iterator<I
     end.into_iter().chain(crossings)
 }
 
-/// True if the distance is at most d at a time.
+/// Returns true if the distance is at most d at a time.
 fn is_within_at(features: &[Feature], t: &Split) -> bool {
     let instant = &Narrowing::new(&Instant::At(t.clone()));
     features.iter().any(|feature| feature.is_within(instant))

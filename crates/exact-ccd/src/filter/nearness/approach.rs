@@ -132,7 +132,7 @@ impl Approach {
     }
 }
 
-/// True if a corner certainly is behind the closest point: x* · (c − x*) > 0.
+/// Returns true if a corner certainly is behind the closest point: x* · (c − x*) > 0.
 fn is_behind(corner: &Near, closest: &Near) -> bool {
     let [value, error] = product(closest, &corner.minus(closest));
     value > error

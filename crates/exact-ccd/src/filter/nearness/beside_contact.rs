@@ -50,8 +50,8 @@ pub(super) fn first_after<K: Kind>(
         .then(|| ContactTime::just_above(floor))
 }
 
-/// True if the planes certainly are farther than d apart from one time to a second one, given a third one
-/// until which c vanishes.
+/// Returns true if the planes certainly are farther than d apart from one time to a second one, given a third
+/// one until which c vanishes.
 ///
 /// If c is monotone until then, its magnitude is least at the second time.
 fn are_planes_beyond<K: Kind>(

@@ -111,7 +111,8 @@ impl Crossings {
         within
     }
 
-    /// True if D certainly is below d between two times, given that F is at both, at certain parameters.
+    /// Returns true if D certainly is below d between two times, given that F is at both, at certain
+    /// parameters.
     ///
     /// Let the parameters change linearly from those at the time a to those at the time b. F is affine in
     /// them, so that it is a quadratic in t then, with the control points F(a, pₐ), (F(a, p_b) + F(b, pₐ))

@@ -122,14 +122,14 @@ pub(crate) fn impact<K: Kind>(query: &Query<K>, d: Separation, first: ContactTim
         .impact::<K>(first)
 }
 
-/// True if |x| < d for x = F(0, u, v) at a guess of the closest points.
+/// Returns true if |x| < d for x = F(0, u, v) at a guess of the closest points.
 fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
     let [corners, _] = &scaled.at;
     let x = Closest::guess::<K>(corners).point(corners);
     is_certainly_within(x, scaled.d) && scaled.d_is_exact
 }
 
-/// True if |x| < d for x = F(t, u, v).
+/// Returns true if |x| < d for x = F(t, u, v).
 ///
 /// A component of x is off by at most 39 u (`proof/point.g`): corners result from their start, rounded once,
 /// and from a velocity, or are at t = 0.

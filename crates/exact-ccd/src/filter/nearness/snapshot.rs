@@ -122,13 +122,13 @@ pub(super) fn excess<T: Precision>(x: Vector<T>, d: f64) -> T {
 }
 
 impl Moving<DoubleDouble> {
-    /// True if |F| is certainly less than d at one time, at the closest points of another one.
+    /// Returns true if |F| is certainly less than d at one time, at the closest points of another one.
     pub(super) fn is_within(&self, t: f64, closest: Closest) -> bool {
         is_below(self.place(t, closest), self.d)
     }
 }
 
-/// True if |x| is certainly less than d, for x = F at some parameters.
+/// Returns true if |x| is certainly less than d, for x = F at some parameters.
 fn is_below(x: Vector<DoubleDouble>, d: f64) -> bool {
     let m = x.iter().fold(0.0, |sum, component| sum + component.value().abs());
     excess(x, d).value() < -error_of_excess(m, d)
@@ -144,7 +144,7 @@ pub(super) fn error_of_excess(m: f64, d: f64) -> f64 {
 }
 
 impl Snapshot<DoubleDouble> {
-    /// True if the distance is certainly less than d, as |F| is at the guess.
+    /// Returns true if the distance is certainly less than d, as |F| is at the guess.
     pub(super) fn is_within(&self) -> bool {
         is_below(self.closest.point(&self.corners), self.d)
     }
@@ -164,7 +164,7 @@ impl Snapshot<DoubleDouble> {
         self.closest.point(&self.corners).map(Number::value)
     }
 
-    /// True if the distance is certainly above d at this time, at another one, and at all times
+    /// Returns true if the distance is certainly above d at this time, at another one, and at all times
     /// between.
     ///
     /// The proof is that of [`Heading::are_beyond_until`](super::turning::Heading::are_beyond_until).
@@ -191,8 +191,8 @@ impl<'a> Headed<'a> {
         }
     }
 
-    /// True if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for all corners.
-    /// Where D is not next to d, f64 prove it.
+    /// Returns true if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for all corners. Where D is
+    /// not next to d, f64 prove it.
     fn is_beyond_across(&self, other: &Self) -> bool {
         let Snapshot { count, limit, .. } = *self.snapshot;
         self.rounded.is_beyond_across(&other.rounded, count, limit) || are_beyond(self, other)
@@ -205,7 +205,7 @@ pub(super) const OF_SUM: f64 = margin(8 + 5) * ROUNDOFF;
 pub(super) const OF_THRESHOLD: f64 = margin(7 + 1) * ROUNDOFF;
 pub(super) const OF_SQUARE: f64 = margin(1 + 1) * ROUNDOFF;
 
-/// True if gₐ · x_b + g_b · xₐ is certainly above d (|gₐ| + |g_b|) for all corners.
+/// Returns true if gₐ · x_b + g_b · xₐ is certainly above d (|gₐ| + |g_b|) for all corners.
 ///
 /// It is if the sum s on the left is positive and s² > 2 d² (gₐ · gₐ + g_b · g_b), as (p + q)² ≤ 2
 /// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e

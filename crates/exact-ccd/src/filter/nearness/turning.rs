@@ -103,7 +103,7 @@ impl Heading<f64> {
         }
     }
 
-    /// True if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for the first corners.
+    /// Returns true if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for the first corners.
     pub(super) fn is_beyond_across(&self, other: &Self, corners: usize, limit: f64) -> bool {
         (0..corners).all(|i| self.along(other, i)[1] > limit + limit)
     }

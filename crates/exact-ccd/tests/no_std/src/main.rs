@@ -170,7 +170,8 @@ impl Coplanar {
         Self { queries, collide }
     }
 
-    /// True if single queries and batches, for contact and within a distance, are decided as in integers.
+    /// Returns true if single queries and batches, for contact and within a distance, are decided as in
+    /// integers.
     fn are_decided(&self) -> bool {
         let count = |of: usize| self.collide.iter().filter(|collide| collide[of]).count();
         count(0) > 30 && count(1) > 30 && self.is_decided::<VertexFace>(0) && self.is_decided::<EdgeEdge>(1)
