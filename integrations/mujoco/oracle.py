@@ -1,4 +1,4 @@
-"""MuJoCo's convex collision detection against exact decisions: pairs of random polytopes, near, touching, overlapping.
+"""MuJoCo's convex collision detection against exact decisions: pairs of random polytopes, far and near, apart and overlapping.
 
 Needs mujoco, numpy, scipy and exact_ccd: python integrations/mujoco/oracle.py [--pairs N]
 """

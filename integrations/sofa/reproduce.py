@@ -24,7 +24,7 @@ tight_inclusion = ipctk.TightInclusionCCD()
 
 
 def answers(order: list[int]) -> np.ndarray:
-    """True for each pair of edges collides, with the arguments in this order."""
+    """For each pair of edges, true if it collides, with the arguments in this order."""
     calls = (tight_inclusion.edge_edge_ccd(*a[order], *b[order])[0] for a, b in zip(x0, x1))
     return np.fromiter(calls, bool, COUNT)
 

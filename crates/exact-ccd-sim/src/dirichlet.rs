@@ -128,6 +128,12 @@ impl<'a> Dirichlet<'a> {
         &self.motions
     }
 
+    /// The fraction that a body has reached: 1 for a body without a motion.
+    pub(crate) fn fraction(&self, body: u32) -> f64 {
+        let motion = self.motions.iter().find(|motion| motion.body == body);
+        motion.map_or(1.0, |motion| motion.fraction)
+    }
+
     /// The vertices that the motions move, increasing.
     pub(crate) fn vertices(&self) -> Vec<u32> {
         let targets = self.motions.iter().flat_map(|motion| &motion.targets);

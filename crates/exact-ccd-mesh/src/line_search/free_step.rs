@@ -22,7 +22,8 @@ pub struct FreeStepOptions<'a> {
     pub keep: f64,
     /// The distance at which primitives touch. The default is 0, which is contact.
     pub min_distance: MinDistance,
-    /// Called with the number of pairs examined since the last call, from any thread.
+    /// Called with the number of pairs examined since the last call, from any thread. Pairs that the first
+    /// filters hold back do not count; these depend on the processor.
     pub progress: Option<&'a (dyn Fn(usize) + Sync)>,
     /// Called between batches of pairs, from any thread; true cancels the search.
     pub cancel: Option<&'a (dyn Fn() -> bool + Sync)>,

@@ -14,8 +14,8 @@ use crate::energy::{Energy, Projection, first_blocks, first_rows, gather};
 /// Transactions on Graphics 27(3), 2008, section 4.2, for an isotropic rod. κ is the length of their
 /// curvature binormal. A vertex stands for the half M / 2 of its edges, on which the curvature of the rod is
 /// κ / (M/2): ½ E I κ² / (M/2) is the energy of a beam. The cross sections of a rod that is curved at rest
-/// turn until this energy is least, whatever resistance there is to twist, so that it depends only on the
-/// lengths of the curvatures, not on their directions.
+/// are taken to turn until this energy is least, whatever resistance there is to twist, so that it depends
+/// only on the lengths of the curvatures, not on their directions.
 ///
 /// The energy is infinite if an edge has no length, or if the second edge returns along the first; the
 /// derivatives are zero there.

@@ -187,10 +187,18 @@ pub(crate) fn angle_about(axis: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3
 }
 
 /// A vector across the direction `from`, turned with it to the direction `to` by the least rotation: for the
-/// vector v with v · s = 0, it is v − (v · t) (s + t) / (1 + s · t).
+/// vector v with v · s = 0, it is v − (v · t) (s + t) / (1 + s · t). Between opposite directions, all half
+/// turns are as small: that about v is taken.
 pub(crate) fn transported(vector: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> Vector3<f64> {
-    vector - (from + to) * (vector.dot(to) / (1.0 + from.dot(to)))
+    let chi = 1.0 + from.dot(to);
+    if chi < OPPOSITE {
+        return *vector;
+    }
+    vector - (from + to) * (vector.dot(to) / chi)
 }
+
+/// Directions s and t count as opposite if 1 + s · t is below this.
+const OPPOSITE: f64 = 1e-12;
 
 /// The edges of a chain.
 fn edges(vertices: &[u32], points: &[Point]) -> Vec<Vector3<f64>> {

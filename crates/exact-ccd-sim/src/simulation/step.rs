@@ -215,25 +215,40 @@ impl Simulation {
             let origins = system.origins_of(&origins, vertex);
             system.scripts[vertex].position(&origins, moment, at(vertex, fraction))
         };
-        // The turn of the ends of a chain up to a fraction of the step. A script that begins within the step
-        // does not turn them before.
+        // The turn of the ends of a chain up to a fraction of the step: by the earlier scripts, until others
+        // begin within the step, and by these.
         let turned = |chain: &Chain, fraction: f64| {
-            turn(chain, &|vertex, apart| {
-                let vertex = vertex as usize;
-                let scripts = &system.scripts[vertex];
-                let beginnings = scripts.beginning([before, moment]).into_iter().flatten();
-                let begin = beginnings.fold(f64::NEG_INFINITY, f64::max);
-                let origins = system.origins_of(&origins, vertex);
-                let origins = origins.map(|origin| (Vector3::from(origin) + apart).into());
-                [0.0, fraction].map(|part| scripts.position(&origins, moment, at(vertex, part).max(begin)))
-            })
+            let during = |is_later: bool| {
+                let (origins, then) = if is_later {
+                    (&origins, moment)
+                } else {
+                    (&self.state.origins, before)
+                };
+                turn(chain, &|vertex, apart| {
+                    let vertex = vertex as usize;
+                    let scripts = &system.scripts[vertex];
+                    let beginnings = scripts.beginning([before, moment]).into_iter().flatten();
+                    let [first, last] = [0.0, fraction].map(|part| at(vertex, part));
+                    let begin = beginnings.fold(first, f64::max).min(last);
+                    let origins = system.origins_of(origins, vertex);
+                    let origins = origins.map(|origin| (Vector3::from(origin) + apart).into());
+                    let times = if is_later { [begin, last] } else { [first, begin] };
+                    times.map(|time| scripts.position(&origins, then, time))
+                })
+            };
+            during(false) + during(true)
         };
         let chains = system.held_chains(&held);
         let angle = |number: &u32| self.state.twists.get(number).copied().unwrap_or(0.0);
-        let twist = |(number, chain): &(u32, &Chain)| {
-            Twist::new(chain, &positions, angle(number) + turned(chain, 1.0))
+        // An obstructed end has turned as far as its body has moved.
+        let twists_of = |dirichlet: &Dirichlet<'_>| -> Vec<Twist> {
+            let twist = |(number, chain): &(u32, &Chain)| {
+                let fraction = dirichlet.fraction(system.body_of(chain.ends()[0][0]) as u32);
+                let angle = angle(number) + turned(chain, fraction);
+                Twist::new(chain, &self.state.positions, angle)
+            };
+            chains.iter().map(twist).collect()
         };
-        let twists: Vec<Twist> = chains.iter().map(twist).collect();
         let bodies = (0..).zip(system.body_vertices());
         let motions = bodies.filter_map(|(body, vertices)| {
             let unknowns = vertices
@@ -241,10 +256,17 @@ impl Simulation {
                 .filter(|&vertex| system.carriers.of(vertex).is_none());
             Motion::new(body, unknowns, &held, &positions, &path)
         });
-        let motions = motions.collect();
+        let dirichlet = Dirichlet::new(motions.collect(), &path);
         let mut now = Iterate {
-            stiffness: self.stiffness(&scheme, &inertia, &twists, &collisions, &range, &held),
-            dirichlet: Dirichlet::new(motions, &path),
+            stiffness: self.stiffness(
+                &scheme,
+                &inertia,
+                &twists_of(&dirichlet),
+                &collisions,
+                &range,
+                &held,
+            ),
+            dirichlet,
             positions,
             collisions,
         };
@@ -274,7 +296,7 @@ impl Simulation {
                 interrupt: &self.interrupt,
                 friction: &friction,
                 dampers: &dampers,
-                twists: &twists,
+                twists: &twists_of,
                 barrier: self.barrier,
                 range,
                 filter: &self.filter,
@@ -301,16 +323,8 @@ impl Simulation {
             (late > 0.0).then_some((motion.body, late))
         };
         let behind = now.dirichlet.motions().iter().filter_map(late).collect();
-        let fraction = |chain: &Chain| {
-            let body = system.body_of(chain.ends()[0][0]) as u32;
-            let mut motions = now.dirichlet.motions().iter();
-            let motion = motions.find(|motion| motion.body == body);
-            motion.map_or(1.0, |motion| motion.fraction)
-        };
-        let twisted = |((number, chain), twist): (&(u32, &Chain), &Twist)| {
-            let turn = turned(chain, fraction(chain)) - turned(chain, 1.0);
-            (*number, twist.angle(&now.positions) + turn)
-        };
+        let twists = twists_of(&now.dirichlet);
+        let twisted = |((number, _), twist): (&(u32, &Chain), &Twist)| (*number, twist.angle(&now.positions));
         let angles = chains.iter().zip(&twists).map(twisted).collect();
         let velocities = scheme.velocities(&now.positions);
         let potential = Potential {

@@ -114,8 +114,10 @@ impl Newton<'_> {
             let collisions = self.collisions(&candidates, &positions);
             let after = potential.value(&positions, collisions.as_slice());
             statistics.seconds.line_search += clock.elapsed().as_secs_f64();
-            let falls = after <= before
-                || after <= before + potential.noise(before)
+            // An infinite potential, as of inverted elements, does not fall to an infinite one.
+            let falls = after.is_finite() && after <= before
+                || after.is_finite()
+                    && after <= before + potential.noise(before)
                     && self.flattens(direction, potential, &positions, &collisions);
             if falls {
                 let clock = Instant::now();

@@ -35,7 +35,8 @@ pub(crate) struct Newton<'a> {
     pub(crate) interrupt: &'a AtomicBool,
     pub(crate) friction: &'a [FrictionContact],
     pub(crate) dampers: &'a [Damper],
-    pub(crate) twists: &'a [Twist],
+    /// The twists of chains, after the motions so far.
+    pub(crate) twists: &'a dyn Fn(&Dirichlet<'_>) -> Vec<Twist>,
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a StepFilter,
@@ -85,6 +86,7 @@ impl Newton<'_> {
                 return Err(SimulationError::Interrupted { step });
             }
             let clock = Instant::now();
+            let twists = (self.twists)(&now.dirichlet);
             let potential = Potential {
                 system: self.system,
                 duration: self.duration,
@@ -92,7 +94,7 @@ impl Newton<'_> {
                 inertia: self.inertia,
                 friction: self.friction,
                 dampers: self.dampers,
-                twists: self.twists,
+                twists: &twists,
             };
             let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
             let prescribed = now.dirichlet.displacements(&now.positions);

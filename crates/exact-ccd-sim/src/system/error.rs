@@ -51,7 +51,7 @@ pub enum SystemError {
         source: OutOfRange,
     },
     /// An end of a spring is at no vertex of its body.
-    #[error("spring {spring}: {at:?} is no vertex of {body}, which is not affine, expected {}", vertex(*nearest))]
+    #[error("spring {spring}: {}", expected_end(body, at, *nearest))]
     SpringEnd {
         /// The spring, from 0.
         spring: usize,
@@ -84,10 +84,14 @@ pub enum SystemError {
     },
 }
 
-/// The vertex that is expected at the end of a spring.
-fn vertex(nearest: Option<Point>) -> String {
+/// The end of a spring that is at no vertex, and the vertex that may be meant.
+fn expected_end(body: &Designation, at: &Point, nearest: Option<Point>) -> String {
     match nearest {
-        Some(nearest) => format!("one as {nearest:?}, the nearest one"),
-        None => "a body that there is".to_owned(),
+        Some(nearest) => {
+            format!(
+                "{at:?} is no vertex of {body}, which is not affine, expected one as {nearest:?}, the nearest one"
+            )
+        }
+        None => format!("there is no {body}, expected one of the bodies of the system"),
     }
 }

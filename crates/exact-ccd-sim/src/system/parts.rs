@@ -18,6 +18,9 @@ use crate::energy::{Energy, gather};
 use crate::range::{OutOfRange, check, check_finite, check_positive};
 use crate::scripted::Coordinates;
 
+/// The least limit of strains. Rounding alone leads to strains of some 1e-15 in shapes at rest.
+const LEAST_STRAIN_LIMIT: f64 = 1e-6;
+
 /// The parts of a system under construction.
 #[derive(Default)]
 pub(super) struct Parts {
@@ -152,9 +155,13 @@ impl Parts {
         check_positive("density", material.density)
             .and(check_positive("thickness", material.thickness))
             .and(material.moduli().check())
-            .and(check_positive(
+            .and(check(
+                material
+                    .strain_limit
+                    .is_none_or(|limit| limit.is_finite() && limit >= LEAST_STRAIN_LIMIT),
                 "strain-limit",
-                material.strain_limit.unwrap_or(1.0),
+                material.strain_limit.unwrap_or_default(),
+                "a finite number of at least 1e-6",
             ))?;
         let limit = material
             .strain_limit
@@ -207,8 +214,8 @@ impl Parts {
         Ok(())
     }
 
-    /// Adds an element of a body with its mass, in equal shares for its vertices. The
-    /// material has a density and a Young's modulus.
+    /// Adds an element of a body with its mass, in equal shares for its vertices. The material has a density
+    /// and a Young's modulus.
     pub(super) fn add_element(
         &mut self,
         element: usize,

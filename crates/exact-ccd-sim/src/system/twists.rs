@@ -32,7 +32,8 @@ pub(crate) fn turn(chain: &Chain, carried: &Carried<'_>) -> f64 {
 /// The turn at one edge. Its first vertex carries the frame.
 fn turn_of([a, b]: [u32; 2], carried: &Carried<'_>) -> f64 {
     let [from, to] = [a, b].map(|vertex| carried(vertex, Vector3::zeros()).map(Vector3::from));
-    let directions = [0, 1].map(|time: usize| (to[time] - from[time]).normalize());
+    // An edge without a length has no direction, and turns by 0 about it.
+    let directions = [0, 1].map(|time: usize| (to[time] - from[time]).try_normalize(0.0).unwrap_or_default());
     let across = |time: usize, vector: Vector3<f64>| {
         let direction = directions[time];
         vector - direction * direction.dot(&vector)

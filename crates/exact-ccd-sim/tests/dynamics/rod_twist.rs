@@ -119,7 +119,7 @@ fn a_twisted_rod_buckles_at_the_critical_torque() {
 /// of its ends and the holonomy of its directions cancel.
 #[test]
 fn a_rod_that_turns_as_a_whole_is_not_twisted() {
-    let (body, material) = rod(4e5);
+    let (body, _) = rod(4e5);
     let arc = body.placed(|[x, _, _]| {
         let (sin, cos) = (2.5 * x).sin_cos();
         [0.4 * sin, 0.1 * x, 0.4 * (1.0 - cos)]
@@ -142,5 +142,83 @@ fn a_rod_that_turns_as_a_whole_is_not_twisted() {
         let angle = simulation.state().twists[&0];
         assert!(angle.abs() < 1e-6, "{angle}");
     }
-    assert!(material.shear.is_some());
+}
+
+/// A script that begins within a time step replaces another one: both turn the end.
+#[test]
+fn the_turn_of_a_script_that_is_replaced_counts() {
+    let (body, _) = rod(1e4);
+    let scripts = [
+        twisting(0.0, 10.0).on([0, 1]),
+        twisting(1.0, 10.0).on([EDGES - 1, EDGES]),
+        twisting(2.0, 10.0).on([EDGES - 1, EDGES]).from(0.15),
+    ];
+    let system = System::new(&[body], &scripts).unwrap();
+    let mut simulation = Simulation::new(system, settings(0.0)).unwrap();
+    for _ in 0..5 {
+        assert!(simulation.step().unwrap().converged);
+    }
+    let angle = simulation.state().twists[&0];
+    assert!((angle - (0.15 + 2.0 * 0.35)).abs() < 1e-9, "{angle}");
+}
+
+/// A wall stops an end that goes round: the end turns no further, however late its script is.
+#[test]
+fn an_obstructed_end_turns_as_far_as_it_moves() {
+    let (body, material) = rod(1e4);
+    let round = Script::Twisting {
+        center: [0.0, -0.2, 0.0],
+        axis: [1.0, 0.0, 0.0],
+        rate: 1.0,
+        until: None,
+    };
+    let scripts = [twisting(0.0, 10.0).on([0, 1]), round.on([EDGES - 1, EDGES])];
+    let wall = Body::new(
+        vec![[0.9, -0.5, 0.02], [1.1, -0.5, 0.02], [1.0, 0.5, 0.02]],
+        BodyKind::Obstacle {
+            faces: vec![[0, 1, 2]],
+        },
+    );
+    let settings = Settings {
+        integrator: Integrator::QuasiStatic,
+        ..settings(0.0)
+    };
+    let system = System::new(&[body, wall], &scripts).unwrap();
+    let mut simulation = Simulation::new(system, settings).unwrap();
+    let rigidity = material.torsional_rigidity().unwrap();
+    let mut before = None;
+    // After half a turn, the way to the other side of the wall is free.
+    for step in 0..25 {
+        let statistics = simulation.step().unwrap();
+        let angle = simulation.state().twists[&0];
+        assert!(angle.abs() < 0.11, "{angle}");
+        let of_twist = 0.5 * rigidity * angle * angle / LENGTH;
+        assert!(statistics.energies.elastic >= of_twist);
+        if step < 10 {
+            continue;
+        }
+        let elastic = statistics.energies.elastic;
+        let last: f64 = *before.get_or_insert(elastic);
+        assert!((elastic / last - 1.0).abs() < 1e-2, "{elastic} {last}");
+    }
+}
+
+/// Frames of opposite directions are defined.
+#[test]
+fn a_half_turn_across_an_end_is_a_number() {
+    let (body, _) = rod(1e4);
+    let over = Script::Twisting {
+        center: [0.975, 0.0, 0.0],
+        axis: [0.0, 0.0, 1.0],
+        rate: core::f64::consts::PI / 0.1,
+        until: Some(0.1),
+    };
+    let scripts = [twisting(0.0, 10.0).on([0, 1]), over.on([EDGES - 1, EDGES])];
+    let system = System::new(&[body], &scripts).unwrap();
+    let mut simulation = Simulation::new(system, settings(0.0)).unwrap();
+    for _ in 0..3 {
+        let statistics = simulation.step().unwrap();
+        assert!(statistics.energies.elastic.is_finite());
+        assert!(simulation.state().twists[&0].is_finite());
+    }
 }

@@ -134,8 +134,8 @@ impl Trajectories {
     /// Calls `found` with the index of each query of vertices that may come within its separation, in order:
     /// all but some that the first filters prove to stay beyond it, from t = 0 to t = 1.
     ///
-    /// A pass over many queries that few of them pass. Which ones, apart from those that come within, depends
-    /// on the processor.
+    /// For many queries of which most stay apart. The set of the others depends on the processor, apart from
+    /// the queries that come within.
     ///
     /// ```
     /// use exact_ccd::batch::Trajectories;

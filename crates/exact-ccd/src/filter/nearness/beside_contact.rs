@@ -64,7 +64,7 @@ fn are_planes_beyond<K: Kind>(
     planes.cubic.is_monotone(from, contact) && coplanarity::precise(query).exceeds(to, least)
 }
 
-/// A bound of d |n|, apart from underflow.
+/// A bound of d |n|, apart from underflow, for which the error of the cubic has room: [`UNDERFLOW`].
 ///
 /// A component of |n| is at most the sum of magnitudes that the extent adds up, so that |n| is at most the
 /// extent. Two differences, a product and three sums lead to a term of that, and the bound has two roundings:
