@@ -22,8 +22,8 @@ use gaps::Separated;
 /// environment of the thread is the default one.
 pub(super) fn run<K: Kind>(batch: Batch<'_, K>) {
     let level = batch.instructions.level();
-    // Unsettled queries are passed on by the code for distances above 0, which is right for 0 too. The copy for
-    // contact passes on what collides alone.
+    // Unsettled queries are passed on by the code for distances above 0, which is right for 0 too. The copy
+    // for contact passes on what collides alone.
     if batch.separations.is_contact() && matches!(batch.passed, Passed::Colliding(_)) {
         dispatch!(level, simd => examine::<_, K, _>(simd, batch, Touching));
     } else {
