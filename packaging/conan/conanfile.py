@@ -24,12 +24,7 @@ class ExactCcd(ConanFile):
         cmake_layout(self, src_folder="src")
 
     def source(self):
-        get(
-            self,
-            f"{self.homepage}/archive/refs/tags/v{self.version}.tar.gz",
-            sha256="0" * 64,
-            strip_root=True,
-        )
+        get(self, **self.conan_data["sources"][self.version], strip_root=True)
 
     def generate(self):
         toolchain = CMakeToolchain(self)
