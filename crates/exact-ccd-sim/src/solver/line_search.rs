@@ -76,7 +76,7 @@ impl Newton<'_> {
         let longest = (FARTHEST * self.system.extent() / size).min(1.0);
         let end = self.displaced(&now.positions, direction.displacements, longest);
         let blocked = || SimulationError::Blocked {
-            step: statistics.step,
+            step: self.times.step,
             filter: self.filter.name().to_owned(),
         };
         let surface = &self.system.surface;
@@ -92,7 +92,7 @@ impl Newton<'_> {
         }
         let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         // Held coordinates rest, so that no vertex has to be pinned.
-        let is_by_vertex = free < 1.0 && self.line_search == LineSearch::Vertex;
+        let is_by_vertex = free < 1.0 && self.settings.line_search == LineSearch::Vertex;
         let end = is_by_vertex.then(|| steps.truncated(self.system, step, &[]));
         statistics.seconds.ccd += clock.elapsed().as_secs_f64();
         if let Some(end) = end.flatten()
@@ -193,7 +193,7 @@ impl Newton<'_> {
 
     pub(super) fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
         Collisions::new(
-            self.system.contact_surface(self.formulation),
+            self.system.contact_surface(self.settings.formulation),
             candidates,
             points,
             self.barrier,

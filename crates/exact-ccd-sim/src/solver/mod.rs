@@ -16,4 +16,4 @@ mod vertex_steps;
 
 pub(crate) use form::Form;
 pub(crate) use newton::{Iterate, Memory, Newton};
-pub(crate) use potential::Potential;
+pub(crate) use potential::Terms;

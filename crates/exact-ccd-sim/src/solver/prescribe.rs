@@ -32,7 +32,7 @@ impl Newton<'_> {
         statistics: &mut Statistics,
     ) -> bool {
         let clock = Instant::now();
-        let all: Vec<usize> = (0..now.dirichlet.motions().len()).collect();
+        let all = now.dirichlet.places();
         let mut progress = if self.move_by_vertex(steps, now, &all, direction, potential) {
             1.0
         } else {
@@ -119,7 +119,7 @@ impl Newton<'_> {
         potential: &Potential<'_>,
     ) -> bool {
         let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
-        if self.line_search != LineSearch::Vertex || size > FARTHEST * self.system.extent() {
+        if self.settings.line_search != LineSearch::Vertex || size > FARTHEST * self.system.extent() {
             return false;
         }
         let mut whole = self.displaced(&now.positions, direction, 1.0);

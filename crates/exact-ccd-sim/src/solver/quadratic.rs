@@ -47,7 +47,12 @@ impl Potential<'_> {
     ) -> Quadratic {
         let (mut keys, carriers) = (elastic_keys.to_vec(), &self.system.carriers);
         add_keys(&mut keys, unknowns, carriers, &Form::of(collisions, 1.0));
-        add_keys(&mut keys, unknowns, carriers, &Form::of(self.friction, 1.0));
+        add_keys(
+            &mut keys,
+            unknowns,
+            carriers,
+            &Form::of(&self.terms.friction, 1.0),
+        );
         let pattern = Pattern::new(unknowns.len(), keys);
         let mut sum = Quadratic {
             gradient: vec![Vector3::zeros(); points.len()],

@@ -10,11 +10,9 @@ mod masses;
 mod materials;
 mod names;
 mod obstacles;
-mod origins;
 mod parts;
 mod selection;
 mod springs;
-mod twists;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -42,7 +40,6 @@ pub use body_error::{BodyError, Selecting};
 pub use designation::Designation;
 pub use error::SystemError;
 pub use fingerprint::Fingerprint;
-pub(crate) use twists::turn;
 
 /// The vertices, masses, elements and scripts of a scene.
 #[derive(Clone, Debug)]
@@ -55,7 +52,7 @@ pub struct System {
     /// The map from unknowns to vertices.
     pub(crate) carriers: Carriers,
     /// The parts of rods that resist twist.
-    chains: Vec<Chain>,
+    pub(crate) chains: Vec<Chain>,
     tetrahedra: Vec<[u32; 4]>,
     /// The hash of the materials, for the fingerprint.
     materials: String,

@@ -11,7 +11,7 @@ use crate::friction::{FrictionContact, Smoothing};
 use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::shapes;
-use crate::solver::potential::Potential;
+use crate::solver::potential::{Potential, Terms};
 use crate::solver::quadratic::Quadratic;
 use crate::solver::unknowns::Unknowns;
 use crate::system::System;
@@ -25,11 +25,9 @@ const SMOOTHING: Smoothing = Smoothing { threshold: 0.05 };
 /// all bodies.
 pub(super) struct Fixture {
     pub(super) system: System,
-    duration: f64,
-    inertia: Vec<Anchor>,
+    pub(super) terms: Terms,
     pub(super) points: Vec<Point>,
     pub(super) barrier: Barrier,
-    pub(super) friction: Vec<FrictionContact>,
 }
 
 impl Fixture {
@@ -61,14 +59,17 @@ impl Fixture {
             stiffness: Vector3::repeat(system.masses[vertex]),
             force: Vector3::new(0.1, -0.2, 0.3) * system.masses[vertex],
         });
-        let inertia = inertia.collect();
+        let terms = Terms {
+            duration,
+            inertia: inertia.collect(),
+            dampers: Vec::new(),
+            friction: Vec::new(),
+        };
         let mut fixture = Self {
             system,
-            duration,
-            inertia,
+            terms,
             points,
             barrier: Barrier::new(DISTANCE),
-            friction: Vec::new(),
         };
         let collisions = fixture.collisions(&fixture.points);
         let friction = collisions.as_slice().iter().map(|collision| {
@@ -76,18 +77,15 @@ impl Fixture {
             let vertices = collision.vertices().iter().copied().collect();
             FrictionContact::new(vertices, &origin, &separation, 1e3, SMOOTHING)
         });
-        fixture.friction = friction.collect();
+        fixture.terms.friction = friction.collect();
         fixture
     }
 
     pub(super) fn potential(&self) -> Potential<'_> {
         Potential {
             system: &self.system,
-            duration: self.duration,
+            terms: &self.terms,
             stiffness: 1e7,
-            inertia: &self.inertia,
-            friction: &self.friction,
-            dampers: &[],
             twists: &[],
         }
     }
@@ -169,7 +167,7 @@ impl Fixture {
                 }
             }
         };
-        let scale = self.duration * self.duration;
+        let scale = self.terms.duration * self.terms.duration;
         self.system
             .elements
             .iter()
@@ -178,8 +176,8 @@ impl Fixture {
             .as_slice()
             .iter()
             .for_each(|collision| add(collision, 1e7));
-        self.friction.iter().for_each(|contact| add(contact, 1.0));
-        self.inertia.iter().for_each(|anchor| add(anchor, 1.0));
+        self.terms.friction.iter().for_each(|contact| add(contact, 1.0));
+        self.terms.inertia.iter().for_each(|anchor| add(anchor, 1.0));
         dense
     }
 }

@@ -68,7 +68,7 @@ fn the_sparse_hessian_is_the_sum_of_the_elements() {
     let mut fixture = Fixture::new(1.0, 0.02);
     assert_sum(&fixture);
     // Without friction, the contacts alone determine the pattern.
-    fixture.friction.clear();
+    fixture.terms.friction.clear();
     assert_sum(&fixture);
 }
 
@@ -109,7 +109,7 @@ fn assert_sum(fixture: &Fixture) {
 #[test]
 fn the_hessian_is_the_slope_of_the_gradient() {
     let fixture = Fixture::new(1.1, 0.0);
-    assert!(!fixture.friction.is_empty());
+    assert!(!fixture.terms.friction.is_empty());
     let none = fixture.no_collisions();
     let unknowns = fixture.unknowns();
     let quadratic = fixture.quadratic(&none, &unknowns);
