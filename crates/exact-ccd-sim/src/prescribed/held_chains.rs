@@ -21,7 +21,7 @@ impl<'a> HeldChains<'a> {
     /// The chains that are held, if `held` are the coordinates that are not free.
     pub(crate) fn new(paths: &'a Paths<'a>, held: &[Axes]) -> Self {
         let is_held = |vertex: &u32| held[*vertex as usize] == [true; 3];
-        let numbered = (0..).zip(&paths.system.chains);
+        let numbered = (0..).zip(&paths.system.elastic.chains);
         let both = numbered.filter(|(_, chain)| chain.ends().as_flattened().iter().all(is_held));
         let chains = both.collect();
         Self { paths, chains }
@@ -31,7 +31,7 @@ impl<'a> HeldChains<'a> {
     pub(crate) fn twists(&self, dirichlet: &Dirichlet<'_>) -> Vec<Twist> {
         let Paths { system, state, .. } = self.paths;
         let twist = |(number, chain): &(u32, &Chain)| {
-            let fraction = dirichlet.fraction(system.body_of(chain.ends()[0][0]) as u32);
+            let fraction = dirichlet.fraction(system.bodies.of(chain.ends()[0][0]) as u32);
             let before = state.twists.get(number).copied().unwrap_or(0.0);
             Twist::new(chain, &state.positions, before + self.turned(chain, fraction))
         };

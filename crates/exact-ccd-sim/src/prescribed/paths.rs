@@ -96,7 +96,7 @@ impl<'a> Paths<'a> {
     /// held the body back.
     fn time(&self, vertex: usize, fraction: f64) -> f64 {
         let Times { start, end, .. } = self.times;
-        let behind = self.behind_before(self.system.body_of(vertex as u32) as u32);
+        let behind = self.behind_before(self.system.bodies.of(vertex as u32) as u32);
         end - (1.0 - fraction) * (end - (start - behind))
     }
 

@@ -35,10 +35,10 @@ impl Simulation {
     pub(super) fn collisions(&self) -> Collisions {
         let positions = &self.state.positions;
         // The positions of a state have been checked.
-        let rest = Step::new(&self.system.surface, positions, positions);
+        let rest = Step::new(&self.system.geometry.mesh, positions, positions);
         let candidates = rest.map_or_else(
             |_| Candidates::default(),
-            |step| self.system.near(step, &self.barrier),
+            |step| self.system.geometry.near(step, &self.barrier),
         );
         let surface = self.system.contact_surface(self.settings.formulation);
         Collisions::new(surface, &candidates, positions, self.barrier)

@@ -52,7 +52,7 @@ impl Problem<'_> {
             return Vec::new();
         }
         let (positions, origin) = (&self.simulation.state.positions, &self.scheme.origin);
-        let elements = self.simulation.system.elements.iter();
+        let elements = self.simulation.system.elastic.elements.iter();
         elements
             .map(|element| Damper::new(&**element, positions, origin, factor))
             .collect()

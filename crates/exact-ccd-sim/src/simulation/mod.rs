@@ -248,7 +248,7 @@ fn check_numbers(state: &State) -> Result<(), OutOfRange> {
 fn check_filter(system: &System, settings: &Settings, filter: &StepFilter) -> Result<(), SimulationError> {
     let affine = system.carriers.bodies().first();
     if let (LineSearch::Vertex, Some(carried)) = (settings.line_search, affine) {
-        let body = system.designation(system.body_of(carried.start));
+        let body = system.bodies.designation(system.bodies.of(carried.start));
         return Err(SimulationError::AffineByVertex { body });
     }
     if filter.is_exact() {

@@ -62,19 +62,19 @@ impl Simulation {
     /// The warning that the contact distance is large for the smallest body. Single points have no size.
     fn coarse(&self) -> Option<Warning> {
         let distance = self.barrier.activation_distance();
-        let sizes = self.system.body_sizes().enumerate();
+        let sizes = self.system.bodies.sizes(&self.system.start).enumerate();
         let (body, size) = sizes
             .filter(|(_, size)| *size > 0.0)
             .min_by(|(_, a), (_, b)| a.total_cmp(b))?;
-        let body = self.system.designation(body);
+        let body = self.system.bodies.designation(body);
         (distance > COARSE * size).then_some(Warning::ContactDistance { distance, body, size })
     }
 
     /// The warning about the nearest two bodies that are within the contact distance.
     fn near(&self) -> Option<Warning> {
         let positions = &self.state.positions;
-        let step = Step::new(&self.system.surface, positions, positions).ok()?;
-        let candidates = self.system.near(step, &self.barrier);
+        let step = Step::new(&self.system.geometry.mesh, positions, positions).ok()?;
+        let candidates = self.system.geometry.near(step, &self.barrier);
         let surface = self.system.contact_surface(self.settings.formulation);
         let (gap, collision) = Collisions::nearest(surface, &candidates, positions, self.barrier)?;
         let [a, b] = self.system.bodies_of(&collision);

@@ -79,14 +79,14 @@ impl Newton<'_> {
             step: self.times.step,
             filter: self.filter.name().to_owned(),
         };
-        let surface = &self.system.surface;
+        let surface = &self.system.geometry.mesh;
         // A direction that is not finite is rejected like one into a contact.
         let step = Step::new(surface, &now.positions, &end).map_err(|_| blocked())?;
-        let candidates = self.system.near(step, &self.barrier);
+        let candidates = self.system.geometry.near(step, &self.barrier);
         let free = self
             .filter
-            .free_part(&candidates, step, self.system.min_distance());
-        let free = free.min(self.system.free_of_half_spaces(step));
+            .free_part(&candidates, step, &self.system.geometry.min_distance);
+        let free = free.min(self.system.geometry.free_of_half_spaces(step));
         if free <= 0.0 {
             return Err(blocked());
         }
@@ -169,8 +169,10 @@ impl Newton<'_> {
 
     /// Returns true if a step is free of contact: between surfaces by the filter, with half spaces exactly.
     pub(super) fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
-        let free = self.filter.is_free(candidates, step, self.system.min_distance());
-        free && self.system.first_grounded(step.positions()[1]).is_none()
+        let free = self
+            .filter
+            .is_free(candidates, step, &self.system.geometry.min_distance);
+        free && self.system.geometry.first_grounded(step.positions()[1]).is_none()
     }
 
     /// Returns true if a part of a step is free of contact. `candidates` are those of the whole step. Carried
@@ -179,7 +181,7 @@ impl Newton<'_> {
         if self.system.carriers.is_empty() {
             self.is_free(candidates, part)
         } else {
-            self.is_free(&self.system.near(part, &self.barrier), part)
+            self.is_free(&self.system.geometry.near(part, &self.barrier), part)
         }
     }
 

@@ -163,6 +163,6 @@ impl Newton<'_> {
         // NaN is above all numbers.
         let largest = sizes.max_by(|(_, a), (_, b)| a.total_cmp(b));
         let vertex = largest.map_or(0, |(place, _)| unknowns.vertices()[place / 3]);
-        self.system.designation(self.system.body_of(vertex))
+        self.system.bodies.designation(self.system.bodies.of(vertex))
     }
 }

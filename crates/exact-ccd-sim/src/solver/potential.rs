@@ -53,7 +53,7 @@ impl<'a> Potential<'a> {
 
     /// The elastic energy Ψ in J, times a factor.
     pub(crate) fn elasticity(&self, factor: f64) -> Form<'a> {
-        let terms = self.system.elements.iter().map(|element| &**element);
+        let terms = self.system.elastic.elements.iter().map(|element| &**element);
         Form {
             terms: terms.map(|element| element as &dyn Energy).collect(),
             factor,
@@ -77,7 +77,7 @@ impl<'a> Potential<'a> {
 
     /// The magnitude of the rounding error of a value.
     pub(crate) fn noise(&self, value: f64) -> f64 {
-        let elastic = self.terms.duration * self.terms.duration * self.system.rigidity;
+        let elastic = self.terms.duration * self.terms.duration * self.system.elastic.rigidity;
         8.0 * f64::EPSILON * (elastic + value.abs())
     }
 }

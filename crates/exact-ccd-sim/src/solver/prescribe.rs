@@ -78,11 +78,11 @@ impl Newton<'_> {
         let mut part = (FARTHEST * self.system.extent() / size).min(1.0);
         for attempt in 0..SHORTER {
             let end = end(now, part);
-            let Ok(step) = Step::new(&self.system.surface, &now.positions, &end) else {
+            let Ok(step) = Step::new(&self.system.geometry.mesh, &now.positions, &end) else {
                 return 0.0;
             };
-            let candidates = self.system.near(step, &self.barrier);
-            let obstacles = self.system.obstacle_pairs(step);
+            let candidates = self.system.geometry.near(step, &self.barrier);
+            let obstacles = self.system.geometry.obstacle_pairs(step);
             // Offsets do not act between obstacles.
             let contact = MinDistance::default();
             if self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step, &contact) {
@@ -97,9 +97,9 @@ impl Newton<'_> {
             let free = if attempt == 0 {
                 let free = self
                     .filter
-                    .free_part(&candidates, step, self.system.min_distance());
+                    .free_part(&candidates, step, &self.system.geometry.min_distance);
                 free.min(self.filter.free_part(&obstacles, step, &contact))
-                    .min(self.system.free_of_half_spaces(step))
+                    .min(self.system.geometry.free_of_half_spaces(step))
             } else {
                 1.0
             };
@@ -124,7 +124,7 @@ impl Newton<'_> {
         }
         let mut whole = self.displaced(&now.positions, direction, 1.0);
         now.dirichlet.set(&mut whole, places, 1.0);
-        let surface = &self.system.surface;
+        let surface = &self.system.geometry.mesh;
         let end = Step::new(surface, &now.positions, &whole)
             .ok()
             .and_then(|step| steps.truncated(self.system, step, &now.dirichlet.vertices()));
@@ -132,8 +132,8 @@ impl Newton<'_> {
         let Ok(step) = Step::new(surface, &now.positions, &end) else {
             return false;
         };
-        let candidates = self.system.near(step, &self.barrier);
-        let obstacles = self.system.obstacle_pairs(step);
+        let candidates = self.system.geometry.near(step, &self.barrier);
+        let obstacles = self.system.geometry.obstacle_pairs(step);
         let is_free =
             self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step, &MinDistance::default());
         let collisions = self.collisions(&candidates, &end);

@@ -46,11 +46,11 @@ impl Fingerprint {
             positions: Hash::of(&system.start),
             velocities: Hash::of(&system.velocities),
             elements: Hash::of(&(system.surface(), system.tetrahedra())),
-            materials: system.materials.clone(),
+            materials: system.bodies.materials.clone(),
             scripts: Hash::of(&system.scripts),
-            half_spaces: Hash::of(&system.half_spaces),
+            half_spaces: Hash::of(system.half_spaces()),
             loads: Hash::of(&system.loads),
-            springs: Hash::of(&system.springs),
+            springs: Hash::of(&system.elastic.springs),
         }
     }
 

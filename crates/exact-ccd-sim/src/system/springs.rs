@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::{Designation, System, SystemError};
+use super::{System, SystemError};
 use crate::spring::{Spring, SpringEnd, SpringEnergy};
 
 /// The greatest distance of the end of a spring from its vertex, relative to the extent of the scene.
@@ -24,10 +24,10 @@ impl System {
                 source,
             })?;
             let energy = self.spring(number, spring)?;
-            self.rigidity += energy.stiffness * energy.length * energy.length;
-            self.elements.push(Arc::new(energy));
+            let rigidity = energy.stiffness * energy.length * energy.length;
+            self.elastic.add(Arc::new(energy), rigidity);
         }
-        self.springs.extend(springs);
+        self.elastic.springs.extend(springs);
         Ok(self)
     }
 
@@ -60,11 +60,16 @@ impl System {
     fn parts_of(&self, spring: usize, body: usize, end: &SpringEnd) -> Result<Vec<(u32, f64)>, SystemError> {
         let missing = |nearest: Option<u32>| SystemError::SpringEnd {
             spring,
-            body: Designation::of_body(body, self.names.get(body).map_or("", String::as_str)),
+            body: self.bodies.designation(body),
             at: end.at,
             nearest: nearest.map(|vertex| self.start[vertex as usize]),
         };
-        let vertices = self.bodies.get(body).cloned().ok_or_else(|| missing(None))?;
+        let vertices = self
+            .bodies
+            .ranges
+            .get(body)
+            .cloned()
+            .ok_or_else(|| missing(None))?;
         if let Some(carried) = self
             .carriers
             .bodies()

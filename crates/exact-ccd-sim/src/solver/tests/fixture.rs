@@ -92,7 +92,7 @@ impl Fixture {
 
     pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
         let step = Step::new(self.system.surface(), points, points).unwrap();
-        let candidates = self.system.near(step, &self.barrier);
+        let candidates = self.system.geometry.near(step, &self.barrier);
         Collisions::new(
             self.system.contact_surface(Formulation::default()),
             &candidates,
@@ -169,6 +169,7 @@ impl Fixture {
         };
         let scale = self.terms.duration * self.terms.duration;
         self.system
+            .elastic
             .elements
             .iter()
             .for_each(|element| add(&**element, scale));
