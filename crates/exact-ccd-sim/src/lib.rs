@@ -77,7 +77,7 @@ pub use body::{
 pub use checkpoint::Checkpoint;
 pub use elasticity::{ElasticModuli, SolidMaterial};
 pub use filter::StepFilter;
-pub use half_space::{HalfSpace, HalfSpaceError, Plane};
+pub use half_space::{HalfSpace, Plane};
 pub use integrator::Integrator;
 pub use iteration::Iteration;
 pub use load::{Force, Load};
@@ -89,7 +89,7 @@ pub use simulation::{BodyPrimitive, Contact, Primitive, Simulation, SimulationEr
 pub use spring::{Spring, SpringEnd};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
-pub use system::{BodyError, Designation, Fingerprint, Selecting, System, SystemError};
+pub use system::{BodyError, Designation, Fingerprint, Selecting, SpringError, System, SystemError};
 
 /// The example of the README, as a documentation test.
 #[cfg(doctest)]

@@ -75,20 +75,17 @@ impl Newton<'_> {
         let size = direction.size;
         let longest = (FARTHEST * self.system.extent() / size).min(1.0);
         let end = self.displaced(&now.positions, direction.displacements, longest);
-        let blocked = || SimulationError::Blocked {
-            step: self.times.step,
-            filter: self.filter.name().to_owned(),
-        };
         let surface = &self.system.geometry.mesh;
         // A direction that is not finite is rejected like one into a contact.
-        let step = Step::new(surface, &now.positions, &end).map_err(|_| blocked())?;
+        let rejected = |_| self.blocked(now, &Candidates::default());
+        let step = Step::new(surface, &now.positions, &end).map_err(rejected)?;
         let candidates = self.system.geometry.near(step, &self.barrier);
         let free = self
             .filter
             .free_part(&candidates, step, &self.system.geometry.min_distance);
         let free = free.min(self.system.geometry.free_of_half_spaces(step));
         if free <= 0.0 {
-            return Err(blocked());
+            return Err(self.blocked(now, &candidates));
         }
         let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         // Held coordinates rest, so that no vertex has to be pinned.
@@ -140,6 +137,19 @@ impl Newton<'_> {
         }
         statistics.step_sizes.push(0.0);
         Ok(false)
+    }
+
+    /// The error that the filter rejects every step from an iterate.
+    fn blocked(&self, now: &Iterate<'_>, candidates: &Candidates) -> SimulationError {
+        let formulation = self.settings.formulation;
+        let nearest = self
+            .system
+            .nearest(formulation, candidates, &now.positions, self.barrier);
+        SimulationError::Blocked {
+            step: self.times.step,
+            filter: self.filter.name().to_owned(),
+            nearest: nearest.map(|(_, bodies)| Box::new(bodies)),
+        }
     }
 
     /// Takes a step, and adapts the stiffness of the barrier.

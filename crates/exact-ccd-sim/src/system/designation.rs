@@ -28,6 +28,15 @@ impl Designation {
         Self { is_body, place, name }
     }
 
+    /// Two bodies, or two parts of one, in messages.
+    pub(crate) fn both([a, b]: &[Self; 2]) -> String {
+        if a == b {
+            format!("two parts of {a}")
+        } else {
+            format!("{a} and {b}")
+        }
+    }
+
     /// The place in the list of bodies, or in that of half spaces, from 0.
     #[must_use]
     pub fn place(&self) -> usize {

@@ -15,16 +15,17 @@ mod materials;
 mod obstacles;
 mod parts;
 mod selection;
+mod spring_error;
 mod springs;
 
 use std::ops::Range;
 
-use exact_ccd_mesh::{Aabb, Frame, MinDistance, Point, PositionsError, TriangleMesh};
+use exact_ccd_mesh::{Aabb, Candidates, Frame, MinDistance, Point, PositionsError, TriangleMesh};
 use nalgebra::Vector3;
 
 use crate::body::Body;
 use crate::carriers::Carriers;
-use crate::contact::Surface;
+use crate::contact::{Barrier, Collisions, Surface};
 use crate::load::Load;
 use crate::scripted::{Coordinates, Scripted};
 use crate::settings::Formulation;
@@ -37,6 +38,7 @@ pub use body_error::{BodyError, Selecting};
 pub use designation::Designation;
 pub use error::SystemError;
 pub use fingerprint::Fingerprint;
+pub use spring_error::SpringError;
 
 /// The vertices, masses, elements and scripts of a scene.
 #[derive(Clone, Debug)]
@@ -124,6 +126,22 @@ impl System {
     /// The surface on which contact acts.
     pub(crate) fn contact_surface(&self, formulation: Formulation) -> Surface<'_> {
         self.geometry.surface(&self.start, formulation)
+    }
+
+    /// The least distance between two surfaces within the activation distance of a barrier, in m, and their
+    /// bodies in their order. The arguments are those of [`Collisions::new`].
+    pub(crate) fn nearest(
+        &self,
+        formulation: Formulation,
+        candidates: &Candidates,
+        points: &[Point],
+        barrier: Barrier,
+    ) -> Option<(f64, [Designation; 2])> {
+        let surface = self.contact_surface(formulation);
+        let (gap, collision) = Collisions::nearest(surface, candidates, points, barrier)?;
+        let [a, b] = self.bodies_of(&collision);
+        let bodies = [a.min(b), a.max(b)].map(|body| self.designation(body));
+        Some((gap, bodies))
     }
 
     /// The faces and rods of all bodies. Its loose vertices are particles, and vertices in the interior of

@@ -6,6 +6,7 @@ mod contact;
 mod differences;
 mod distance;
 mod elasticity;
+mod fingerprint;
 mod friction;
 mod naive;
 mod pairs;
