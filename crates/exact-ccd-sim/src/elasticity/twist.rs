@@ -1,4 +1,4 @@
-//! Twist of rods whose ends are held.
+//! Twist of rods between edges that are held.
 
 use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector3};
@@ -6,24 +6,28 @@ use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector3};
 use super::bend::ends;
 use crate::energy::{Energy, Projection};
 
-/// A chain of edges that resists twist: an isotropic rod between two ends.
+/// A chain of edges that resists twist: a part of an isotropic rod.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Chain {
     /// Its vertices, in their order: at least three.
     vertices: Vec<u32>,
-    /// G J / L, in J, with the torsional rigidity G J in N m² and the length L at rest between the midpoints
-    /// of the first and the last edge.
-    stiffness: f64,
+    /// The length of each inner vertex at rest, in m: half of both edges.
+    lengths: Vec<f64>,
+    /// The torsional rigidity G J, in N m².
+    rigidity: f64,
 }
 
 impl Chain {
     /// The chain of these vertices, with the positions of all vertices at rest and the torsional rigidity G J
     /// in N m².
     pub(crate) fn new(vertices: Vec<u32>, rest: &[Point], rigidity: f64) -> Self {
-        let lengths: Vec<f64> = edges(&vertices, rest).iter().map(Vector3::norm).collect();
-        let inner: f64 = lengths.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).sum();
-        let stiffness = rigidity / inner;
-        Self { vertices, stiffness }
+        let edges: Vec<f64> = edges(&vertices, rest).iter().map(Vector3::norm).collect();
+        let lengths = edges.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+        Self {
+            lengths: lengths.collect(),
+            vertices,
+            rigidity,
+        }
     }
 
     /// The first and the last edge, by their vertices in the order of the chain.
@@ -32,10 +36,45 @@ impl Chain {
         let edge = |first: usize| [self.vertices[first], self.vertices[first + 1]];
         [edge(0), edge(count - 2)]
     }
+
+    /// The parts of the chain between each held edge and the next one. An edge is held if both of its
+    /// vertices are.
+    pub(crate) fn between_held(&self, is_held: impl Fn(u32) -> bool) -> Vec<Self> {
+        let edges = self.vertices.windows(2).enumerate();
+        let held = edges.filter(|(_, edge)| edge.iter().all(|&vertex| is_held(vertex)));
+        let held: Vec<usize> = held.map(|(place, _)| place).collect();
+        let part = |ends: &[usize]| Self {
+            vertices: self.vertices[ends[0]..ends[1] + 2].to_vec(),
+            lengths: self.lengths[ends[0]..ends[1]].to_vec(),
+            rigidity: self.rigidity,
+        };
+        held.windows(2).map(part).collect()
+    }
+
+    /// The inner vertices.
+    pub(crate) fn inner(&self) -> &[u32] {
+        &self.vertices[1..self.vertices.len() - 1]
+    }
+
+    /// The share of each inner vertex in the length, and so in a twist.
+    pub(crate) fn shares(&self) -> impl Iterator<Item = f64> {
+        let length = self.length();
+        self.lengths.iter().map(move |own| own / length)
+    }
+
+    /// The length L at rest between the midpoints of the first and the last edge, in m.
+    fn length(&self) -> f64 {
+        self.lengths.iter().sum()
+    }
+
+    /// G J / L, in J.
+    fn stiffness(&self) -> f64 {
+        self.rigidity / self.length()
+    }
 }
 
-/// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The twist is uniform along the
-/// chain: the cross sections of an isotropic rod turn to the least energy at once, because waves of twist are
+/// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The first and the last edge are held,
+/// and their cross sections with them. The twist is uniform along the chain: the cross sections of an isotropic rod turn to the least energy at once, because waves of twist are
 /// much faster than those of bending (M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete
 /// elastic rods*, 2008, section 5).
 ///
@@ -93,18 +132,18 @@ impl Energy for Twist {
     }
 
     fn value(&self, points: &[Point]) -> f64 {
-        0.5 * self.chain.stiffness * self.angle(points).powi(2)
+        0.5 * self.chain.stiffness() * self.angle(points).powi(2)
     }
 
     fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        self.slope(points) * (self.chain.stiffness * self.angle(points))
+        self.slope(points) * (self.chain.stiffness() * self.angle(points))
     }
 
     /// The first part is semi-definite. The second one is projected at each vertex.
     fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
         let slope = self.slope(points);
-        let moment = self.chain.stiffness * self.angle(points);
-        let mut hessian = &slope * slope.transpose() * self.chain.stiffness;
+        let moment = self.chain.stiffness() * self.angle(points);
+        let mut hessian = &slope * slope.transpose() * self.chain.stiffness();
         let edges = edges(&self.chain.vertices, points);
         let ends = ends();
         for (place, pair) in edges.windows(2).enumerate() {

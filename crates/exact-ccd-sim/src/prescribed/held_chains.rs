@@ -1,4 +1,4 @@
-//! The twist of rods whose ends are held.
+//! The twist of rods between edges that are held.
 
 use std::collections::BTreeMap;
 
@@ -10,40 +10,45 @@ use super::paths::{Paths, Stretch};
 use crate::elasticity::{Chain, Twist, angle_about, transported};
 use crate::scripted::Axes;
 
-/// The chains of which the first and the last edge are held in a part of a time step.
+/// The parts of rods between two held edges, in a part of a time step. Beyond the last held edge, cross
+/// sections turn freely. The least energy is that without twist, 0 for every shape.
 pub(crate) struct HeldChains<'a> {
     paths: &'a Paths<'a>,
-    /// Each with its number.
-    chains: Vec<(u32, &'a Chain)>,
+    chains: Vec<Chain>,
 }
 
 impl<'a> HeldChains<'a> {
-    /// The chains that are held, if `held` are the coordinates that are not free.
+    /// The chains between held edges, if `held` are the coordinates that are not free.
     pub(crate) fn new(paths: &'a Paths<'a>, held: &[Axes]) -> Self {
-        let is_held = |vertex: &u32| held[*vertex as usize] == [true; 3];
-        let numbered = (0..).zip(&paths.system.elastic.chains);
-        let both = numbered.filter(|(_, chain)| chain.ends().as_flattened().iter().all(is_held));
-        let chains = both.collect();
+        let is_held = |vertex: u32| held[vertex as usize] == [true; 3];
+        let rods = paths.system.elastic.chains.iter();
+        let chains = rods.flat_map(|rod| rod.between_held(is_held)).collect();
         Self { paths, chains }
     }
 
     /// The twists after the motions so far. An obstructed end has turned as far as its body has moved.
     pub(crate) fn twists(&self, dirichlet: &Dirichlet<'_>) -> Vec<Twist> {
         let Paths { system, state, .. } = self.paths;
-        let twist = |(number, chain): &(u32, &Chain)| {
+        let twist = |chain: &Chain| {
             let fraction = dirichlet.fraction(system.bodies.of(chain.ends()[0][0]) as u32);
-            let before = state.twists.get(number).copied().unwrap_or(0.0);
+            let before: f64 = chain
+                .inner()
+                .iter()
+                .filter_map(|vertex| state.twists.get(vertex))
+                .sum();
             Twist::new(chain, &state.positions, before + self.turned(chain, fraction))
         };
         self.chains.iter().map(twist).collect()
     }
 
-    /// The angles of twists at positions, by the numbers of their chains.
+    /// The angles of twists at positions, by their inner vertices, each with its share.
     pub(crate) fn angles(&self, twists: &[Twist], positions: &[Point]) -> BTreeMap<u32, f64> {
-        let numbers = self.chains.iter().map(|(number, _)| *number);
-        numbers
-            .zip(twists.iter().map(|twist| twist.angle(positions)))
-            .collect()
+        let parts = self.chains.iter().zip(twists).flat_map(|(chain, twist)| {
+            let angle = twist.angle(positions);
+            let shares = chain.shares().map(move |share| angle * share);
+            chain.inner().iter().copied().zip(shares)
+        });
+        parts.collect()
     }
 
     /// The angle by which the cross section at the last edge of a chain turns up to a fraction of the part,
