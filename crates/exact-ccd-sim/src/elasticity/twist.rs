@@ -4,79 +4,14 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector3};
 
 use super::bend::ends;
+use super::chain::Chain;
 use crate::energy::{Energy, Projection};
 
-/// A chain of edges that resists twist: a part of an isotropic rod.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Chain {
-    /// Its vertices, in their order: at least three.
-    vertices: Vec<u32>,
-    /// The length of each inner vertex at rest, in m: half of both edges.
-    lengths: Vec<f64>,
-    /// The torsional rigidity G J, in N m².
-    rigidity: f64,
-}
-
-impl Chain {
-    /// The chain of these vertices, with the positions of all vertices at rest and the torsional rigidity G J
-    /// in N m².
-    pub(crate) fn new(vertices: Vec<u32>, rest: &[Point], rigidity: f64) -> Self {
-        let edges: Vec<f64> = edges(&vertices, rest).iter().map(Vector3::norm).collect();
-        let lengths = edges.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-        Self {
-            lengths: lengths.collect(),
-            vertices,
-            rigidity,
-        }
-    }
-
-    /// The first and the last edge, by their vertices in the order of the chain.
-    pub(crate) fn ends(&self) -> [[u32; 2]; 2] {
-        let count = self.vertices.len();
-        let edge = |first: usize| [self.vertices[first], self.vertices[first + 1]];
-        [edge(0), edge(count - 2)]
-    }
-
-    /// The parts of the chain between each held edge and the next one. An edge is held if both of its
-    /// vertices are.
-    pub(crate) fn between_held(&self, is_held: impl Fn(u32) -> bool) -> Vec<Self> {
-        let edges = self.vertices.windows(2).enumerate();
-        let held = edges.filter(|(_, edge)| edge.iter().all(|&vertex| is_held(vertex)));
-        let held: Vec<usize> = held.map(|(place, _)| place).collect();
-        let part = |ends: &[usize]| Self {
-            vertices: self.vertices[ends[0]..ends[1] + 2].to_vec(),
-            lengths: self.lengths[ends[0]..ends[1]].to_vec(),
-            rigidity: self.rigidity,
-        };
-        held.windows(2).map(part).collect()
-    }
-
-    /// The inner vertices.
-    pub(crate) fn inner(&self) -> &[u32] {
-        &self.vertices[1..self.vertices.len() - 1]
-    }
-
-    /// The share of each inner vertex in the length, and so in a twist.
-    pub(crate) fn shares(&self) -> impl Iterator<Item = f64> {
-        let length = self.length();
-        self.lengths.iter().map(move |own| own / length)
-    }
-
-    /// The length L at rest between the midpoints of the first and the last edge, in m.
-    fn length(&self) -> f64 {
-        self.lengths.iter().sum()
-    }
-
-    /// G J / L, in J.
-    fn stiffness(&self) -> f64 {
-        self.rigidity / self.length()
-    }
-}
-
-/// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The first and the last edge are held,
-/// and their cross sections with them. The twist is uniform along the chain: the cross sections of an isotropic rod turn to the least energy at once, because waves of twist are
-/// much faster than those of bending (M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete
-/// elastic rods*, 2008, section 5).
+/// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The first and the last edge are
+/// held, and their cross sections with them. The twist is uniform along the chain: the cross sections of an
+/// isotropic rod turn to the least energy at once, because waves of twist are much faster than those of
+/// bending (M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete elastic rods*, 2008,
+/// section 5).
 ///
 /// φ is the angle between the frames of both ends, of which one is transported along the chain without
 /// twist. From the start of the time step on, it changes by the holonomy of the quadrilaterals on the sphere
@@ -99,7 +34,7 @@ impl Twist {
     /// have turned.
     pub(crate) fn new(chain: &Chain, points: &[Point], angle: f64) -> Self {
         Self {
-            before: directions(&edges(&chain.vertices, points)),
+            before: directions(&chain.edges(points)),
             chain: chain.clone(),
             angle,
         }
@@ -107,7 +42,7 @@ impl Twist {
 
     /// φ at other positions of this time step.
     pub(crate) fn angle(&self, points: &[Point]) -> f64 {
-        let now = directions(&edges(&self.chain.vertices, points));
+        let now = directions(&self.chain.edges(points));
         let pairs = self.before.windows(2).zip(now.windows(2));
         let turns = pairs.map(|(before, now)| holonomy([before[0], before[1]], [now[0], now[1]]));
         self.angle + turns.sum::<f64>()
@@ -115,8 +50,8 @@ impl Twist {
 
     /// The gradient of φ by the vertices of the chain.
     fn slope(&self, points: &[Point]) -> DVector<f64> {
-        let edges = edges(&self.chain.vertices, points);
-        let mut slope = DVector::zeros(3 * self.chain.vertices.len());
+        let edges = self.chain.edges(points);
+        let mut slope = DVector::zeros(3 * self.chain.vertices().len());
         for (place, pair) in edges.windows(2).enumerate() {
             let by_edges = Corner::new([pair[0], pair[1]]).slope();
             let mut rows = slope.fixed_rows_mut::<9>(3 * place);
@@ -128,7 +63,7 @@ impl Twist {
 
 impl Energy for Twist {
     fn vertices(&self) -> &[u32] {
-        &self.chain.vertices
+        self.chain.vertices()
     }
 
     fn value(&self, points: &[Point]) -> f64 {
@@ -144,7 +79,7 @@ impl Energy for Twist {
         let slope = self.slope(points);
         let moment = self.chain.stiffness() * self.angle(points);
         let mut hessian = &slope * slope.transpose() * self.chain.stiffness();
-        let edges = edges(&self.chain.vertices, points);
+        let edges = self.chain.edges(points);
         let ends = ends();
         for (place, pair) in edges.windows(2).enumerate() {
             let by_edges = Corner::new([pair[0], pair[1]]).curvature() * moment;
@@ -238,13 +173,6 @@ pub(crate) fn transported(vector: &Vector3<f64>, from: &Vector3<f64>, to: &Vecto
 
 /// Directions s and t count as opposite if 1 + s · t is below this.
 const OPPOSITE: f64 = 1e-12;
-
-/// The edges of a chain.
-fn edges(vertices: &[u32], points: &[Point]) -> Vec<Vector3<f64>> {
-    let at = |vertex: u32| Vector3::from(points[vertex as usize]);
-    let pairs = vertices.windows(2);
-    pairs.map(|pair| at(pair[1]) - at(pair[0])).collect()
-}
 
 fn directions(edges: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     edges.iter().map(Vector3::normalize).collect()

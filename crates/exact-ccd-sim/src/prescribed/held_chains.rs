@@ -68,8 +68,8 @@ impl<'a> HeldChains<'a> {
     }
 }
 
-/// The turn at one edge between two times. Its first vertex carries the frame. `carried` returns the positions
-/// at both times of a point that a vertex carries, from the vector to it where the script began.
+/// The turn at one edge between two times. Its first vertex carries the frame. `carried` returns the
+/// positions at both times of a point that a vertex carries, from the vector to it where the script began.
 fn turn_of([a, b]: [u32; 2], carried: &dyn Fn(u32, Vector3<f64>) -> [Vector3<f64>; 2]) -> f64 {
     let [from, to] = [a, b].map(|vertex| carried(vertex, Vector3::zeros()));
     // An edge without a length has no direction, and turns by 0 about it.

@@ -92,8 +92,8 @@ impl<'a> Paths<'a> {
         (1.0 - fraction) * (self.times.end - self.times.start + self.behind_before(body))
     }
 
-    /// The time that the scripts of a vertex have reached at a fraction, in s. They begin where an obstruction
-    /// held the body back.
+    /// The time that the scripts of a vertex have reached at a fraction, in s. They begin where an
+    /// obstruction held the body back.
     fn time(&self, vertex: usize, fraction: f64) -> f64 {
         let Times { start, end, .. } = self.times;
         let behind = self.behind_before(self.system.bodies.of(vertex as u32) as u32);

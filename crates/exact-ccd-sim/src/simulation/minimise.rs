@@ -1,4 +1,5 @@
-//! The minimisation of the potential of one part of a time step, with the lagged terms of damping and friction.
+//! The minimisation of the potential of one part of a time step, with the terms of damping and of lagged
+//! friction.
 
 use exact_ccd_mesh::Point;
 

@@ -55,8 +55,8 @@ pub(crate) struct Geometry {
 }
 
 impl Geometry {
-    /// The geometry of an outline, from the vertices of each body, and the position at rest and the scripts of
-    /// each vertex.
+    /// The geometry of an outline, from the vertices of each body, and the position at rest and the scripts
+    /// of each vertex.
     pub(super) fn new(
         outline: Outline,
         bodies: &[Range<u32>],

@@ -28,8 +28,8 @@ pub(super) fn parts(bodies: &[Range<u32>], is_obstacle: &[bool], scripts: &[Coor
     (1..).zip(bodies).flat_map(part).collect()
 }
 
-/// The pairs of obstacles of different motions, and those within obstacles that do not move as a whole. `None`
-/// if there are none.
+/// The pairs of obstacles of different motions, and those within obstacles that do not move as a whole.
+/// `None` if there are none.
 pub(super) fn pairs(parts: Vec<Part>) -> Option<CanCollide> {
     let are_together = |a: Part, b: Part| a == b && a != Part::DeformingObstacle;
     let obstacles = || parts.iter().filter(|part| **part != Part::Body);

@@ -223,8 +223,8 @@ fn a_half_turn_across_an_end_is_a_number() {
     }
 }
 
-/// A rod with at most one held edge turns freely: its twist is 0 for every shape, and it moves with the bits of
-/// a rod without a shear modulus.
+/// A rod with at most one held edge turns freely: its twist is 0 for every shape, and it moves with the bits
+/// of a rod without a shear modulus.
 #[test]
 fn a_rod_with_one_held_edge_has_no_twist() {
     let (body, _) = rod(1e4);
@@ -271,8 +271,9 @@ fn a_released_end_loses_its_twist() {
     }
 }
 
-/// A held edge in the middle is a clamp: each half has a twist of its own, and beyond the last held edge there
-/// is none. Where the middle begins to be held, the halves share the twist, and they join where it is released.
+/// A held edge in the middle is a clamp: each half has a twist of its own, and beyond the last held edge
+/// there is none. Where the middle begins to be held, the halves share the twist. They join where it is
+/// released.
 #[test]
 fn a_held_edge_divides_the_twist() {
     let (body, material) = rod(1e4);
