@@ -8,8 +8,9 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, MatrixXx3, RowVector3, Vector3};
 
 use super::hinge::{Fold, Hinge};
-use crate::energy::{Energy, Projection, gather};
+use crate::energy::{Block, Energy, Projection, gather};
 use crate::hinges::{Side, hinges};
+use crate::zeros::with_zeros;
 
 /// The stiffness against the part of a fold that no curvature explains, relative to that of a [`Hinge`]. It
 /// has no effect on constant curvature; the value is that with the least errors of the strips of
@@ -45,41 +46,86 @@ const LEAST: f64 = 0.01;
 /// boundary too.
 #[derive(Debug)]
 pub(crate) struct VertexBend {
+    /// The vertex of all hinges is the first one: its blocks have the most terms, and the least columns before
+    /// them.
     vertices: Vec<u32>,
     /// The vertices of each hinge, by their places in `vertices`.
     folds: Vec<[usize; 4]>,
+    /// The corners of hinges at each vertex: the first, the second, … corner of the first hinge, of the second …
+    corners: Vec<Vec<usize>>,
     /// The angle of each hinge at rest.
     rest: Vec<f64>,
     /// The Hessian of the energy by the angles.
     stiffness: DMatrix<f64>,
 }
 
+/// The number of zeros on the stack for each hinge, of eight of them: of a vertex with more edges, they are on
+/// the heap.
+const FEW: usize = 8;
+
 impl VertexBend {
-    fn shapes(&self, points: &[Point]) -> Vec<Fold> {
+    /// The shape of each hinge, and its angle at rest.
+    fn shapes(&self, points: &[Point]) -> impl Iterator<Item = (Fold, f64)> {
         let fold = |fold: &[usize; 4]| Fold::of(points, &fold.map(|place| self.vertices[place]));
-        self.folds.iter().map(fold).collect()
+        self.folds.iter().map(fold).zip(self.rest.iter().copied())
     }
 
-    /// The changes of the angles since rest.
-    fn bends(&self, shapes: &[Fold]) -> DVector<f64> {
-        let bends = shapes
-            .iter()
-            .zip(&self.rest)
-            .map(|(shape, rest)| shape.angle() - rest);
-        DVector::from_iterator(shapes.len(), bends)
+    /// Writes the change of each angle since rest, and the gradient of each angle by the corners of its hinge.
+    fn write_angles(&self, points: &[Point], bends: &mut [f64], slopes: &mut [[f64; 3]]) {
+        let angles = bends.iter_mut().zip(slopes.chunks_exact_mut(4));
+        for ((bend, slope), (shape, rest)) in angles.zip(self.shapes(points)) {
+            *bend = shape.angle() - rest;
+            slope.copy_from_slice(&shape.slopes());
+        }
     }
 
-    /// The derivatives of the angles, a column each.
-    fn changes(&self, shapes: &[Fold]) -> DMatrix<f64> {
-        let mut changes = DMatrix::zeros(3 * self.vertices.len(), shapes.len());
-        for (column, (shape, fold)) in shapes.iter().zip(&self.folds).enumerate() {
-            let gradient = shape.gradient();
-            for (corner, &place) in fold.iter().enumerate() {
-                let mut rows = changes.fixed_view_mut::<3, 1>(3 * place, column);
-                rows += gradient.fixed_rows::<3>(3 * corner);
+    /// The moment of each hinge, from the changes of all angles.
+    fn moments(&self, bends: &[f64]) -> impl Iterator<Item = f64> {
+        let columns = self.stiffness.as_slice().chunks_exact(bends.len());
+        columns.map(move |column| column.iter().zip(bends).map(|(a, b)| a * b).sum())
+    }
+
+    /// Writes J M, with the gradients of the angles as columns of J and the moments M.
+    fn write_forces(&self, bends: &[f64], slopes: &[[f64; 3]], gradient: &mut [f64]) {
+        gradient.fill(0.0);
+        let (gradient, _) = gradient.as_chunks_mut::<3>();
+        let hinges = slopes.chunks_exact(4).zip(&self.folds);
+        for (moment, (slopes, fold)) in self.moments(bends).zip(hinges) {
+            for (slope, &place) in slopes.iter().zip(fold) {
+                add(&mut gradient[place], moment, slope);
             }
         }
-        changes
+    }
+
+    /// Writes J K Jᵀ with the stiffness K, a block column for each vertex. `columns` has memory for three columns
+    /// of K Jᵀ.
+    fn write_products(&self, slopes: &[[f64; 3]], columns: &mut [[f64; 3]], hessian: &mut [Block]) {
+        let (stiffness, count) = (self.stiffness.as_slice(), columns.len());
+        let mut blocks = hessian.iter_mut();
+        for (first, corners) in self.corners.iter().enumerate() {
+            columns.fill([0.0; 3]);
+            for &corner in corners {
+                let stiffness = &stiffness[corner / 4 * count..][..count];
+                for (sum, &factor) in columns.iter_mut().zip(stiffness) {
+                    add(sum, factor, &slopes[corner]);
+                }
+            }
+            for (corners, to) in self.corners[first..].iter().zip(&mut blocks) {
+                let mut block = [[0.0; 3]; 3];
+                for &corner in corners {
+                    for (sum, factor) in block.iter_mut().zip(columns[corner / 4]) {
+                        add(sum, factor, &slopes[corner]);
+                    }
+                }
+                to.copy_from_slice(block.as_flattened());
+            }
+        }
+    }
+}
+
+fn add(sum: &mut [f64; 3], factor: f64, vector: &[f64; 3]) {
+    for (sum, value) in sum.iter_mut().zip(vector) {
+        *sum += factor * value;
     }
 }
 
@@ -89,19 +135,46 @@ impl Energy for VertexBend {
     }
 
     fn value(&self, points: &[Point]) -> f64 {
-        let bends = self.bends(&self.shapes(points));
-        0.5 * bends.dot(&(&self.stiffness * &bends))
+        with_zeros::<FEW, _>(self.folds.len(), |bends| {
+            for (bend, (shape, rest)) in bends.iter_mut().zip(self.shapes(points)) {
+                *bend = shape.angle() - rest;
+            }
+            let terms = self.moments(bends).zip(&*bends);
+            0.5 * terms.map(|(moment, bend)| moment * bend).sum::<f64>()
+        })
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        let shapes = self.shapes(points);
-        self.changes(&shapes) * (&self.stiffness * self.bends(&shapes))
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
+        let count = self.folds.len();
+        with_zeros::<{ 13 * FEW }, _>(13 * count, |memory| {
+            let (bends, slopes) = memory.split_at_mut(count);
+            let (slopes, _) = slopes.as_chunks_mut();
+            self.write_angles(points, bends, slopes);
+            self.write_forces(bends, slopes, gradient);
+        });
     }
 
-    /// The Hessian without second derivatives of angles, which is positive semi-definite.
-    fn hessian(&self, points: &[Point], _: Projection) -> DMatrix<f64> {
-        let changes = self.changes(&self.shapes(points));
-        &changes * &self.stiffness * changes.transpose()
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
+        let mut gradient = vec![0.0; 3 * self.vertices.len()];
+        self.write_derivatives(points, projection, &mut gradient, hessian);
+    }
+
+    /// The Hessian is that without second derivatives of angles, which is positive semi-definite.
+    fn write_derivatives(
+        &self,
+        points: &[Point],
+        _: Projection,
+        gradient: &mut [f64],
+        hessian: &mut [Block],
+    ) {
+        let count = self.folds.len();
+        with_zeros::<{ 16 * FEW }, _>(16 * count, |memory| {
+            let (bends, memory) = memory.split_at_mut(count);
+            let (slopes, columns) = memory.as_chunks_mut().0.split_at_mut(4 * count);
+            self.write_angles(points, bends, slopes);
+            self.write_forces(bends, slopes, gradient);
+            self.write_products(slopes, columns, hessian);
+        });
     }
 }
 
@@ -151,21 +224,36 @@ pub(crate) fn bending(
         elements.extend(hinge.map(|hinge| Arc::new(hinge) as Arc<dyn Energy>));
     }
     let whole = stars
-        .values()
-        .filter(|star| !star.is_twisted && !star.sides.is_empty());
-    for star in whole {
-        elements.push(Arc::new(vertex_bend(points, star, &sides, rigidity, poisson)));
+        .iter()
+        .filter(|(_, star)| !star.is_twisted && !star.sides.is_empty());
+    for (&vertex, star) in whole {
+        let bend = vertex_bend(points, vertex, star, &sides, rigidity, poisson);
+        elements.push(Arc::new(bend));
     }
     elements
 }
 
-fn vertex_bend(points: &[Point], star: &Star, sides: &[Side], rigidity: f64, poisson: f64) -> VertexBend {
+fn vertex_bend(
+    points: &[Point],
+    vertex: u32,
+    star: &Star,
+    sides: &[Side],
+    rigidity: f64,
+    poisson: f64,
+) -> VertexBend {
     let corners: Vec<[u32; 4]> = star.sides.iter().map(|&side| sides[side].vertices).collect();
     let mut vertices = corners.as_flattened().to_vec();
-    vertices.sort_unstable();
+    vertices.sort_unstable_by_key(|&other| (other != vertex, other));
     vertices.dedup();
-    let place = |vertex: u32| vertices.partition_point(|&other| other < vertex);
-    let folds = corners.iter().map(|corners| corners.map(place)).collect();
+    let place = |corner: u32| match vertices[1..].binary_search(&corner) {
+        Ok(place) => 1 + place,
+        Err(_) => 0,
+    };
+    let folds: Vec<[usize; 4]> = corners.iter().map(|corners| corners.map(place)).collect();
+    let mut corners_of = vec![Vec::new(); vertices.len()];
+    for (corner, &place) in folds.as_flattened().iter().enumerate() {
+        corners_of[place].push(corner);
+    }
     let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
     let plane = Plane::of(star);
     let (mut means, mut angles) = (Matrix3xX::zeros(corners.len()), MatrixXx3::zeros(corners.len()));
@@ -193,6 +281,7 @@ fn vertex_bend(points: &[Point], star: &Star, sides: &[Side], rigidity: f64, poi
         + rest.transpose() * DMatrix::from_diagonal(&of_rest) * &rest;
     VertexBend {
         folds,
+        corners: corners_of,
         rest: shapes.iter().map(Fold::angle).collect(),
         stiffness: stiffness * rigidity,
         vertices,
@@ -235,10 +324,9 @@ impl Plane {
     /// three coordinates of κ. The derivatives of an angle do not depend on linear functions of x: its
     /// origin is arbitrary.
     fn angles(&self, shape: &Fold, corners: [Vector3<f64>; 4]) -> RowVector3<f64> {
-        let gradient = shape.gradient();
-        let changes = corners.iter().enumerate().map(|(place, corner)| {
+        let changes = corners.iter().zip(shape.slopes()).map(|(corner, slope)| {
             let [x, y] = self.coordinates(corner);
-            let rise = gradient.fixed_rows::<3>(3 * place).dot(&self.normal);
+            let rise = Vector3::from(slope).dot(&self.normal);
             RowVector3::new(0.5 * x * x, 0.5 * y * y, x * y / SQRT_2) * rise
         });
         changes.sum()

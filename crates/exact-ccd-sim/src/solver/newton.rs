@@ -6,6 +6,7 @@ use std::time::Instant;
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
+use super::couplings::Couplings;
 use super::line_search::Direction;
 use super::linear::LinearSolver;
 use super::potential::Potential;
@@ -52,6 +53,7 @@ pub(crate) struct Newton<'a> {
 /// The memory of a minimisation, for the next one of the same system. No result depends on it.
 #[derive(Default)]
 pub(crate) struct Memory {
+    couplings: Option<Couplings>,
     linear: LinearSolver,
     steps: VertexSteps,
 }
@@ -79,8 +81,7 @@ impl Newton<'_> {
     ) -> Result<bool, SimulationError> {
         let mass = self.system.free_mass();
         let unknowns = &Unknowns::new(self.held);
-        let mut keys: Option<Vec<u64>> = None;
-        for _ in 0..self.max_iterations {
+        for iteration in 0..self.max_iterations {
             if self.interrupt.load(Ordering::Relaxed) {
                 let step = statistics.step;
                 return Err(SimulationError::Interrupted { step });
@@ -96,14 +97,17 @@ impl Newton<'_> {
                 dampers: self.dampers,
                 twists: &twists,
             };
-            let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
+            let couplings = Couplings::kept(&mut memory.couplings, self.system, &twists, unknowns);
+            // The first system of a minimisation has its own pattern, so that no result depends on other ones.
+            let earlier = memory.linear.pattern().filter(|_| iteration > 0);
             let prescribed = now.dirichlet.displacements(&now.positions);
             let quadratic = potential.quadratic(
                 &now.positions,
                 now.collisions.as_slice(),
                 unknowns,
-                keys,
+                couplings,
                 &prescribed,
+                earlier,
             );
             let right = quadratic.right(unknowns);
             statistics.seconds.assembly += clock.elapsed().as_secs_f64();

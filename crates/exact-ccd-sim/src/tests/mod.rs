@@ -16,3 +16,4 @@ mod stiffness;
 mod strips;
 mod thickness;
 mod twist;
+mod vertex_bend;
