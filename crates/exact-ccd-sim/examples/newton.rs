@@ -1,4 +1,4 @@
-//! The cost of Newton iterations: of a cloth of 289 vertices that hangs at two corners, of the same cloth on a
+//! The cost of Newton iterations: of a cloth of 289 vertices that hangs at two corners, of two such cloths on a
 //! sphere, and of a beam of tetrahedra with 1,125 vertices that hangs at one end.
 //!
 //! Instructions do not depend on other load on the machine. All are in `minimise`, and in what it calls:
@@ -24,8 +24,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (bodies, scripts, coefficient) = match std::env::args().nth(1).as_deref() {
         Some("cloth") => (vec![cloth()], fixed(vec![0, 16]), 0.0),
         Some("drape") => {
-            let above = cloth().placed(|[x, y, z]| [x - 0.5, y + 0.302, z - 0.5]);
-            (vec![above, shapes::sphere(3, 0.3)], Vec::new(), 0.2)
+            let above = |height: f64| cloth().placed(move |[x, y, z]| [x - 0.5, y + height, z - 0.5]);
+            let bodies = vec![above(0.302), above(0.305), shapes::sphere(3, 0.3)];
+            (bodies, Vec::new(), 0.2)
         }
         Some("beam") => {
             let beam = shapes::solid_box([44, 4, 4], [1.1, 0.1, 0.1]);

@@ -49,10 +49,11 @@ pub(crate) struct VertexBend {
     /// The vertex of all hinges is the first one: its blocks have the most terms, and the least columns before
     /// them.
     vertices: Vec<u32>,
-    /// The vertices of each hinge, by their places in `vertices`.
-    folds: Vec<[usize; 4]>,
-    /// The corners of hinges at each vertex: the first, the second, … corner of the first hinge, of the second …
-    corners: Vec<Vec<usize>>,
+    /// The hinges at each vertex.
+    hinges: Vec<Vec<usize>>,
+    /// The four corners of each hinge: their vertices, by their places in `vertices`, and their places among the
+    /// corners at the first vertex, at the second and so on.
+    corners: Vec<[[usize; 2]; 4]>,
     /// The angle of each hinge at rest.
     rest: Vec<f64>,
     /// The Hessian of the energy by the angles.
@@ -66,16 +67,21 @@ const FEW: usize = 8;
 impl VertexBend {
     /// The shape of each hinge, and its angle at rest.
     fn shapes(&self, points: &[Point]) -> impl Iterator<Item = (Fold, f64)> {
-        let fold = |fold: &[usize; 4]| Fold::of(points, &fold.map(|place| self.vertices[place]));
-        self.folds.iter().map(fold).zip(self.rest.iter().copied())
+        let fold = |corners: &[[usize; 2]; 4]| {
+            let vertices = corners.map(|[place, _]| self.vertices[place]);
+            Fold::of(points, &vertices)
+        };
+        self.corners.iter().map(fold).zip(self.rest.iter().copied())
     }
 
     /// Writes the change of each angle since rest, and the gradient of each angle by the corners of its hinge.
     fn write_angles(&self, points: &[Point], bends: &mut [f64], slopes: &mut [[f64; 3]]) {
-        let angles = bends.iter_mut().zip(slopes.chunks_exact_mut(4));
-        for ((bend, slope), (shape, rest)) in angles.zip(self.shapes(points)) {
+        let hinges = self.shapes(points).zip(&self.corners);
+        for (bend, ((shape, rest), corners)) in bends.iter_mut().zip(hinges) {
             *bend = shape.angle() - rest;
-            slope.copy_from_slice(&shape.slopes());
+            for (&[_, corner], slope) in corners.iter().zip(shape.slopes()) {
+                slopes[corner] = slope;
+            }
         }
     }
 
@@ -85,15 +91,27 @@ impl VertexBend {
         columns.map(move |column| column.iter().zip(bends).map(|(a, b)| a * b).sum())
     }
 
+    /// The hinges at each vertex, with their gradients by this vertex.
+    fn at_vertices<'a>(
+        &'a self,
+        slopes: &'a [[f64; 3]],
+    ) -> impl Iterator<Item = (&'a [usize], &'a [[f64; 3]])> + Clone {
+        self.hinges.iter().scan(slopes, |slopes, hinges| {
+            let (own, others) = slopes.split_at(hinges.len());
+            *slopes = others;
+            Some((hinges.as_slice(), own))
+        })
+    }
+
     /// Writes J M, with the gradients of the angles as columns of J and the moments M.
-    fn write_forces(&self, bends: &[f64], slopes: &[[f64; 3]], gradient: &mut [f64]) {
-        gradient.fill(0.0);
-        let (gradient, _) = gradient.as_chunks_mut::<3>();
-        let hinges = slopes.chunks_exact(4).zip(&self.folds);
-        for (moment, (slopes, fold)) in self.moments(bends).zip(hinges) {
-            for (slope, &place) in slopes.iter().zip(fold) {
-                add(&mut gradient[place], moment, slope);
+    fn write_forces(&self, moments: &[f64], slopes: &[[f64; 3]], gradient: &mut [f64]) {
+        let vertices = self.at_vertices(slopes).zip(gradient.as_chunks_mut().0);
+        for ((hinges, slopes), to) in vertices {
+            let mut force = [0.0; 3];
+            for (&hinge, slope) in hinges.iter().zip(slopes) {
+                add(&mut force, moments[hinge], slope);
             }
+            *to = force;
         }
     }
 
@@ -102,25 +120,34 @@ impl VertexBend {
     fn write_products(&self, slopes: &[[f64; 3]], columns: &mut [[f64; 3]], hessian: &mut [Block]) {
         let (stiffness, count) = (self.stiffness.as_slice(), columns.len());
         let mut blocks = hessian.iter_mut();
-        for (first, corners) in self.corners.iter().enumerate() {
+        let mut vertices = self.at_vertices(slopes);
+        loop {
+            let rows = vertices.clone();
+            let Some((hinges, slopes)) = vertices.next() else {
+                return;
+            };
             columns.fill([0.0; 3]);
-            for &corner in corners {
-                let stiffness = &stiffness[corner / 4 * count..][..count];
+            for (&hinge, slope) in hinges.iter().zip(slopes) {
+                let stiffness = &stiffness[hinge * count..][..count];
                 for (sum, &factor) in columns.iter_mut().zip(stiffness) {
-                    add(sum, factor, &slopes[corner]);
+                    add(sum, factor, slope);
                 }
             }
-            for (corners, to) in self.corners[first..].iter().zip(&mut blocks) {
+            for ((hinges, slopes), to) in rows.zip(&mut blocks) {
                 let mut block = [[0.0; 3]; 3];
-                for &corner in corners {
-                    for (sum, factor) in block.iter_mut().zip(columns[corner / 4]) {
-                        add(sum, factor, &slopes[corner]);
+                for (&hinge, slope) in hinges.iter().zip(slopes) {
+                    for (sum, factor) in block.iter_mut().zip(columns[hinge]) {
+                        add(sum, factor, slope);
                     }
                 }
                 to.copy_from_slice(block.as_flattened());
             }
         }
     }
+}
+
+fn write(values: impl Iterator<Item = f64>, to: &mut [f64]) {
+    to.iter_mut().zip(values).for_each(|(to, value)| *to = value);
 }
 
 fn add(sum: &mut [f64; 3], factor: f64, vector: &[f64; 3]) {
@@ -135,7 +162,7 @@ impl Energy for VertexBend {
     }
 
     fn value(&self, points: &[Point]) -> f64 {
-        with_zeros::<FEW, _>(self.folds.len(), |bends| {
+        with_zeros::<FEW, _>(self.rest.len(), |bends| {
             for (bend, (shape, rest)) in bends.iter_mut().zip(self.shapes(points)) {
                 *bend = shape.angle() - rest;
             }
@@ -145,12 +172,14 @@ impl Energy for VertexBend {
     }
 
     fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
-        let count = self.folds.len();
-        with_zeros::<{ 13 * FEW }, _>(13 * count, |memory| {
-            let (bends, slopes) = memory.split_at_mut(count);
+        let count = self.rest.len();
+        with_zeros::<{ 14 * FEW }, _>(14 * count, |memory| {
+            let (bends, memory) = memory.split_at_mut(count);
+            let (moments, slopes) = memory.split_at_mut(count);
             let (slopes, _) = slopes.as_chunks_mut();
             self.write_angles(points, bends, slopes);
-            self.write_forces(bends, slopes, gradient);
+            write(self.moments(bends), moments);
+            self.write_forces(moments, slopes, gradient);
         });
     }
 
@@ -167,12 +196,14 @@ impl Energy for VertexBend {
         gradient: &mut [f64],
         hessian: &mut [Block],
     ) {
-        let count = self.folds.len();
-        with_zeros::<{ 16 * FEW }, _>(16 * count, |memory| {
+        let count = self.rest.len();
+        with_zeros::<{ 17 * FEW }, _>(17 * count, |memory| {
             let (bends, memory) = memory.split_at_mut(count);
+            let (moments, memory) = memory.split_at_mut(count);
             let (slopes, columns) = memory.as_chunks_mut().0.split_at_mut(4 * count);
             self.write_angles(points, bends, slopes);
-            self.write_forces(bends, slopes, gradient);
+            write(self.moments(bends), moments);
+            self.write_forces(moments, slopes, gradient);
             self.write_products(slopes, columns, hessian);
         });
     }
@@ -250,10 +281,18 @@ fn vertex_bend(
         Err(_) => 0,
     };
     let folds: Vec<[usize; 4]> = corners.iter().map(|corners| corners.map(place)).collect();
-    let mut corners_of = vec![Vec::new(); vertices.len()];
-    for (corner, &place) in folds.as_flattened().iter().enumerate() {
-        corners_of[place].push(corner);
+    let mut hinges_at = vec![Vec::new(); vertices.len()];
+    for (hinge, fold) in folds.iter().enumerate() {
+        fold.iter().for_each(|&place| hinges_at[place].push(hinge));
     }
+    let before = |place: usize| hinges_at[..place].iter().map(Vec::len).sum::<usize>();
+    let corner = |hinge: usize, place: usize| {
+        let own = hinges_at[place].partition_point(|&other| other < hinge);
+        [place, before(place) + own]
+    };
+    let numbered = folds.iter().enumerate();
+    let corners_of = numbered.map(|(hinge, fold)| fold.map(|place| corner(hinge, place)));
+    let corners_of = corners_of.collect();
     let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
     let plane = Plane::of(star);
     let (mut means, mut angles) = (Matrix3xX::zeros(corners.len()), MatrixXx3::zeros(corners.len()));
@@ -280,7 +319,7 @@ fn vertex_bend(
     let stiffness = curvature.transpose() * (plate * star.area) * &curvature
         + rest.transpose() * DMatrix::from_diagonal(&of_rest) * &rest;
     VertexBend {
-        folds,
+        hinges: hinges_at,
         corners: corners_of,
         rest: shapes.iter().map(Fold::angle).collect(),
         stiffness: stiffness * rigidity,

@@ -69,6 +69,9 @@ impl Pattern {
 
     /// The place of each block in another pattern. `None` if that pattern has not all of the pairs.
     pub(crate) fn places_in(&self, other: &Self) -> Option<Vec<u32>> {
+        if self == other {
+            return Some((0..self.rows.len() as u32).collect());
+        }
         if self.starts.len() != other.starts.len() {
             return None;
         }
