@@ -69,6 +69,7 @@ mod statistics;
 mod system;
 #[cfg(test)]
 mod tests;
+mod zeros;
 
 pub use body::{
     AffineProperties, Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties,

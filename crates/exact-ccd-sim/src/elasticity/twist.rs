@@ -1,11 +1,11 @@
 //! Twist of rods between edges that are held.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{DVector, Matrix3, SMatrix, SVector, Vector3};
 
 use super::bend::ends;
 use super::chain::Chain;
-use crate::energy::{Energy, Projection};
+use crate::energy::{Block, Energy, Projection, write_blocks};
 
 /// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The first and the last edge are
 /// held, and their cross sections with them. The twist is uniform along the chain: the cross sections of an
@@ -70,23 +70,24 @@ impl Energy for Twist {
         0.5 * self.chain.stiffness() * self.angle(points).powi(2)
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        self.slope(points) * (self.chain.stiffness() * self.angle(points))
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
+        let forces = self.slope(points) * (self.chain.stiffness() * self.angle(points));
+        gradient.copy_from_slice(forces.as_slice());
     }
 
     /// The first part is semi-definite. The second one is projected at each vertex.
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let slope = self.slope(points);
         let moment = self.chain.stiffness() * self.angle(points);
-        let mut hessian = &slope * slope.transpose() * self.chain.stiffness();
+        let mut sum = &slope * slope.transpose() * self.chain.stiffness();
         let edges = self.chain.edges(points);
         let ends = ends();
         for (place, pair) in edges.windows(2).enumerate() {
             let by_edges = Corner::new([pair[0], pair[1]]).curvature() * moment;
-            let mut block = hessian.fixed_view_mut::<9, 9>(3 * place, 3 * place);
+            let mut block = sum.fixed_view_mut::<9, 9>(3 * place, 3 * place);
             block += ends.tr_mul(&(projection.of(by_edges) * ends));
         }
-        hessian
+        write_blocks(&sum, self.chain.vertices().len(), hessian);
     }
 }
 

@@ -1,5 +1,6 @@
 //! The minimisation of the incremental potential of one time step, by projected Newton.
 
+mod couplings;
 mod form;
 mod line_search;
 mod linear;

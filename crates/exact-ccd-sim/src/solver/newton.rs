@@ -6,6 +6,7 @@ use std::time::Instant;
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
+use super::couplings::Couplings;
 use super::line_search::Direction;
 use super::linear::LinearSolver;
 use super::potential::{Potential, Terms};
@@ -41,6 +42,7 @@ pub(crate) struct Newton<'a> {
 /// The memory of a minimisation, for the next one of the same system. No result depends on it.
 #[derive(Default)]
 pub(crate) struct Memory {
+    couplings: Option<Couplings>,
     linear: LinearSolver,
     steps: VertexSteps,
 }
@@ -69,8 +71,7 @@ impl Newton<'_> {
         let mass = self.system.free_mass();
         let unknowns = &Unknowns::new(&self.held);
         let tolerance = self.settings.newton_tolerance(self.system.size());
-        let mut keys: Option<Vec<u64>> = None;
-        for _ in 0..self.settings.max_iterations {
+        for iteration in 0..self.settings.max_iterations {
             if self.interrupt.load(Ordering::Relaxed) {
                 let step = self.times.step;
                 return Err(SimulationError::Interrupted { step });
@@ -78,14 +79,17 @@ impl Newton<'_> {
             let clock = Instant::now();
             let twists = self.chains.twists(&now.dirichlet);
             let potential = self.potential(now.stiffness, &twists);
-            let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
+            let couplings = Couplings::kept(&mut memory.couplings, self.system, &twists, unknowns);
+            // The first system of a minimisation has its own pattern, so that no result depends on other ones.
+            let earlier = memory.linear.pattern().filter(|_| iteration > 0);
             let prescribed = now.dirichlet.displacements(&now.positions);
             let quadratic = potential.quadratic(
                 &now.positions,
                 now.collisions.as_slice(),
                 unknowns,
-                keys,
+                couplings,
                 &prescribed,
+                earlier,
             );
             let right = quadratic.right(unknowns);
             statistics.seconds.assembly += clock.elapsed().as_secs_f64();

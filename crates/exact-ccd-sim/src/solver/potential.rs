@@ -8,7 +8,6 @@ use crate::anchor::Anchor;
 use crate::contact::Collision;
 use crate::damper::Damper;
 use crate::elasticity::Twist;
-use crate::energy::Energy;
 use crate::friction::FrictionContact;
 use crate::system::System;
 
@@ -53,11 +52,7 @@ impl<'a> Potential<'a> {
 
     /// The elastic energy Ψ in J, times a factor.
     pub(crate) fn elasticity(&self, factor: f64) -> Form<'a> {
-        let terms = self.system.elastic.elements.iter().map(|element| &**element);
-        Form {
-            terms: terms.map(|element| element as &dyn Energy).collect(),
-            factor,
-        }
+        Form::elastic(self.system, factor)
     }
 
     /// The value. Infinite if a neo-Hookean element is inverted.

@@ -17,3 +17,4 @@ mod stiffness;
 mod strips;
 mod thickness;
 mod twist;
+mod vertex_bend;

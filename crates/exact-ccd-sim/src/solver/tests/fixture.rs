@@ -11,6 +11,7 @@ use crate::friction::{FrictionContact, Smoothing};
 use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::shapes;
+use crate::solver::couplings::Couplings;
 use crate::solver::potential::{Potential, Terms};
 use crate::solver::quadratic::Quadratic;
 use crate::solver::unknowns::Unknowns;
@@ -144,13 +145,14 @@ impl Fixture {
 
     pub(super) fn quadratic(&self, collisions: &Collisions, unknowns: &Unknowns) -> Quadratic {
         let potential = self.potential();
-        let keys = potential.elastic_keys(unknowns);
+        let couplings = Couplings::new(&self.system, &[], unknowns);
         potential.quadratic(
             &self.points,
             collisions.as_slice(),
             unknowns,
-            &keys,
+            &couplings,
             &self.prescribed(),
+            None,
         )
     }
 
