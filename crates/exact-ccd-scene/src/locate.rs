@@ -1,6 +1,6 @@
 //! The fields of a scene file to which errors of systems and simulations belong.
 
-use exact_ccd_sim::{BodyError, Selecting, SimulationError, SystemError};
+use exact_ccd_sim::{BodyError, Selecting, SimulationError, SpringError, SystemError};
 
 use super::description::{BodyDescription, Description};
 use super::field_error::FieldError;
@@ -13,14 +13,15 @@ pub(super) fn of_system(description: &Description, error: &SystemError) -> Field
             of_body(description, body.place(), source).below(&path)
         }
         SystemError::HalfSpace { half_space, source } => {
-            let path = format!("half-space.{}.{}", half_space.place(), source.what);
-            FieldError::new(path, without_place(error))
+            let path = format!("half-space.{}.{}", half_space.place(), source.field);
+            FieldError::new(path, source)
         }
         SystemError::Spring { spring, source } => {
-            FieldError::new(format!("spring.{spring}.{}", source.field), source)
-        }
-        SystemError::SpringEnd { spring, .. } => {
-            FieldError::new(format!("spring.{spring}.at"), without_place(error))
+            let field = match source {
+                SpringError::Parameter(source) => source.field,
+                _ => "at",
+            };
+            FieldError::new(format!("spring.{spring}.{field}"), source)
         }
         _ => FieldError::new("body", error),
     }
@@ -68,13 +69,6 @@ fn of_body(description: &Description, place: usize, error: &BodyError) -> FieldE
         _ => "mesh".to_owned(),
     };
     FieldError::new(field, error)
-}
-
-/// The message of an error without its beginning, which the path of the field repeats.
-fn without_place(error: &SystemError) -> String {
-    let message = error.to_string();
-    let rest = message.split_once(": ").map(|(_, rest)| rest.to_owned());
-    rest.unwrap_or(message)
 }
 
 /// The error of a simulation, at the setting or at the second of two touching bodies.

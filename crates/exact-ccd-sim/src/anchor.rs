@@ -1,9 +1,9 @@
 //! Energies of single vertices.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
-use crate::energy::{Energy, Projection};
+use crate::energy::{Block, Energy, Projection, write_blocks, write_rows};
 
 /// The energy ½ Σ k (x − target)² − force · (x − target) of a vertex, with a sum over the axes: the inertia
 /// of a vertex, and the constant forces on it.
@@ -33,12 +33,12 @@ impl Energy for Anchor {
         offset.dot(&(offset.component_mul(&self.stiffness) * 0.5 - self.force))
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        let gradient = self.offset(points).component_mul(&self.stiffness) - self.force;
-        DVector::from_column_slice(gradient.as_slice())
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
+        let sum = self.offset(points).component_mul(&self.stiffness) - self.force;
+        write_rows(&sum, gradient);
     }
 
-    fn hessian(&self, _: &[Point], _: Projection) -> DMatrix<f64> {
-        DMatrix::from_diagonal(&DVector::from_column_slice(self.stiffness.as_slice()))
+    fn write_hessian(&self, _: &[Point], _: Projection, hessian: &mut [Block]) {
+        write_blocks(&Matrix3::from_diagonal(&self.stiffness), 1, hessian);
     }
 }

@@ -3,7 +3,7 @@
 use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector};
 
-use crate::energy::{Energy, Projection};
+use crate::energy::{Block, Energy, Projection, write_blocks};
 
 /// The energy ½ c (x − x₀)ᵀ K (x − x₀) of the vertices of an element, with the projected Hessian K of its
 /// energy at the start of a time step, and the positions x₀ at zero velocity. With c = β h, its force is −β
@@ -46,11 +46,12 @@ impl Energy for Damper {
         0.5 * displacement.dot(&(&self.hessian * &displacement))
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        &self.hessian * self.displacement(points)
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
+        let force = &self.hessian * self.displacement(points);
+        gradient.copy_from_slice(force.as_slice());
     }
 
-    fn hessian(&self, _: &[Point], _: Projection) -> DMatrix<f64> {
-        self.hessian.clone()
+    fn write_hessian(&self, _: &[Point], _: Projection, hessian: &mut [Block]) {
+        write_blocks(&self.hessian, self.vertices.len(), hessian);
     }
 }

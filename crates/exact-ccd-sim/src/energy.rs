@@ -5,12 +5,19 @@ use std::fmt::Debug;
 use exact_ccd_mesh::Point;
 use nalgebra::allocator::Allocator;
 use nalgebra::{
-    DMatrix, DVector, DefaultAllocator, DimDiff, DimName, DimSub, OMatrix, SMatrix, SVector, U1, Vector3,
+    DMatrix, DefaultAllocator, Dim, DimDiff, DimName, DimSub, Matrix, Matrix3, OMatrix, SVector, Storage, U1,
+    Vector3,
 };
 
 use crate::psd;
 
+/// The columns of a 3 × 3 block of a matrix.
+pub(crate) type Block = [f64; 9];
+
 /// One term of an energy, over some vertices. `points` has the positions of all vertices of the system.
+///
+/// Derivatives are written into slices, so that a sum of many terms needs no memory for each of them. The former
+/// contents of a slice have no meaning.
 pub(crate) trait Energy: Debug + Send + Sync {
     /// The vertices on which it depends, without repetition.
     fn vertices(&self) -> &[u32];
@@ -18,11 +25,58 @@ pub(crate) trait Energy: Debug + Send + Sync {
     /// The value. Infinite for positions that it excludes.
     fn value(&self, points: &[Point]) -> f64;
 
-    /// The gradient, three coordinates for each vertex.
-    fn gradient(&self, points: &[Point]) -> DVector<f64>;
+    /// Writes the gradient: three coordinates for each vertex.
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]);
 
-    /// The Hessian, a 3 × 3 block for each pair of vertices.
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64>;
+    /// Writes the Hessian: a block for each of the [`pairs`] of vertices.
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]);
+
+    /// Writes the gradient and the Hessian.
+    fn write_derivatives(
+        &self,
+        points: &[Point],
+        projection: Projection,
+        gradient: &mut [f64],
+        hessian: &mut [Block],
+    ) {
+        self.write_gradient(points, gradient);
+        self.write_hessian(points, projection, hessian);
+    }
+
+    /// The gradient, three coordinates for each vertex.
+    #[cfg(test)]
+    fn gradient(&self, points: &[Point]) -> nalgebra::DVector<f64> {
+        let mut gradient = nalgebra::DVector::zeros(3 * self.vertices().len());
+        self.write_gradient(points, gradient.as_mut_slice());
+        gradient
+    }
+
+    /// The Hessian, with the blocks of both triangles.
+    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+        let count = self.vertices().len();
+        let mut blocks = vec![[0.0; 9]; pair_count(count)];
+        self.write_hessian(points, projection, &mut blocks);
+        let mut hessian = DMatrix::zeros(3 * count, 3 * count);
+        for ([row, column], block) in pairs(count).zip(&blocks) {
+            let block = Matrix3::from_column_slice(block);
+            for (row, column, block) in [(row, column, block), (column, row, block.transpose())] {
+                hessian
+                    .fixed_view_mut::<3, 3>(3 * row, 3 * column)
+                    .copy_from(&block);
+            }
+        }
+        hessian
+    }
+}
+
+/// The pairs of places of vertices in the lower triangle, as row and column, column by column.
+pub(crate) fn pairs(count: usize) -> impl Iterator<Item = [usize; 2]> {
+    (0..count).flat_map(move |column| (column..count).map(move |row| [row, column]))
+}
+
+/// The number of [`pairs`].
+pub(crate) fn pair_count(count: usize) -> usize {
+    count * (count + 1) / 2
 }
 
 /// The projection of a Hessian.
@@ -71,12 +125,31 @@ pub(crate) fn gather_some(points: &[Point], vertices: &[u32]) -> [Vector3<f64>; 
     [at(0), at(1), at(2), at(3)]
 }
 
-/// A gradient by the first vertices of an element.
-pub(crate) fn first_rows<const N: usize>(gradient: &SVector<f64, N>, vertices: usize) -> DVector<f64> {
-    gradient.rows(0, 3 * vertices).into_owned()
+/// Writes a gradient by the first vertices of an element.
+pub(crate) fn write_rows<const N: usize>(vector: &SVector<f64, N>, gradient: &mut [f64]) {
+    let count = gradient.len();
+    gradient.copy_from_slice(&vector.as_slice()[..count]);
 }
 
-/// A Hessian by the first vertices of an element.
-pub(crate) fn first_blocks<const N: usize>(hessian: &SMatrix<f64, N, N>, vertices: usize) -> DMatrix<f64> {
-    hessian.view((0, 0), (3 * vertices, 3 * vertices)).into_owned()
+/// Writes a Hessian by the first vertices of an element.
+pub(crate) fn write_blocks<R: Dim, C: Dim, S: Storage<f64, R, C>>(
+    matrix: &Matrix<f64, R, C, S>,
+    vertices: usize,
+    hessian: &mut [Block],
+) {
+    let block = |[row, column]: [usize; 2]| matrix.fixed_view::<3, 3>(3 * row, 3 * column).into_owned();
+    write_each(pairs(vertices).map(block), hessian);
+}
+
+/// Writes blocks in the order of the [`pairs`].
+pub(crate) fn write_each(blocks: impl IntoIterator<Item = Matrix3<f64>>, hessian: &mut [Block]) {
+    for (to, block) in hessian.iter_mut().zip(blocks) {
+        to.copy_from_slice(block.as_slice());
+    }
+}
+
+/// Writes the Hessian of an energy of Σ wₖ xₖ, from the second derivatives by this sum.
+pub(crate) fn write_products(weights: &[f64], second: &Matrix3<f64>, hessian: &mut [Block]) {
+    let block = |[row, column]: [usize; 2]| second * (weights[row] * weights[column]);
+    write_each(pairs(weights.len()).map(block), hessian);
 }

@@ -1,7 +1,7 @@
 //! The boundaries of half spaces in floating point, for the barrier and for friction, which act on vertices.
 
+pub use exact_ccd_mesh::HalfSpace;
 use exact_ccd_mesh::{Aabb, Point};
-pub use exact_ccd_mesh::{HalfSpace, HalfSpaceError};
 use nalgebra::Vector3;
 
 /// A plane in floating point.

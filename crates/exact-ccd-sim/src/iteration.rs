@@ -17,3 +17,6 @@ pub struct Iteration {
     /// The pairs of features within the contact distance before the iteration.
     pub contacts: usize,
 }
+
+/// A function that is called in each iteration.
+pub(crate) type Watch = dyn Fn(&Iteration) + Send + Sync;

@@ -43,7 +43,6 @@ mod checkpoint;
 mod contact;
 mod damper;
 mod digest;
-mod dirichlet;
 mod distance;
 mod elasticity;
 mod energy;
@@ -55,6 +54,7 @@ mod integrator;
 mod iteration;
 mod load;
 mod moments;
+mod prescribed;
 mod psd;
 mod range;
 mod script;
@@ -69,6 +69,7 @@ mod statistics;
 mod system;
 #[cfg(test)]
 mod tests;
+mod zeros;
 
 pub use body::{
     AffineProperties, Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties,
@@ -77,7 +78,7 @@ pub use body::{
 pub use checkpoint::Checkpoint;
 pub use elasticity::{ElasticModuli, SolidMaterial};
 pub use filter::StepFilter;
-pub use half_space::{HalfSpace, HalfSpaceError, Plane};
+pub use half_space::{HalfSpace, Plane};
 pub use integrator::Integrator;
 pub use iteration::Iteration;
 pub use load::{Force, Load};
@@ -89,7 +90,7 @@ pub use simulation::{BodyPrimitive, Contact, Primitive, Simulation, SimulationEr
 pub use spring::{Spring, SpringEnd};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
-pub use system::{BodyError, Designation, Fingerprint, Selecting, System, SystemError};
+pub use system::{BodyError, Designation, Fingerprint, Selecting, SpringError, System, SystemError};
 
 /// The example of the README, as a documentation test.
 #[cfg(doctest)]

@@ -1,10 +1,10 @@
 //! Springs between two bodies, or a body and a place.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 use crate::digest::{Digest, Hash};
-use crate::energy::{Energy, Projection};
+use crate::energy::{Block, Energy, Projection, write_products};
 use crate::range::{OutOfRange, check_finite, check_not_negative, check_positive};
 
 /// A spring. One without length holds its two ends together: a ball joint of affine bodies, a stitch of
@@ -78,20 +78,17 @@ impl Energy for SpringEnergy {
     }
 
     /// Without a direction, where d = 0, the force of a spring with a length is set to zero.
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
         let d = self.vector(points);
         let direction = d.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
         let force = (d - direction * self.length) * self.stiffness;
-        DVector::from_iterator(
-            3 * self.weights.len(),
-            self.weights
-                .iter()
-                .flat_map(|&weight| <[f64; 3]>::from(force * weight)),
-        )
+        for (rows, &weight) in gradient.chunks_exact_mut(3).zip(&self.weights) {
+            rows.copy_from_slice((force * weight).as_slice());
+        }
     }
 
     /// By d: k along it, and k (1 − l / |d|) across.
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let d = self.vector(points);
         let block = match d.try_normalize(0.0) {
             Some(n) if self.length > 0.0 => {
@@ -100,10 +97,7 @@ impl Energy for SpringEnergy {
             }
             _ => Matrix3::identity(),
         } * self.stiffness;
-        let count = self.weights.len();
-        DMatrix::from_fn(3 * count, 3 * count, |i, j| {
-            self.weights[i / 3] * self.weights[j / 3] * block[(i % 3, j % 3)]
-        })
+        write_products(&self.weights, &block, hessian);
     }
 }
 

@@ -32,8 +32,8 @@ pub struct State {
     /// the body. Those without an entry are not behind.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub behind: BTreeMap<u32, f64>,
-    /// The angle in rad by which a rod with held ends is twisted, by the number of the part of a rod between
-    /// two ends, in the order of the system. Those without an entry are not twisted.
+    /// The twist in rad at an inner vertex of a rod between two held edges, by the number of the vertex: the
+    /// angle between the cross sections of its two edges. Those without an entry are not twisted.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub twists: BTreeMap<u32, f64>,
 }

@@ -107,6 +107,11 @@ fn errors_are_at_their_fields() {
             "spring[1].stiffness: `stiffness` is -1, expected a positive number",
         ),
         (
+            "affine = { density = 1000.0, stiffness = 1e8 }",
+            "shell = { density = 1000.0, young = 1e5, poisson = 0.3, thickness = 1e-3 }",
+            "spring[0].at: [0.0, 1.0, 0.0] is no vertex of body `ring`, which is not affine, expected one as [",
+        ),
+        (
             "segments = [8, 4]",
             "segments = [8, 2]",
             "body `ring`, shape: the torus has [8, 2] segments, expected at least 3 each",

@@ -2,11 +2,11 @@
 
 use arrayvec::ArrayVec;
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, SMatrix, SVector, Vector3};
+use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::barrier::Barrier;
 use crate::distance::{Factors, Feature, FeatureKind, Matrix12, Mollifier, Separation, Vector12};
-use crate::energy::{Energy, Projection, first_blocks, first_rows, gather_some};
+use crate::energy::{Block, Energy, Projection, gather_some, write_blocks, write_rows};
 use crate::half_space::Plane;
 
 /// Two features within the activation distance of the barrier, or a vertex and a half space.
@@ -249,27 +249,26 @@ impl Energy for Collision {
         }
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        let count = self.vertices.len();
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
         let fade = self.fade(points);
         if fade == 0.0 {
-            return DVector::zeros(3 * count);
+            return gradient.fill(0.0);
         }
         let separation = self.separation(points);
         let squared = separation.squared();
         let slope = 2.0 * self.barrier.slope(squared);
-        let mut gradient = Vector12::from_fn(|row, _| {
+        let mut sum = Vector12::from_fn(|row, _| {
             separation.weights[row / 3] * separation.vector[row % 3] * slope * fade
         });
         if let Some(mollifier) = self.mollifier {
             let corners = gather_some(points, &self.vertices);
-            gradient += mollifier.derivatives(&corners).0 * self.barrier.value(squared);
+            sum += mollifier.derivatives(&corners).0 * self.barrier.value(squared);
         }
-        first_rows(&(gradient * self.multiplicity), count)
+        write_rows(&(sum * self.multiplicity), gradient);
     }
 
     /// The Hessian by the vertices that are not fixed.
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let corners = gather_some(points, &self.vertices);
         let squared = self.between.separation(&corners).squared();
         let (slope, curvature) = (self.barrier.slope(squared), self.barrier.curvature(squared));
@@ -284,7 +283,7 @@ impl Energy for Collision {
         // The Hessian of a negative term is projected with its sign.
         let (sign, size) = (self.multiplicity.signum(), self.multiplicity.abs());
         let second = first * first.transpose() * curvature + second * slope;
-        let hessian = match self.mollifier {
+        let projected = match self.mollifier {
             None => {
                 // The projection acts in an orthonormal basis of the five directions of the factors.
                 let (basis, factor) = change.qr().unpack();
@@ -301,6 +300,6 @@ impl Energy for Collision {
                 projection.of(hessian * sign)
             }
         };
-        first_blocks(&(hessian * size), self.vertices.len())
+        write_blocks(&(projected * size), self.vertices.len(), hessian);
     }
 }

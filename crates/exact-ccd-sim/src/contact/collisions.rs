@@ -131,7 +131,7 @@ fn near(
     let points = candidates.vertex_vertex().par_iter();
     all.par_extend(points.filter_map(|&pair| near.two_vertices(pair)));
     all.extend(near.corrections(&pairs));
-    for (half_space, &plane) in (0..).zip(surface.half_spaces) {
+    for (half_space, plane) in (0..).zip(surface.half_spaces.iter().map(Plane::of)) {
         all.par_extend(
             surface
                 .grounded

@@ -3,7 +3,7 @@
 use exact_ccd_mesh::{Point, TriangleMesh};
 
 use super::weights::Weights;
-use crate::half_space::Plane;
+use crate::half_space::HalfSpace;
 
 /// The mesh of all surfaces, with the data on which their barriers depend.
 #[derive(Clone, Copy, Debug)]
@@ -14,8 +14,7 @@ pub(crate) struct Surface<'a> {
     pub(crate) rest: &'a [Point],
     /// The offsets of the contact surface from the mesh, in m. Vertices without an entry have none.
     pub(crate) offsets: &'a [f64],
-    /// The boundaries of half spaces.
-    pub(crate) half_spaces: &'a [Plane],
+    pub(crate) half_spaces: &'a [HalfSpace],
     /// The vertices for which half spaces are obstacles.
     pub(crate) grounded: &'a [u32],
     /// True for the vertices that never move. Vertices without an entry may move.

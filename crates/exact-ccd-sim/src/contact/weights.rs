@@ -48,7 +48,10 @@ pub(crate) enum Part {
     /// It belongs to a body with mass.
     Body,
     /// It belongs to an obstacle that moves as a whole.
-    Obstacle,
+    Obstacle {
+        /// The number of the motion: 0 for obstacles that rest.
+        motion: u32,
+    },
     /// It belongs to an obstacle of which scripts move parts.
     DeformingObstacle,
 }
@@ -106,7 +109,7 @@ impl Weights {
         for chunk in sides.chunk_by(|a, b| a[0] == b[0]) {
             let edge = chunk[0][0] as usize;
             let ends = mesh.edges()[edge];
-            let is_rigid = parts.get(ends[0] as usize) == Some(&Part::Obstacle);
+            let is_rigid = matches!(parts.get(ends[0] as usize), Some(Part::Obstacle { .. }));
             if let [[_, c], [_, d]] = *chunk {
                 is_flat_edge[edge] = is_rigid && is_flat(&gather(rest, &[ends[0], ends[1], c, d]));
             }

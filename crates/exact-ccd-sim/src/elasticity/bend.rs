@@ -1,9 +1,9 @@
 //! Bending of rods.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
-use crate::energy::{Energy, Projection, first_blocks, first_rows, gather};
+use crate::energy::{Block, Energy, Projection, gather, write_blocks, write_rows};
 
 /// A vertex of a rod between two edges, with the energy (E I / M) (κ − κ₀)² of the curvature κ = 2
 /// tan(φ/2). φ is the angle by which the second edge deviates from the direction of the first, κ₀ the
@@ -85,23 +85,23 @@ impl Energy for Bend {
         self.stiffness * (squared.sqrt() - self.rest).powi(2)
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
         let Some(shape) = self.shape(points) else {
-            return DVector::zeros(9);
+            return gradient.fill(0.0);
         };
-        let gradient = shape.gradient() * self.slopes(&shape)[0];
-        first_rows(&ends().tr_mul(&gradient), 3)
+        let by_edges = shape.gradient() * self.slopes(&shape)[0];
+        write_rows(&ends().tr_mul(&by_edges), gradient);
     }
 
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let Some(shape) = self.shape(points) else {
-            return DMatrix::zeros(9, 9);
+            return hessian.fill([0.0; 9]);
         };
         let [first, second] = self.slopes(&shape);
         let gradient = shape.gradient();
-        let hessian = shape.hessian() * first + gradient * gradient.transpose() * second;
+        let by_edges = shape.hessian() * first + gradient * gradient.transpose() * second;
         let ends = ends();
-        first_blocks(&ends.tr_mul(&(projection.of(hessian) * ends)), 3)
+        write_blocks(&ends.tr_mul(&(projection.of(by_edges) * ends)), 3, hessian);
     }
 }
 

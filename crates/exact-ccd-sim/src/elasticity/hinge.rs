@@ -1,9 +1,9 @@
 //! Bending of thin shells.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix3, RowSVector, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, RowSVector, SMatrix, SVector, Vector3};
 
-use crate::energy::{Energy, Projection, first_blocks, first_rows, gather};
+use crate::energy::{Block, Energy, Projection, gather, write_blocks, write_rows};
 
 type Vector12 = SVector<f64, 12>;
 type Matrix12 = SMatrix<f64, 12, 12>;
@@ -57,16 +57,17 @@ impl Energy for Hinge {
         0.5 * self.stiffness * bend * bend
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
         let shape = Fold::of(points, &self.vertices);
-        first_rows(&(shape.gradient() * (self.stiffness * self.bend(&shape))), 4)
+        let moment = self.stiffness * self.bend(&shape);
+        write_rows(&(shape.gradient() * moment), gradient);
     }
 
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let shape = Fold::of(points, &self.vertices);
         let gradient = shape.gradient();
-        let hessian = gradient * gradient.transpose() + shape.hessian() * self.bend(&shape);
-        first_blocks(&projection.of(hessian * self.stiffness), 4)
+        let second = gradient * gradient.transpose() + shape.hessian() * self.bend(&shape);
+        write_blocks(&projection.of(second * self.stiffness), 4, hessian);
     }
 }
 
@@ -99,22 +100,23 @@ impl Fold {
         sine.atan2(n.dot(&m))
     }
 
-    /// The gradient of the angle.
+    /// The gradient of the angle by each of the four vertices.
     ///
     /// A displacement of a corner along the normal rotates its triangle about the edge, by 1 / height. The
     /// foot of the corner on the edge divides the opposite rotation between the ends of the edge.
-    pub(super) fn gradient(&self) -> Vector12 {
+    pub(super) fn slopes(&self) -> [[f64; 3]; 4] {
         let (squared, length) = (self.edge.norm_squared(), self.edge.norm());
-        let mut gradient = Vector12::zeros();
-        for (index, (side, normal)) in self.sides.into_iter().zip(self.normals).enumerate() {
-            let turn = normal * (-length / normal.norm_squared());
-            let foot = side.dot(&self.edge) / squared;
-            for (vertex, share) in [(2 + index, 1.0), (0, foot - 1.0), (1, -foot)] {
-                let mut rows = gradient.fixed_rows_mut::<3>(3 * vertex);
-                rows += turn * share;
-            }
-        }
-        gradient
+        let turn = |normal: Vector3<f64>| normal * (-length / normal.norm_squared());
+        let [left, right] = self.normals.map(turn);
+        let [foot, other] = self.sides.map(|side| side.dot(&self.edge) / squared);
+        let end = left * -foot - right * other;
+        let start = -(left + right) - end;
+        [start, end, left, right].map(<[f64; 3]>::from)
+    }
+
+    /// The gradient of the angle by all of them.
+    fn gradient(&self) -> Vector12 {
+        Vector12::from_column_slice(self.slopes().as_flattened())
     }
 
     /// The Hessian of the angle, by the product rule.

@@ -1,11 +1,11 @@
 //! In-plane deformation of thin shells.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix3x2, SMatrix};
+use nalgebra::{Matrix2, Matrix3, Matrix3x2, SMatrix, Vector2, Vector3};
 
 use super::lame::ElasticModuli;
-use super::strain_limit::StrainLimit;
-use crate::energy::{Energy, Projection, first_blocks, gather};
+use super::strain_limit::{StrainLimit, principal};
+use crate::energy::{Block, Energy, Projection, gather, write_each};
 
 /// A triangle of a thin shell under plane stress, with the Saint Venant-Kirchhoff energy
 /// h A (μ |E|² + λ/2 tr² E) of the strain E = ½ (FᵀF − 1) in the plane of the triangle. The stretches can
@@ -76,12 +76,29 @@ impl Membrane {
         }
     }
 
-    /// The differential of the stress at C along dC.
-    fn differential(&self, c: &Matrix2<f64>, change: &Matrix2<f64>) -> Matrix2<f64> {
-        let differential = self.linear(&(change * 0.5));
-        match &self.limit {
-            None => differential,
-            Some(limit) => differential + limit.differential(c, change),
+    /// The second derivatives at these stretches. Their eigenvalues are projected.
+    fn modes(&self, stretches: &Vector2<f64>, projection: Projection) -> Modes {
+        let squares = stretches.component_mul(stretches);
+        let strains = squares.add_scalar(-1.0) * 0.5;
+        let mut stresses = (strains * (2.0 * self.mu)).add_scalar(self.lambda * strains.sum());
+        let mut slopes = Matrix2::repeat(0.5 * self.lambda) + Matrix2::from_diagonal_element(self.mu);
+        let mut quotient = self.mu;
+        if let Some(limit) = &self.limit {
+            let limited = limit.principal(&squares);
+            stresses += limited.stresses;
+            slopes += Matrix2::from_diagonal(&limited.slopes);
+            quotient += limited.quotient;
+        }
+        let products = stretches * stretches.transpose() * 2.0;
+        let stretch = Matrix2::from_diagonal(&stresses) + slopes.component_mul(&products);
+        let mean = 0.5 * stresses.sum();
+        let [twist, flip] = [stretches.x - stretches.y, stretches.sum()]
+            .map(|size| 0.5 * projection.of_value(mean + 0.5 * size * size * quotient));
+        Modes {
+            stretch: projection.of(stretch),
+            own: flip + twist,
+            crossed: flip - twist,
+            out: stresses.map(|stress| projection.of_value(stress)),
         }
     }
 
@@ -106,35 +123,87 @@ impl Energy for Membrane {
         self.volume() * (density + limited)
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
         let f = self.deformation(points);
         let forces = f * self.stress(&f.tr_mul(&f)) * self.shape.transpose() * self.volume();
-        DVector::from_column_slice(forces.as_slice())
+        gradient.copy_from_slice(forces.as_slice());
     }
 
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
-        let f = self.deformation(points);
-        let c = f.tr_mul(&f);
-        let stress = self.stress(&c);
+    /// The Hessian in the frame of the singular vectors of F. The columns of F do not depend on the place of
+    /// the triangle, so that the blocks of the first vertex follow from the others.
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
+        let frame = Frame::of(&self.deformation(points));
+        let modes = self.modes(&frame.stretches, projection);
+        let [_, b, c] = [0, 1, 2].map(|row| frame.plane.tr_mul(&self.shape.row(row).transpose()));
+        let block = |a: &Vector2<f64>, b: &Vector2<f64>| {
+            frame.axes * modes.block(a, b) * frame.axes.transpose() * self.volume()
+        };
+        let [bb, cb, cc] = [block(&b, &b), block(&c, &b), block(&c, &c)];
+        let [ba, ca] = [-bb - cb.transpose(), -cb - cc];
+        let aa = -(ba + ca);
+        write_each([aa, ba, ca, bb, cb, cc], hessian);
+    }
+}
 
-        // The Hessian by the columns of F, stacked into one vector: dP = dF S + F dS.
-        let mut second = SMatrix::<f64, 6, 6>::zeros();
-        for column in 0..6 {
-            let mut change = Matrix3x2::<f64>::zeros();
-            change[column] = 1.0;
-            let product = f.tr_mul(&change);
-            let dstress = self.differential(&c, &(product + product.transpose()));
-            let dp = change * stress + f * dstress;
-            second.set_column(column, &SMatrix::<f64, 6, 1>::from_column_slice(dp.as_slice()));
+/// The singular values of F = Σ σᵢ uᵢ vᵢᵀ, and its singular vectors.
+struct Frame {
+    /// u₁, u₂ and the normal.
+    axes: Matrix3<f64>,
+    /// v₁ and v₂.
+    plane: Matrix2<f64>,
+    /// σ₁ ≥ σ₂ ≥ 0.
+    stretches: Vector2<f64>,
+}
+
+impl Frame {
+    /// v is that of the symmetric FᵀF. Then u₁ σ₁ = F v₁, and u₂ σ₂ is the part of F v₂ across u₁: all of it
+    /// up to rounding, so that σ₂ has a relative error of a few ulps of σ₁ at most.
+    fn of(f: &Matrix3x2<f64>) -> Self {
+        let (_, plane) = principal(&f.tr_mul(f));
+        let [along, across] = [f * plane.column(0), f * plane.column(1)];
+        let first = along.try_normalize(0.0).unwrap_or_else(Vector3::x);
+        let across = across - first * first.dot(&across);
+        let any = || first.cross(&Vector3::ith(first.iamin(), 1.0)).normalize();
+        let second = across.try_normalize(0.0).unwrap_or_else(any);
+        Self {
+            axes: Matrix3::from_columns(&[first, second, first.cross(&second)]),
+            plane,
+            stretches: Vector2::new(along.norm(), across.norm()),
         }
-        let map = SMatrix::<f64, 6, 9>::from_fn(|row, column| {
-            if row % 3 == column % 3 {
-                self.shape[(column / 3, row / 3)]
-            } else {
-                0.0
-            }
-        });
-        first_blocks(&(map.tr_mul(&(projection.of(second) * map)) * self.volume()), 3)
+    }
+}
+
+/// The second derivatives of the energy by volume, ψ(σ₁, σ₂), in the frame of the singular vectors of F.
+///
+/// With the principal stresses Sᵢ = ∂ψ/∂σᵢ / σᵢ, which are functions of λ = σ², and the quotient Q = (S₁ −
+/// S₂) / (λ₁ − λ₂), the eigenvalues of both rotations and shears of the plane into itself, (σ₁ S₁ ± σ₂ S₂) /
+/// (σ₁ ± σ₂), are ½ (S₁ + S₂) + ½ (σ₁ ∓ σ₂)² Q. Those of both rotations out of the plane are S₁ and S₂.
+struct Modes {
+    /// ∂²ψ/∂σᵢ∂σⱼ = Sᵢ δᵢⱼ + 2 σᵢ σⱼ ∂Sᵢ/∂λⱼ.
+    stretch: Matrix2<f64>,
+    /// ∂²ψ/∂F₁₂² = ∂²ψ/∂F₂₁².
+    own: f64,
+    /// ∂²ψ/∂F₁₂∂F₂₁.
+    crossed: f64,
+    /// ∂²ψ/∂F₃ᵢ².
+    out: Vector2<f64>,
+}
+
+impl Modes {
+    /// The second derivatives by two points x and y on which F depends as x aᵀ and y bᵀ.
+    fn block(&self, a: &Vector2<f64>, b: &Vector2<f64>) -> Matrix3<f64> {
+        let crossed = |i: usize, j: usize| a[i] * b[j] * self.stretch[(i, j)] + a[j] * b[i] * self.crossed;
+        Matrix3::new(
+            a.x * b.x * self.stretch.m11 + a.y * b.y * self.own,
+            crossed(0, 1),
+            0.0,
+            crossed(1, 0),
+            a.x * b.x * self.own + a.y * b.y * self.stretch.m22,
+            0.0,
+            0.0,
+            0.0,
+            a.x * b.x * self.out.x + a.y * b.y * self.out.y,
+        )
     }
 }
 

@@ -5,6 +5,7 @@
 //! Nearly incompressible materials (Poisson's ratio near ½) lock in volume as well.
 
 mod bend;
+mod chain;
 mod fixed_corotated;
 mod hinge;
 mod isotropic;
@@ -21,6 +22,7 @@ mod twist;
 mod vertex_bend;
 
 pub(crate) use bend::Bend;
+pub(crate) use chain::Chain;
 #[cfg(test)]
 pub(crate) use hinge::Hinge;
 pub use lame::ElasticModuli;
@@ -30,5 +32,5 @@ pub use solid_material::SolidMaterial;
 pub(crate) use strain_limit::StrainLimit;
 pub(crate) use stretch::Stretch;
 pub(crate) use tetrahedron::Tetrahedron;
-pub(crate) use twist::{Chain, Twist, angle_about, transported};
+pub(crate) use twist::{Twist, angle_about, transported};
 pub(crate) use vertex_bend::bending;

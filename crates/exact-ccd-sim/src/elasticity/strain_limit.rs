@@ -22,10 +22,11 @@
 //! search has to test its end only.
 //!
 //! With C = FᵀF and its eigenvalues λ = σ², the energy is a function of C. The stress is F S with S = s(C),
-//! s(λ) = f′(σ)/σ, because dλ = v · dC v for the unit eigenvector v. The differential of S has the entries of
-//! dC in the frame of the eigenvectors, times the divided differences of s (J. Daleckii, M. Krein, 1965).
+//! s(λ) = f′(σ)/σ, because dλ = v · dC v for the unit eigenvector v. In the frame of the eigenvectors, dS has
+//! the entries of dC, times the derivatives of s on the diagonal and the quotient of its differences beside it
+//! (J. Daleckii, M. Krein, 1965).
 
-use nalgebra::{Matrix2, Rotation2, Vector2};
+use nalgebra::{Matrix2, Vector2};
 
 /// The limit of the principal stretches.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +35,15 @@ pub(crate) struct StrainLimit {
     limit: f64,
     /// E, in Pa.
     young: f64,
+}
+
+/// The principal stresses s(λ) at the squares λ of both stretches.
+pub(crate) struct Principal {
+    pub(crate) stresses: Vector2<f64>,
+    /// ds/dλ.
+    pub(crate) slopes: Vector2<f64>,
+    /// The quotient of the differences of s and λ.
+    pub(crate) quotient: f64,
 }
 
 impl StrainLimit {
@@ -64,9 +74,8 @@ impl StrainLimit {
         frame * Matrix2::from_diagonal(&stresses) * frame.transpose()
     }
 
-    /// The differential of S at C along dC.
-    pub(crate) fn differential(&self, c: &Matrix2<f64>, change: &Matrix2<f64>) -> Matrix2<f64> {
-        let (squares, frame) = principal(c);
+    /// The principal stresses and their derivatives, at the squares of both stretches, the larger one first.
+    pub(crate) fn principal(&self, squares: &Vector2<f64>) -> Principal {
         let [[s, ds], [t, dt]] = [squares.x, squares.y].map(|square| self.derivatives(square));
         let difference = squares.x - squares.y;
         // The quotient of nearly equal numbers is the mean of the derivatives, up to the second order.
@@ -75,9 +84,11 @@ impl StrainLimit {
         } else {
             0.5 * (ds + dt)
         };
-        let quotients = Matrix2::new(ds, quotient, quotient, dt);
-        let in_frame = frame.tr_mul(change) * frame;
-        frame * in_frame.component_mul(&quotients) * frame.transpose()
+        Principal {
+            stresses: Vector2::new(s, t),
+            slopes: Vector2::new(ds, dt),
+            quotient,
+        }
     }
 
     /// s and ds/dλ at λ = σ²: ds/dλ = (f″ − s) / (2 λ).
@@ -97,12 +108,24 @@ impl StrainLimit {
 
 /// The eigenvalues of a symmetric matrix, the larger one first, and the frame of its eigenvectors. No
 /// eigenvalue is negative: those of C are none, up to rounding.
-fn principal(c: &Matrix2<f64>) -> (Vector2<f64>, Matrix2<f64>) {
+///
+/// With the half difference d of the diagonal, the entry o beside it and r² = d² + o², the frame is turned by
+/// θ with cos 2θ = d / r and sin 2θ = o / r. The larger of cos θ and sin θ is the square root of (r + |d|) / (2
+/// r), a sum without cancellation; the other one follows from 2 sin θ cos θ = o / r.
+pub(super) fn principal(c: &Matrix2<f64>) -> (Vector2<f64>, Matrix2<f64>) {
     let (mean, half) = (0.5 * (c.m11 + c.m22), 0.5 * (c.m11 - c.m22));
     let radius = half.hypot(c.m12);
-    let frame = Rotation2::new(0.5 * c.m12.atan2(half));
-    (
-        Vector2::new(mean + radius, (mean - radius).max(0.0)),
-        frame.into_inner(),
-    )
+    let frame = if radius > 0.0 {
+        let larger = (0.5 * (radius + half.abs()) / radius).sqrt();
+        let smaller = 0.5 * c.m12 / (radius * larger);
+        let [cos, sin] = if half >= 0.0 {
+            [larger, smaller]
+        } else {
+            [smaller, larger]
+        };
+        Matrix2::new(cos, -sin, sin, cos)
+    } else {
+        Matrix2::identity()
+    };
+    (Vector2::new(mean + radius, (mean - radius).max(0.0)), frame)
 }

@@ -1,9 +1,9 @@
 //! Stretching of rods.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
-use crate::energy::{Energy, Projection, gather};
+use crate::energy::{Block, Energy, Projection, gather, write_products};
 
 /// An edge of a rod, with the energy ½ E A L (l/L − 1)² of the length l, the length L at rest, and the cross
 /// section A.
@@ -17,6 +17,9 @@ pub(crate) struct Stretch {
     /// E A, in N.
     stiffness: f64,
 }
+
+/// The weights of both vertices in the vector of the edge.
+const SIGNS: [f64; 2] = [-1.0, 1.0];
 
 impl Stretch {
     /// The edge of two vertices, with the positions of all vertices at rest and the axial stiffness E A in N.
@@ -58,16 +61,18 @@ impl Energy for Stretch {
     }
 
     /// An edge of length 0 has no gradient.
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
         let edge = self.edge(points);
         let direction = edge.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
         let force = direction * (self.stiffness * self.strain(&edge));
-        DVector::from_fn(6, |row, _| if row < 3 { -force[row] } else { force[row - 3] })
+        for (rows, sign) in gradient.chunks_exact_mut(3).zip(SIGNS) {
+            rows.copy_from_slice((force * sign).as_slice());
+        }
     }
 
     /// With the direction t of the edge, the second derivative by the edge is E A (t tᵀ / L + (1/L − 1/l)
     /// (1 − t tᵀ)). Its eigenvalue across the edge is negative for a compressed edge.
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let edge = self.edge(points);
         let along = edge.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
         let across = projection.of_value(self.strain(&edge) / edge.norm());
@@ -75,9 +80,6 @@ impl Energy for Stretch {
         let across = if across.is_finite() { across } else { 0.0 };
         let outer = along * along.transpose();
         let block = (outer / self.length + (Matrix3::identity() - outer) * across) * self.stiffness;
-        DMatrix::from_fn(6, 6, |row, column| {
-            let sign = if row / 3 == column / 3 { 1.0 } else { -1.0 };
-            sign * block[(row % 3, column % 3)]
-        })
+        write_products(&SIGNS, &block, hessian);
     }
 }

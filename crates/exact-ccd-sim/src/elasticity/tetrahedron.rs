@@ -1,10 +1,10 @@
 //! Linear tetrahedra.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix3, SMatrix};
+use nalgebra::{Matrix3, SMatrix};
 
 use super::isotropic::{Curvature, Isotropic};
-use crate::energy::{Energy, Projection, gather};
+use crate::energy::{Block, Energy, Projection, gather, pairs, write_each};
 
 /// A tetrahedron with constant deformation gradient.
 ///
@@ -81,26 +81,17 @@ impl<M: Isotropic> Energy for Tetrahedron<M> {
         self.volume * self.density.value(&self.deformation(points))
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
         // F is linear in the points. Its column c is Σᵢ xᵢ shape(i, c).
         let stress = self.density.stress(&self.deformation(points));
         let forces = stress * self.shape.transpose() * self.volume;
-        DVector::from_column_slice(forces.as_slice())
+        gradient.copy_from_slice(forces.as_slice());
     }
 
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let curvature = Curvature::new(&self.density, &self.deformation(points), projection);
         let shape = [0, 1, 2, 3].map(|i: usize| curvature.in_frame(&self.shape.row(i).transpose()));
-        let mut hessian = DMatrix::zeros(12, 12);
-        for i in 0..4 {
-            for j in 0..=i {
-                let block = curvature.block(&shape[i], &shape[j]) * self.volume;
-                hessian.fixed_view_mut::<3, 3>(3 * i, 3 * j).copy_from(&block);
-                hessian
-                    .fixed_view_mut::<3, 3>(3 * j, 3 * i)
-                    .copy_from(&block.transpose());
-            }
-        }
-        hessian
+        let block = |[row, column]: [usize; 2]| curvature.block(&shape[row], &shape[column]) * self.volume;
+        write_each(pairs(4).map(block), hessian);
     }
 }

@@ -1,43 +1,17 @@
-//! Twist of rods whose ends are held.
+//! Twist of rods between edges that are held.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{DVector, Matrix3, SMatrix, SVector, Vector3};
 
 use super::bend::ends;
-use crate::energy::{Energy, Projection};
+use super::chain::Chain;
+use crate::energy::{Block, Energy, Projection, write_blocks};
 
-/// A chain of edges that resists twist: an isotropic rod between two ends.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Chain {
-    /// Its vertices, in their order: at least three.
-    vertices: Vec<u32>,
-    /// G J / L, in J, with the torsional rigidity G J in N m² and the length L at rest between the midpoints
-    /// of the first and the last edge.
-    stiffness: f64,
-}
-
-impl Chain {
-    /// The chain of these vertices, with the positions of all vertices at rest and the torsional rigidity G J
-    /// in N m².
-    pub(crate) fn new(vertices: Vec<u32>, rest: &[Point], rigidity: f64) -> Self {
-        let lengths: Vec<f64> = edges(&vertices, rest).iter().map(Vector3::norm).collect();
-        let inner: f64 = lengths.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).sum();
-        let stiffness = rigidity / inner;
-        Self { vertices, stiffness }
-    }
-
-    /// The first and the last edge, by their vertices in the order of the chain.
-    pub(crate) fn ends(&self) -> [[u32; 2]; 2] {
-        let count = self.vertices.len();
-        let edge = |first: usize| [self.vertices[first], self.vertices[first + 1]];
-        [edge(0), edge(count - 2)]
-    }
-}
-
-/// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The twist is uniform along the
-/// chain: the cross sections of an isotropic rod turn to the least energy at once, because waves of twist are
-/// much faster than those of bending (M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete
-/// elastic rods*, 2008, section 5).
+/// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The first and the last edge are
+/// held, and their cross sections with them. The twist is uniform along the chain: the cross sections of an
+/// isotropic rod turn to the least energy at once, because waves of twist are much faster than those of
+/// bending (M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete elastic rods*, 2008,
+/// section 5).
 ///
 /// φ is the angle between the frames of both ends, of which one is transported along the chain without
 /// twist. From the start of the time step on, it changes by the holonomy of the quadrilaterals on the sphere
@@ -60,7 +34,7 @@ impl Twist {
     /// have turned.
     pub(crate) fn new(chain: &Chain, points: &[Point], angle: f64) -> Self {
         Self {
-            before: directions(&edges(&chain.vertices, points)),
+            before: directions(&chain.edges(points)),
             chain: chain.clone(),
             angle,
         }
@@ -68,7 +42,7 @@ impl Twist {
 
     /// φ at other positions of this time step.
     pub(crate) fn angle(&self, points: &[Point]) -> f64 {
-        let now = directions(&edges(&self.chain.vertices, points));
+        let now = directions(&self.chain.edges(points));
         let pairs = self.before.windows(2).zip(now.windows(2));
         let turns = pairs.map(|(before, now)| holonomy([before[0], before[1]], [now[0], now[1]]));
         self.angle + turns.sum::<f64>()
@@ -76,8 +50,8 @@ impl Twist {
 
     /// The gradient of φ by the vertices of the chain.
     fn slope(&self, points: &[Point]) -> DVector<f64> {
-        let edges = edges(&self.chain.vertices, points);
-        let mut slope = DVector::zeros(3 * self.chain.vertices.len());
+        let edges = self.chain.edges(points);
+        let mut slope = DVector::zeros(3 * self.chain.vertices().len());
         for (place, pair) in edges.windows(2).enumerate() {
             let by_edges = Corner::new([pair[0], pair[1]]).slope();
             let mut rows = slope.fixed_rows_mut::<9>(3 * place);
@@ -89,30 +63,31 @@ impl Twist {
 
 impl Energy for Twist {
     fn vertices(&self) -> &[u32] {
-        &self.chain.vertices
+        self.chain.vertices()
     }
 
     fn value(&self, points: &[Point]) -> f64 {
-        0.5 * self.chain.stiffness * self.angle(points).powi(2)
+        0.5 * self.chain.stiffness() * self.angle(points).powi(2)
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        self.slope(points) * (self.chain.stiffness * self.angle(points))
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
+        let forces = self.slope(points) * (self.chain.stiffness() * self.angle(points));
+        gradient.copy_from_slice(forces.as_slice());
     }
 
     /// The first part is semi-definite. The second one is projected at each vertex.
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let slope = self.slope(points);
-        let moment = self.chain.stiffness * self.angle(points);
-        let mut hessian = &slope * slope.transpose() * self.chain.stiffness;
-        let edges = edges(&self.chain.vertices, points);
+        let moment = self.chain.stiffness() * self.angle(points);
+        let mut sum = &slope * slope.transpose() * self.chain.stiffness();
+        let edges = self.chain.edges(points);
         let ends = ends();
         for (place, pair) in edges.windows(2).enumerate() {
             let by_edges = Corner::new([pair[0], pair[1]]).curvature() * moment;
-            let mut block = hessian.fixed_view_mut::<9, 9>(3 * place, 3 * place);
+            let mut block = sum.fixed_view_mut::<9, 9>(3 * place, 3 * place);
             block += ends.tr_mul(&(projection.of(by_edges) * ends));
         }
-        hessian
+        write_blocks(&sum, self.chain.vertices().len(), hessian);
     }
 }
 
@@ -199,13 +174,6 @@ pub(crate) fn transported(vector: &Vector3<f64>, from: &Vector3<f64>, to: &Vecto
 
 /// Directions s and t count as opposite if 1 + s · t is below this.
 const OPPOSITE: f64 = 1e-12;
-
-/// The edges of a chain.
-fn edges(vertices: &[u32], points: &[Point]) -> Vec<Vector3<f64>> {
-    let at = |vertex: u32| Vector3::from(points[vertex as usize]);
-    let pairs = vertices.windows(2);
-    pairs.map(|pair| at(pair[1]) - at(pair[0])).collect()
-}
 
 fn directions(edges: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     edges.iter().map(Vector3::normalize).collect()

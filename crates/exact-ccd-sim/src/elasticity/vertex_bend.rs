@@ -8,8 +8,9 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, MatrixXx3, RowVector3, Vector3};
 
 use super::hinge::{Fold, Hinge};
-use crate::energy::{Energy, Projection, gather};
+use crate::energy::{Block, Energy, Projection, gather};
 use crate::hinges::{Side, hinges};
+use crate::zeros::with_zeros;
 
 /// The stiffness against the part of a fold that no curvature explains, relative to that of a [`Hinge`]. It
 /// has no effect on constant curvature; the value is that with the least errors of the strips of
@@ -45,41 +46,113 @@ const LEAST: f64 = 0.01;
 /// boundary too.
 #[derive(Debug)]
 pub(crate) struct VertexBend {
+    /// The vertex of all hinges is the first one: its blocks have the most terms, and the least columns before
+    /// them.
     vertices: Vec<u32>,
-    /// The vertices of each hinge, by their places in `vertices`.
-    folds: Vec<[usize; 4]>,
+    /// The hinges at each vertex.
+    hinges: Vec<Vec<usize>>,
+    /// The four corners of each hinge: their vertices, by their places in `vertices`, and their places among the
+    /// corners at the first vertex, at the second and so on.
+    corners: Vec<[[usize; 2]; 4]>,
     /// The angle of each hinge at rest.
     rest: Vec<f64>,
     /// The Hessian of the energy by the angles.
     stiffness: DMatrix<f64>,
 }
 
+/// The number of zeros on the stack for each hinge, of eight of them: of a vertex with more edges, they are on
+/// the heap.
+const FEW: usize = 8;
+
 impl VertexBend {
-    fn shapes(&self, points: &[Point]) -> Vec<Fold> {
-        let fold = |fold: &[usize; 4]| Fold::of(points, &fold.map(|place| self.vertices[place]));
-        self.folds.iter().map(fold).collect()
+    /// The shape of each hinge, and its angle at rest.
+    fn shapes(&self, points: &[Point]) -> impl Iterator<Item = (Fold, f64)> {
+        let fold = |corners: &[[usize; 2]; 4]| {
+            let vertices = corners.map(|[place, _]| self.vertices[place]);
+            Fold::of(points, &vertices)
+        };
+        self.corners.iter().map(fold).zip(self.rest.iter().copied())
     }
 
-    /// The changes of the angles since rest.
-    fn bends(&self, shapes: &[Fold]) -> DVector<f64> {
-        let bends = shapes
-            .iter()
-            .zip(&self.rest)
-            .map(|(shape, rest)| shape.angle() - rest);
-        DVector::from_iterator(shapes.len(), bends)
-    }
-
-    /// The derivatives of the angles, a column each.
-    fn changes(&self, shapes: &[Fold]) -> DMatrix<f64> {
-        let mut changes = DMatrix::zeros(3 * self.vertices.len(), shapes.len());
-        for (column, (shape, fold)) in shapes.iter().zip(&self.folds).enumerate() {
-            let gradient = shape.gradient();
-            for (corner, &place) in fold.iter().enumerate() {
-                let mut rows = changes.fixed_view_mut::<3, 1>(3 * place, column);
-                rows += gradient.fixed_rows::<3>(3 * corner);
+    /// Writes the change of each angle since rest, and the gradient of each angle by the corners of its hinge.
+    fn write_angles(&self, points: &[Point], bends: &mut [f64], slopes: &mut [[f64; 3]]) {
+        let hinges = self.shapes(points).zip(&self.corners);
+        for (bend, ((shape, rest), corners)) in bends.iter_mut().zip(hinges) {
+            *bend = shape.angle() - rest;
+            for (&[_, corner], slope) in corners.iter().zip(shape.slopes()) {
+                slopes[corner] = slope;
             }
         }
-        changes
+    }
+
+    /// The moment of each hinge, from the changes of all angles.
+    fn moments(&self, bends: &[f64]) -> impl Iterator<Item = f64> {
+        let columns = self.stiffness.as_slice().chunks_exact(bends.len());
+        columns.map(move |column| column.iter().zip(bends).map(|(a, b)| a * b).sum())
+    }
+
+    /// The hinges at each vertex, with their gradients by this vertex.
+    fn at_vertices<'a>(
+        &'a self,
+        slopes: &'a [[f64; 3]],
+    ) -> impl Iterator<Item = (&'a [usize], &'a [[f64; 3]])> + Clone {
+        self.hinges.iter().scan(slopes, |slopes, hinges| {
+            let (own, others) = slopes.split_at(hinges.len());
+            *slopes = others;
+            Some((hinges.as_slice(), own))
+        })
+    }
+
+    /// Writes J M, with the gradients of the angles as columns of J and the moments M.
+    fn write_forces(&self, moments: &[f64], slopes: &[[f64; 3]], gradient: &mut [f64]) {
+        let vertices = self.at_vertices(slopes).zip(gradient.as_chunks_mut().0);
+        for ((hinges, slopes), to) in vertices {
+            let mut force = [0.0; 3];
+            for (&hinge, slope) in hinges.iter().zip(slopes) {
+                add(&mut force, moments[hinge], slope);
+            }
+            *to = force;
+        }
+    }
+
+    /// Writes J K Jᵀ with the stiffness K, a block column for each vertex. `columns` has memory for three columns
+    /// of K Jᵀ.
+    fn write_products(&self, slopes: &[[f64; 3]], columns: &mut [[f64; 3]], hessian: &mut [Block]) {
+        let (stiffness, count) = (self.stiffness.as_slice(), columns.len());
+        let mut blocks = hessian.iter_mut();
+        let mut vertices = self.at_vertices(slopes);
+        loop {
+            let rows = vertices.clone();
+            let Some((hinges, slopes)) = vertices.next() else {
+                return;
+            };
+            columns.fill([0.0; 3]);
+            for (&hinge, slope) in hinges.iter().zip(slopes) {
+                let stiffness = &stiffness[hinge * count..][..count];
+                for (sum, &factor) in columns.iter_mut().zip(stiffness) {
+                    add(sum, factor, slope);
+                }
+            }
+            for ((hinges, slopes), to) in rows.zip(&mut blocks) {
+                let mut block = [[0.0; 3]; 3];
+                for (&hinge, slope) in hinges.iter().zip(slopes) {
+                    for (sum, factor) in block.iter_mut().zip(columns[hinge]) {
+                        add(sum, factor, slope);
+                    }
+                }
+                to.copy_from_slice(block.as_flattened());
+            }
+        }
+    }
+}
+
+fn write(values: impl Iterator<Item = f64>, to: &mut [f64]) {
+    to.iter_mut().zip(values).for_each(|(to, value)| *to = value);
+}
+
+fn add(sum: &mut [f64; 3], factor: f64, vector: &[f64; 3]) {
+    for (sum, value) in sum.iter_mut().zip(vector) {
+        *sum += factor * value;
     }
 }
 
@@ -89,19 +162,50 @@ impl Energy for VertexBend {
     }
 
     fn value(&self, points: &[Point]) -> f64 {
-        let bends = self.bends(&self.shapes(points));
-        0.5 * bends.dot(&(&self.stiffness * &bends))
+        with_zeros::<FEW, _>(self.rest.len(), |bends| {
+            for (bend, (shape, rest)) in bends.iter_mut().zip(self.shapes(points)) {
+                *bend = shape.angle() - rest;
+            }
+            let terms = self.moments(bends).zip(&*bends);
+            0.5 * terms.map(|(moment, bend)| moment * bend).sum::<f64>()
+        })
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        let shapes = self.shapes(points);
-        self.changes(&shapes) * (&self.stiffness * self.bends(&shapes))
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
+        let count = self.rest.len();
+        with_zeros::<{ 14 * FEW }, _>(14 * count, |memory| {
+            let (bends, memory) = memory.split_at_mut(count);
+            let (moments, slopes) = memory.split_at_mut(count);
+            let (slopes, _) = slopes.as_chunks_mut();
+            self.write_angles(points, bends, slopes);
+            write(self.moments(bends), moments);
+            self.write_forces(moments, slopes, gradient);
+        });
     }
 
-    /// The Hessian without second derivatives of angles, which is positive semi-definite.
-    fn hessian(&self, points: &[Point], _: Projection) -> DMatrix<f64> {
-        let changes = self.changes(&self.shapes(points));
-        &changes * &self.stiffness * changes.transpose()
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
+        let mut gradient = vec![0.0; 3 * self.vertices.len()];
+        self.write_derivatives(points, projection, &mut gradient, hessian);
+    }
+
+    /// The Hessian is that without second derivatives of angles, which is positive semi-definite.
+    fn write_derivatives(
+        &self,
+        points: &[Point],
+        _: Projection,
+        gradient: &mut [f64],
+        hessian: &mut [Block],
+    ) {
+        let count = self.rest.len();
+        with_zeros::<{ 17 * FEW }, _>(17 * count, |memory| {
+            let (bends, memory) = memory.split_at_mut(count);
+            let (moments, memory) = memory.split_at_mut(count);
+            let (slopes, columns) = memory.as_chunks_mut().0.split_at_mut(4 * count);
+            self.write_angles(points, bends, slopes);
+            write(self.moments(bends), moments);
+            self.write_forces(moments, slopes, gradient);
+            self.write_products(slopes, columns, hessian);
+        });
     }
 }
 
@@ -151,21 +255,44 @@ pub(crate) fn bending(
         elements.extend(hinge.map(|hinge| Arc::new(hinge) as Arc<dyn Energy>));
     }
     let whole = stars
-        .values()
-        .filter(|star| !star.is_twisted && !star.sides.is_empty());
-    for star in whole {
-        elements.push(Arc::new(vertex_bend(points, star, &sides, rigidity, poisson)));
+        .iter()
+        .filter(|(_, star)| !star.is_twisted && !star.sides.is_empty());
+    for (&vertex, star) in whole {
+        let bend = vertex_bend(points, vertex, star, &sides, rigidity, poisson);
+        elements.push(Arc::new(bend));
     }
     elements
 }
 
-fn vertex_bend(points: &[Point], star: &Star, sides: &[Side], rigidity: f64, poisson: f64) -> VertexBend {
+fn vertex_bend(
+    points: &[Point],
+    vertex: u32,
+    star: &Star,
+    sides: &[Side],
+    rigidity: f64,
+    poisson: f64,
+) -> VertexBend {
     let corners: Vec<[u32; 4]> = star.sides.iter().map(|&side| sides[side].vertices).collect();
     let mut vertices = corners.as_flattened().to_vec();
-    vertices.sort_unstable();
+    vertices.sort_unstable_by_key(|&other| (other != vertex, other));
     vertices.dedup();
-    let place = |vertex: u32| vertices.partition_point(|&other| other < vertex);
-    let folds = corners.iter().map(|corners| corners.map(place)).collect();
+    let place = |corner: u32| match vertices[1..].binary_search(&corner) {
+        Ok(place) => 1 + place,
+        Err(_) => 0,
+    };
+    let folds: Vec<[usize; 4]> = corners.iter().map(|corners| corners.map(place)).collect();
+    let mut hinges_at = vec![Vec::new(); vertices.len()];
+    for (hinge, fold) in folds.iter().enumerate() {
+        fold.iter().for_each(|&place| hinges_at[place].push(hinge));
+    }
+    let before = |place: usize| hinges_at[..place].iter().map(Vec::len).sum::<usize>();
+    let corner = |hinge: usize, place: usize| {
+        let own = hinges_at[place].partition_point(|&other| other < hinge);
+        [place, before(place) + own]
+    };
+    let numbered = folds.iter().enumerate();
+    let corners_of = numbered.map(|(hinge, fold)| fold.map(|place| corner(hinge, place)));
+    let corners_of = corners_of.collect();
     let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
     let plane = Plane::of(star);
     let (mut means, mut angles) = (Matrix3xX::zeros(corners.len()), MatrixXx3::zeros(corners.len()));
@@ -192,7 +319,8 @@ fn vertex_bend(points: &[Point], star: &Star, sides: &[Side], rigidity: f64, poi
     let stiffness = curvature.transpose() * (plate * star.area) * &curvature
         + rest.transpose() * DMatrix::from_diagonal(&of_rest) * &rest;
     VertexBend {
-        folds,
+        hinges: hinges_at,
+        corners: corners_of,
         rest: shapes.iter().map(Fold::angle).collect(),
         stiffness: stiffness * rigidity,
         vertices,
@@ -235,10 +363,9 @@ impl Plane {
     /// three coordinates of κ. The derivatives of an angle do not depend on linear functions of x: its
     /// origin is arbitrary.
     fn angles(&self, shape: &Fold, corners: [Vector3<f64>; 4]) -> RowVector3<f64> {
-        let gradient = shape.gradient();
-        let changes = corners.iter().enumerate().map(|(place, corner)| {
+        let changes = corners.iter().zip(shape.slopes()).map(|(corner, slope)| {
             let [x, y] = self.coordinates(corner);
-            let rise = gradient.fixed_rows::<3>(3 * place).dot(&self.normal);
+            let rise = Vector3::from(slope).dot(&self.normal);
             RowVector3::new(0.5 * x * x, 0.5 * y * y, x * y / SQRT_2) * rise
         });
         changes.sum()

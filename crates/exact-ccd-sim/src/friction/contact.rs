@@ -2,11 +2,11 @@
 
 use arrayvec::ArrayVec;
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix3x2, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3x2, Vector2, Vector3};
 
 use super::smooth::Smoothing;
 use crate::distance::Separation;
-use crate::energy::{Energy, Projection, gather_some};
+use crate::energy::{Block, Energy, Projection, gather_some, write_products};
 
 /// The friction of one contact, with lagged normal force and tangent plane.
 ///
@@ -70,26 +70,24 @@ impl Energy for FrictionContact {
         self.bound * self.smoothing.potential(self.slip(points).norm())
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
         let slip = self.slip(points);
         let force = self.tangents * slip * (self.bound * self.smoothing.force_over_slip(slip.norm()));
-        DVector::from_fn(3 * self.vertices.len(), |row, _| {
-            self.weights[row / 3] * force[row % 3]
-        })
+        for (rows, &weight) in gradient.chunks_exact_mut(3).zip(&self.weights) {
+            rows.copy_from_slice((force * weight).as_slice());
+        }
     }
 
     /// The second derivative is f₁′ along the slip and f₁ / y across it: it is positive semi-definite.
-    fn hessian(&self, points: &[Point], _: Projection) -> DMatrix<f64> {
+    fn write_hessian(&self, points: &[Point], _: Projection, hessian: &mut [Block]) {
         let slip = self.slip(points);
-        let (size, count) = (slip.norm(), 3 * self.vertices.len());
+        let size = slip.norm();
         let ratio = self.smoothing.force_over_slip(size);
         let direction = slip.try_normalize(0.0).unwrap_or_else(Vector2::zeros);
         let along = direction * direction.transpose() * (self.smoothing.stiffness(size) - ratio);
         let plane = (Matrix2::identity() * ratio + along) * self.bound.max(0.0);
         let block = self.tangents * plane * self.tangents.transpose();
-        DMatrix::from_fn(count, count, |row, column| {
-            self.weights[row / 3] * self.weights[column / 3] * block[(row % 3, column % 3)]
-        })
+        write_products(&self.weights[..self.vertices.len()], &block, hessian);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The contacts of a state.
 
-use exact_ccd_mesh::{Point, Step};
+use exact_ccd_mesh::{Candidates, Point, Step};
 use nalgebra::Vector3;
 
 use super::Simulation;
@@ -26,19 +26,22 @@ impl Simulation {
     /// The contacts of the current state, in an order that does not depend on threads.
     #[must_use]
     pub fn contacts(&self) -> Vec<Contact> {
+        let collisions = self.collisions();
+        let contacts = collisions.as_slice().iter();
+        contacts.map(|collision| self.contact(collision)).collect()
+    }
+
+    /// The collisions of the current state.
+    pub(super) fn collisions(&self) -> Collisions {
         let positions = &self.state.positions;
         // The positions of a state have been checked.
-        let Ok(step) = Step::new(&self.system.surface, positions, positions) else {
-            return Vec::new();
-        };
-        let candidates = self.system.near(step, &self.barrier);
+        let rest = Step::new(&self.system.geometry.mesh, positions, positions);
+        let candidates = rest.map_or_else(
+            |_| Candidates::default(),
+            |step| self.system.geometry.near(step, &self.barrier),
+        );
         let surface = self.system.contact_surface(self.settings.formulation);
-        let collisions = Collisions::new(surface, &candidates, positions, self.barrier);
-        collisions
-            .as_slice()
-            .iter()
-            .map(|collision| self.contact(collision))
-            .collect()
+        Collisions::new(surface, &candidates, positions, self.barrier)
     }
 
     fn contact(&self, collision: &Collision) -> Contact {

@@ -159,13 +159,23 @@ pub enum SimulationError {
     },
     /// The CCD method rejects a Newton step of any positive length.
     #[error(
-        "step {step}: the CCD method `{filter}` rejects a Newton step of any length, \
-         expected a positive step size; the method `exact` has no false positives"
+        "step {step}: the CCD method `{filter}` rejects a Newton step of any length{}, \
+         expected a positive step size; the method `exact` has no false positives",
+        with_nearest(nearest.as_deref())
     )]
     Blocked {
         /// The number of the step.
         step: u64,
         /// The name of the CCD method.
         filter: String,
+        /// The two bodies whose surfaces are nearest to each other, twice the same for parts of one body.
+        /// `None` if none are within the contact distance.
+        nearest: Option<Box<[Designation; 2]>>,
     },
+}
+
+/// The nearest bodies, as a part of a sentence.
+fn with_nearest(bodies: Option<&[Designation; 2]>) -> String {
+    let named = bodies.map(|bodies| format!(", with {} nearest", Designation::both(bodies)));
+    named.unwrap_or_default()
 }

@@ -2,6 +2,9 @@
 
 mod contacts;
 mod error;
+mod minimise;
+mod problem;
+mod record;
 mod resume;
 mod start;
 mod step;
@@ -18,7 +21,7 @@ use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::StepFilter;
 use crate::friction::Coefficients;
-use crate::iteration::Iteration;
+use crate::iteration::{Iteration, Watch};
 use crate::range::{OutOfRange, check, check_finite, check_not_negative};
 use crate::settings::{LineSearch, Settings};
 use crate::solver::Memory;
@@ -54,9 +57,6 @@ pub struct Simulation {
     interrupt: Arc<AtomicBool>,
     watch: Option<Arc<Watch>>,
 }
-
-/// A function that is called in each iteration of Newton's method.
-type Watch = dyn Fn(&Iteration) + Send + Sync;
 
 impl Simulation {
     /// The simulation of a system from its initial positions and velocities.
@@ -248,7 +248,7 @@ fn check_numbers(state: &State) -> Result<(), OutOfRange> {
 fn check_filter(system: &System, settings: &Settings, filter: &StepFilter) -> Result<(), SimulationError> {
     let affine = system.carriers.bodies().first();
     if let (LineSearch::Vertex, Some(carried)) = (settings.line_search, affine) {
-        let body = system.designation(system.body_of(carried.start));
+        let body = system.bodies.designation(system.bodies.of(carried.start));
         return Err(SimulationError::AffineByVertex { body });
     }
     if filter.is_exact() {

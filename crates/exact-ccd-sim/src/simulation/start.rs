@@ -68,7 +68,7 @@ impl BodyPrimitive {
     /// A primitive with the vertex indices of a system.
     fn new(system: &System, primitive: Primitive) -> Self {
         // A primitive has a vertex, and each vertex belongs to a body.
-        let body = system.body_of(primitive.vertices()[0]);
+        let body = system.bodies.of(primitive.vertices()[0]);
         let first = system.body_vertices()[body].start;
         Self {
             primitive: primitive.map(|vertex| vertex - first),
@@ -88,7 +88,7 @@ impl fmt::Display for BodyPrimitive {
 /// farther apart than the sum of their offsets, that particles touch nothing, and that all bodies but
 /// obstacles are apart from all half spaces.
 pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationError> {
-    if let Some((vertex, half_space)) = system.first_grounded(&state.positions) {
+    if let Some((vertex, half_space)) = system.geometry.first_grounded(&state.positions) {
         return Err(SimulationError::Grounded {
             vertex: BodyPrimitive::new(system, Primitive::Vertex(vertex)),
             half_space: system.designation(system.body_vertices().len() + half_space),
@@ -113,12 +113,12 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
         return Err(SimulationError::Start { primitives, near });
     }
     let positions = &state.positions;
-    let step = Step::new(&system.surface, positions, positions).map_err(|_| not_finite())?;
-    let near = system.near(step, &Barrier::new(0.0));
-    let Some(contact) = near.collision(step, Options::within(system.min_distance().clone())) else {
+    let step = Step::new(&system.geometry.mesh, positions, positions).map_err(|_| not_finite())?;
+    let near = system.geometry.near(step, &Barrier::new(0.0));
+    let Some(contact) = near.collision(step, Options::within(system.geometry.min_distance.clone())) else {
         return Ok(());
     };
-    let primitives = of_pair(&system.surface, contact.pair);
+    let primitives = of_pair(&system.geometry.mesh, contact.pair);
     let [a, b] = primitives.each_ref().map(Primitive::vertices);
     Err(SimulationError::Close {
         thickness: system.contact_surface(Formulation::Sum).thickness(a, b),
@@ -151,7 +151,7 @@ fn primitives(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [P
         ],
         Violation::Contact { contact, .. } => of_pair(mesh, contact.pair),
     };
-    primitives.map(|primitive| primitive.map(|vertex| system.surface_vertices[vertex as usize]))
+    primitives.map(|primitive| primitive.map(|vertex| system.geometry.vertices[vertex as usize]))
 }
 
 /// The two primitives of a pair of a mesh.

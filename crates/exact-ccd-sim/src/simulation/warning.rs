@@ -3,7 +3,6 @@
 use exact_ccd_mesh::Step;
 
 use super::Simulation;
-use crate::contact::Collisions;
 use crate::system::Designation;
 
 /// The largest contact distance without a warning, relative to the diagonal of the smallest body.
@@ -31,7 +30,7 @@ pub enum Warning {
     #[error(
         "{} start {gap:.3e} m apart, less than the contact distance, {distance:.3e} m: the barrier pushes them \
          apart; set a smaller `contact-distance`, or place them farther apart",
-        both(bodies)
+        Designation::both(bodies)
     )]
     Near {
         /// The two bodies, or a body and a half space. Twice the same for parts of one body.
@@ -41,15 +40,6 @@ pub enum Warning {
         /// The contact distance, in m.
         distance: f64,
     },
-}
-
-/// Two bodies, or two parts of one.
-fn both([a, b]: &[Designation; 2]) -> String {
-    if a == b {
-        format!("two parts of {a}")
-    } else {
-        format!("{a} and {b}")
-    }
 }
 
 impl Simulation {
@@ -62,25 +52,27 @@ impl Simulation {
     /// The warning that the contact distance is large for the smallest body. Single points have no size.
     fn coarse(&self) -> Option<Warning> {
         let distance = self.barrier.activation_distance();
-        let sizes = self.system.body_sizes().enumerate();
+        let sizes = self.system.bodies.sizes(&self.system.start).enumerate();
         let (body, size) = sizes
             .filter(|(_, size)| *size > 0.0)
             .min_by(|(_, a), (_, b)| a.total_cmp(b))?;
-        let body = self.system.designation(body);
+        let body = self.system.bodies.designation(body);
         (distance > COARSE * size).then_some(Warning::ContactDistance { distance, body, size })
     }
 
     /// The warning about the nearest two bodies that are within the contact distance.
     fn near(&self) -> Option<Warning> {
         let positions = &self.state.positions;
-        let step = Step::new(&self.system.surface, positions, positions).ok()?;
-        let candidates = self.system.near(step, &self.barrier);
-        let surface = self.system.contact_surface(self.settings.formulation);
-        let (gap, collision) = Collisions::nearest(surface, &candidates, positions, self.barrier)?;
-        let [a, b] = self.system.bodies_of(&collision);
+        let step = Step::new(&self.system.geometry.mesh, positions, positions).ok()?;
+        let candidates = self.system.geometry.near(step, &self.barrier);
+        let formulation = self.settings.formulation;
+        let nearest = self
+            .system
+            .nearest(formulation, &candidates, positions, self.barrier);
+        let (gap, bodies) = nearest?;
         let distance = self.barrier.activation_distance();
         Some(Warning::Near {
-            bodies: [a.min(b), a.max(b)].map(|body| self.system.designation(body)),
+            bodies,
             gap,
             distance,
         })

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use crate::energy::Energy;
+use crate::system::System;
 
 /// A sum of terms of one kind, times a factor. Terms are computed in parallel and added in order.
 pub(crate) struct Form<'a> {
@@ -13,13 +14,22 @@ pub(crate) struct Form<'a> {
 }
 
 /// The number of terms whose derivatives are in memory at a time.
-const CHUNK: usize = 1024;
+const CHUNK: usize = 64;
 
 impl<'a> Form<'a> {
     /// The sum of these terms.
     pub(crate) fn of<E: Energy>(terms: &'a [E], factor: f64) -> Self {
         let terms = terms.iter().map(|term| term as &dyn Energy).collect();
         Self { terms, factor }
+    }
+
+    /// The elastic elements of a system.
+    pub(crate) fn elastic(system: &'a System, factor: f64) -> Self {
+        let terms = system.elastic.elements.iter().map(|element| &**element);
+        Self {
+            terms: terms.map(|element| element as &dyn Energy).collect(),
+            factor,
+        }
     }
 
     /// The value.
@@ -31,13 +41,17 @@ impl<'a> Form<'a> {
     /// Adds the gradient to that of other sums.
     pub(crate) fn add_gradient(&self, points: &[Point], sum: &mut [Vector3<f64>]) {
         self.each(
-            |term| term.gradient(points),
-            |term, forces| {
-                for (place, &vertex) in term.vertices().iter().enumerate() {
-                    sum[vertex as usize] += forces.fixed_rows::<3>(3 * place) * self.factor;
-                }
-            },
+            |term| 3 * term.vertices().len(),
+            |term, forces| term.write_gradient(points, forces),
+            |term, forces| self.add_forces(term, forces, sum),
         );
+    }
+
+    /// Adds the gradient of a term.
+    pub(super) fn add_forces(&self, term: &dyn Energy, forces: &[f64], sum: &mut [Vector3<f64>]) {
+        for (&vertex, force) in term.vertices().iter().zip(forces.chunks_exact(3)) {
+            sum[vertex as usize] += Vector3::from_column_slice(force) * self.factor;
+        }
     }
 
     /// The gradient, for each vertex.
@@ -47,16 +61,27 @@ impl<'a> Form<'a> {
         sum
     }
 
-    /// Derives the terms in parallel, and calls `add` for them in order.
-    pub(super) fn each<D: Send>(
+    /// Calls `write` for all terms in parallel, with memory for as many numbers as `length` returns, and `add` in
+    /// order, with what was written.
+    pub(super) fn each(
         &self,
-        derive: impl Fn(&dyn Energy) -> D + Sync,
-        mut add: impl FnMut(&dyn Energy, &D),
+        length: impl Fn(&dyn Energy) -> usize,
+        write: impl Fn(&dyn Energy, &mut [f64]) + Sync,
+        mut add: impl FnMut(&dyn Energy, &[f64]),
     ) {
+        let mut memory = Vec::new();
         for chunk in self.terms.chunks(CHUNK) {
-            let derived: Vec<D> = chunk.par_iter().map(|&term| derive(term)).collect();
-            let pairs = chunk.iter().zip(&derived);
-            pairs.for_each(|(&term, derived)| add(term, derived));
+            let lengths: Vec<usize> = chunk.iter().map(|&term| length(term)).collect();
+            memory.resize(lengths.iter().sum(), 0.0);
+            let mut rest = memory.as_mut_slice();
+            let mut parts: Vec<(&dyn Energy, &mut [f64])> = Vec::with_capacity(chunk.len());
+            for (&term, length) in chunk.iter().zip(lengths) {
+                let (part, others) = rest.split_at_mut(length);
+                parts.push((term, part));
+                rest = others;
+            }
+            parts.par_iter_mut().for_each(|(term, part)| write(*term, part));
+            parts.iter().for_each(|(term, part)| add(*term, part));
         }
     }
 }

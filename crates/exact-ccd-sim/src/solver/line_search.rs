@@ -75,24 +75,21 @@ impl Newton<'_> {
         let size = direction.size;
         let longest = (FARTHEST * self.system.extent() / size).min(1.0);
         let end = self.displaced(&now.positions, direction.displacements, longest);
-        let blocked = || SimulationError::Blocked {
-            step: statistics.step,
-            filter: self.filter.name().to_owned(),
-        };
-        let surface = &self.system.surface;
+        let surface = &self.system.geometry.mesh;
         // A direction that is not finite is rejected like one into a contact.
-        let step = Step::new(surface, &now.positions, &end).map_err(|_| blocked())?;
-        let candidates = self.system.near(step, &self.barrier);
+        let rejected = |_| self.blocked(now, &Candidates::default());
+        let step = Step::new(surface, &now.positions, &end).map_err(rejected)?;
+        let candidates = self.system.geometry.near(step, &self.barrier);
         let free = self
             .filter
-            .free_part(&candidates, step, self.system.min_distance());
-        let free = free.min(self.system.free_of_half_spaces(step));
+            .free_part(&candidates, step, &self.system.geometry.min_distance);
+        let free = free.min(self.system.geometry.free_of_half_spaces(step));
         if free <= 0.0 {
-            return Err(blocked());
+            return Err(self.blocked(now, &candidates));
         }
         let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         // Held coordinates rest, so that no vertex has to be pinned.
-        let is_by_vertex = free < 1.0 && self.line_search == LineSearch::Vertex;
+        let is_by_vertex = free < 1.0 && self.settings.line_search == LineSearch::Vertex;
         let end = is_by_vertex.then(|| steps.truncated(self.system, step, &[]));
         statistics.seconds.ccd += clock.elapsed().as_secs_f64();
         if let Some(end) = end.flatten()
@@ -142,6 +139,19 @@ impl Newton<'_> {
         Ok(false)
     }
 
+    /// The error that the filter rejects every step from an iterate.
+    fn blocked(&self, now: &Iterate<'_>, candidates: &Candidates) -> SimulationError {
+        let formulation = self.settings.formulation;
+        let nearest = self
+            .system
+            .nearest(formulation, candidates, &now.positions, self.barrier);
+        SimulationError::Blocked {
+            step: self.times.step,
+            filter: self.filter.name().to_owned(),
+            nearest: nearest.map(|(_, bodies)| Box::new(bodies)),
+        }
+    }
+
     /// Takes a step, and adapts the stiffness of the barrier.
     fn take(&self, now: &mut Iterate<'_>, taken: Taken, statistics: &mut Statistics) {
         let [before, after] = [&now.collisions, &taken.collisions].map(Collisions::minimal_distance);
@@ -169,8 +179,10 @@ impl Newton<'_> {
 
     /// Returns true if a step is free of contact: between surfaces by the filter, with half spaces exactly.
     pub(super) fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
-        let free = self.filter.is_free(candidates, step, self.system.min_distance());
-        free && self.system.first_grounded(step.positions()[1]).is_none()
+        let free = self
+            .filter
+            .is_free(candidates, step, &self.system.geometry.min_distance);
+        free && self.system.geometry.first_grounded(step.positions()[1]).is_none()
     }
 
     /// Returns true if a part of a step is free of contact. `candidates` are those of the whole step. Carried
@@ -179,7 +191,7 @@ impl Newton<'_> {
         if self.system.carriers.is_empty() {
             self.is_free(candidates, part)
         } else {
-            self.is_free(&self.system.near(part, &self.barrier), part)
+            self.is_free(&self.system.geometry.near(part, &self.barrier), part)
         }
     }
 
@@ -193,7 +205,7 @@ impl Newton<'_> {
 
     pub(super) fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
         Collisions::new(
-            self.system.contact_surface(self.formulation),
+            self.system.contact_surface(self.settings.formulation),
             candidates,
             points,
             self.barrier,

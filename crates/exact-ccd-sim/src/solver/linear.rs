@@ -29,6 +29,11 @@ struct Analysis {
 const ATTEMPTS: i32 = 8;
 
 impl LinearSolver {
+    /// The pattern of the last system.
+    pub(crate) fn pattern(&self) -> Option<&Pattern> {
+        self.analysis.as_ref().map(|analysis| &analysis.pattern)
+    }
+
     /// The solution of a system. `None` if a value is not finite, or if the matrix is not positive definite
     /// even with a slightly increased diagonal.
     pub(crate) fn solve(

@@ -1,5 +1,6 @@
 //! The minimisation of the incremental potential of one time step, by projected Newton.
 
+mod couplings;
 mod form;
 mod line_search;
 mod linear;
@@ -16,4 +17,4 @@ mod vertex_steps;
 
 pub(crate) use form::Form;
 pub(crate) use newton::{Iterate, Memory, Newton};
-pub(crate) use potential::Potential;
+pub(crate) use potential::Terms;

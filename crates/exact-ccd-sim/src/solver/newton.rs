@@ -6,52 +6,43 @@ use std::time::Instant;
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
+use super::couplings::Couplings;
 use super::line_search::Direction;
 use super::linear::LinearSolver;
-use super::potential::Potential;
+use super::potential::{Potential, Terms};
 use super::unknowns::Unknowns;
 use super::vertex_steps::VertexSteps;
-use crate::anchor::Anchor;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
-use crate::damper::Damper;
-use crate::dirichlet::Dirichlet;
 use crate::elasticity::Twist;
 use crate::filter::StepFilter;
-use crate::friction::FrictionContact;
+use crate::iteration::{Iteration, Watch};
+use crate::prescribed::{Dirichlet, HeldChains, Times};
 use crate::scripted::Axes;
-use crate::settings::{Formulation, LineSearch};
+use crate::settings::Settings;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 use crate::system::{Designation, System};
 
-/// The data of a minimisation that stay constant.
+/// The minimisation of the incremental potential of one part of a time step.
 pub(crate) struct Newton<'a> {
     pub(crate) system: &'a System,
-    /// The effective time step, in s.
-    pub(crate) duration: f64,
-    pub(crate) inertia: &'a [Anchor],
-    /// The coordinates of each vertex that are not free.
-    pub(crate) held: &'a [Axes],
-    pub(crate) interrupt: &'a AtomicBool,
-    pub(crate) friction: &'a [FrictionContact],
-    pub(crate) dampers: &'a [Damper],
-    /// The twists of chains, after the motions so far.
-    pub(crate) twists: &'a dyn Fn(&Dirichlet<'_>) -> Vec<Twist>,
+    pub(crate) settings: &'a Settings,
+    pub(crate) filter: &'a StepFilter,
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
-    pub(crate) filter: &'a StepFilter,
-    pub(crate) formulation: Formulation,
-    pub(crate) line_search: LineSearch,
-    /// The tolerance, in m/s.
-    pub(crate) tolerance: f64,
-    pub(crate) max_iterations: usize,
-    /// Is called in each iteration with its number, the residual in m/s, and the collisions before it.
-    pub(crate) watch: &'a (dyn Fn(usize, f64, &Collisions) + Sync),
+    pub(crate) times: Times,
+    /// The coordinates of each vertex that are not free.
+    pub(crate) held: Vec<Axes>,
+    pub(crate) chains: HeldChains<'a>,
+    pub(crate) terms: Terms,
+    pub(crate) interrupt: &'a AtomicBool,
+    pub(crate) watch: Option<&'a Watch>,
 }
 
 /// The memory of a minimisation, for the next one of the same system. No result depends on it.
 #[derive(Default)]
 pub(crate) struct Memory {
+    couplings: Option<Couplings>,
     linear: LinearSolver,
     steps: VertexSteps,
 }
@@ -78,32 +69,27 @@ impl Newton<'_> {
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<bool, SimulationError> {
         let mass = self.system.free_mass();
-        let unknowns = &Unknowns::new(self.held);
-        let mut keys: Option<Vec<u64>> = None;
-        for _ in 0..self.max_iterations {
+        let unknowns = &Unknowns::new(&self.held);
+        let tolerance = self.settings.newton_tolerance(self.system.size());
+        for iteration in 0..self.settings.max_iterations {
             if self.interrupt.load(Ordering::Relaxed) {
-                let step = statistics.step;
+                let step = self.times.step;
                 return Err(SimulationError::Interrupted { step });
             }
             let clock = Instant::now();
-            let twists = (self.twists)(&now.dirichlet);
-            let potential = Potential {
-                system: self.system,
-                duration: self.duration,
-                stiffness: now.stiffness,
-                inertia: self.inertia,
-                friction: self.friction,
-                dampers: self.dampers,
-                twists: &twists,
-            };
-            let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
+            let twists = self.chains.twists(&now.dirichlet);
+            let potential = self.potential(now.stiffness, &twists);
+            let couplings = Couplings::kept(&mut memory.couplings, self.system, &twists, unknowns);
+            // The first system of a minimisation has its own pattern, so that no result depends on other ones.
+            let earlier = memory.linear.pattern().filter(|_| iteration > 0);
             let prescribed = now.dirichlet.displacements(&now.positions);
             let quadratic = potential.quadratic(
                 &now.positions,
                 now.collisions.as_slice(),
                 unknowns,
-                keys,
+                couplings,
                 &prescribed,
+                earlier,
             );
             let right = quadratic.right(unknowns);
             statistics.seconds.assembly += clock.elapsed().as_secs_f64();
@@ -111,7 +97,7 @@ impl Newton<'_> {
             let clock = Instant::now();
             let solution = memory.linear.solve(quadratic.pattern, quadratic.values, &right);
             let solution = solution.ok_or_else(|| SimulationError::Singular {
-                step: statistics.step,
+                step: self.times.step,
                 body: self.most_loaded(unknowns, &right),
             })?;
             statistics.seconds.solve += clock.elapsed().as_secs_f64();
@@ -123,7 +109,16 @@ impl Newton<'_> {
             self.system.carriers.carry(&mut direction);
             statistics.iterations += 1;
             let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
-            (self.watch)(statistics.iterations, size / self.duration, &now.collisions);
+            if let Some(watch) = self.watch {
+                watch(&Iteration {
+                    step: self.times.step,
+                    part: self.times.part,
+                    iteration: statistics.iterations,
+                    residual: size / self.terms.duration,
+                    tolerance,
+                    contacts: now.collisions.count(),
+                });
+            }
             if now.dirichlet.is_prescribed() {
                 if self.prescribe(&mut memory.steps, now, &direction, &potential, statistics) {
                     visit(&now.positions);
@@ -134,7 +129,7 @@ impl Newton<'_> {
             // release much energy. The step counts as small only if this energy is at most the kinetic
             // energy of all free masses at the tolerance.
             let decrease: f64 = right.iter().zip(&solution).map(|(a, b)| a * b).sum();
-            let length = self.tolerance * self.duration;
+            let length = tolerance * self.terms.duration;
             let is_small = size <= length && decrease <= mass * length * length;
             let stiffness = now.stiffness;
             let step = Direction {
@@ -156,12 +151,22 @@ impl Newton<'_> {
         Ok(false)
     }
 
+    /// The potential with a stiffness κ and the twists of chains.
+    pub(crate) fn potential<'b>(&'b self, stiffness: f64, twists: &'b [Twist]) -> Potential<'b> {
+        Potential {
+            system: self.system,
+            terms: &self.terms,
+            stiffness,
+            twists,
+        }
+    }
+
     /// The body of the vertex with the largest force, or with one that is not finite.
     fn most_loaded(&self, unknowns: &Unknowns, forces: &[f64]) -> Designation {
         let sizes = forces.iter().map(|force| force.abs()).enumerate();
         // NaN is above all numbers.
         let largest = sizes.max_by(|(_, a), (_, b)| a.total_cmp(b));
         let vertex = largest.map_or(0, |(place, _)| unknowns.vertices()[place / 3]);
-        self.system.designation(self.system.body_of(vertex))
+        self.system.bodies.designation(self.system.bodies.of(vertex))
     }
 }

@@ -1,7 +1,8 @@
 //! The sparsity pattern of a symmetric matrix of 3 × 3 blocks.
 
 use faer::sparse::SymbolicSparseColMat;
-use nalgebra::Matrix3;
+
+use crate::energy::Block;
 
 /// The pairs of unknowns that interact, as the lower triangle of a block matrix in compressed columns.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,6 +18,11 @@ pub(crate) fn key(a: u32, b: u32) -> u64 {
     (u64::from(a.min(b)) << 32) | u64::from(a.max(b))
 }
 
+/// The larger unknown of a pair.
+fn row(key: u64) -> u32 {
+    (key & u64::from(u32::MAX)) as u32
+}
+
 impl Pattern {
     /// The pattern of these pairs and the diagonal. The pairs may be in any order and may repeat.
     pub(crate) fn new(count: usize, mut keys: Vec<u64>) -> Self {
@@ -30,15 +36,73 @@ impl Pattern {
         for column in 0..count {
             starts[column + 1] += starts[column];
         }
-        let rows = keys
-            .iter()
-            .map(|key| (key & u64::from(u32::MAX)) as u32)
-            .collect();
+        let rows = keys.iter().map(|&key| row(key)).collect();
         Self { starts, rows }
     }
 
+    /// The pattern with more pairs. They may be in any order and may repeat.
+    pub(crate) fn with(&self, mut keys: Vec<u64>) -> Self {
+        if keys.is_empty() {
+            return self.clone();
+        }
+        keys.sort_unstable();
+        keys.dedup();
+        let mut keys = keys.into_iter().peekable();
+        let mut rows = Vec::with_capacity(self.rows.len() + keys.len());
+        let mut starts = Vec::with_capacity(self.starts.len());
+        starts.push(0);
+        for (column, ends) in (0_u32..).zip(self.starts.windows(2)) {
+            for &own in &self.rows[ends[0]..ends[1]] {
+                while let Some(key) = keys.next_if(|&other| other < key(column, own)) {
+                    rows.push(row(key));
+                }
+                keys.next_if_eq(&key(column, own));
+                rows.push(own);
+            }
+            while let Some(key) = keys.next_if(|&other| other >> 32 == u64::from(column)) {
+                rows.push(row(key));
+            }
+            starts.push(rows.len());
+        }
+        Self { starts, rows }
+    }
+
+    /// The place of each block in another pattern. `None` if that pattern has not all of the pairs.
+    pub(crate) fn places_in(&self, other: &Self) -> Option<Vec<u32>> {
+        if self == other {
+            return Some((0..self.rows.len() as u32).collect());
+        }
+        if self.starts.len() != other.starts.len() {
+            return None;
+        }
+        let mut places = Vec::with_capacity(self.rows.len());
+        for (own, theirs) in self.starts.windows(2).zip(other.starts.windows(2)) {
+            let mut place = theirs[0];
+            for row in &self.rows[own[0]..own[1]] {
+                place += other.rows[place..theirs[1]]
+                    .iter()
+                    .position(|other| other == row)?;
+                places.push(place as u32);
+            }
+        }
+        Some(places)
+    }
+
+    /// The number of blocks.
+    pub(crate) fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The place of the block of a pair of unknowns, in either order.
+    pub(crate) fn place(&self, a: u32, b: u32) -> Option<usize> {
+        let (row, column) = (a.max(b), a.min(b) as usize);
+        let start = self.starts[column];
+        let rows = &self.rows[start..self.starts[column + 1]];
+        rows.binary_search(&row).ok().map(|place| start + place)
+    }
+
     /// The number of scalars in the lower triangle.
-    pub(crate) fn scalar_count(&self) -> usize {
+    fn scalar_count(&self) -> usize {
         let columns = self.starts.len() - 1;
         9 * self.rows.len() - 3 * columns
     }
@@ -69,6 +133,23 @@ impl Pattern {
         SymbolicSparseColMat::new_checked(3 * columns, 3 * columns, pointers, None, rows)
     }
 
+    /// The values of the scalars, from those of the blocks. Of a diagonal block, the lower triangle counts.
+    pub(crate) fn values(&self, blocks: &[Block]) -> Vec<f64> {
+        let mut values = Vec::with_capacity(self.scalar_count());
+        for ends in self.starts.windows(2) {
+            let [diagonal, others @ ..] = &blocks[ends[0]..ends[1]] else {
+                continue;
+            };
+            for axis in 0..3 {
+                values.extend_from_slice(&diagonal[4 * axis..3 * axis + 3]);
+                for block in others {
+                    values.extend_from_slice(&block[3 * axis..3 * axis + 3]);
+                }
+            }
+        }
+        values
+    }
+
     /// Calls a function with the row, the column and the value of each scalar in the lower triangle.
     pub(crate) fn each(&self, values: &mut [f64], mut visit: impl FnMut([usize; 2], &mut f64)) {
         let mut values = values.iter_mut();
@@ -80,32 +161,6 @@ impl Pattern {
                     visit([row, 3 * column + axis], value);
                 }
             }
-        }
-    }
-
-    /// Adds the block of row `a` and column `b` to the values of the scalars. Each off-diagonal block must be
-    /// given in one triangle only. Of a diagonal block, the lower triangle is used.
-    pub(crate) fn add(&self, values: &mut [f64], a: u32, b: u32, block: &Matrix3<f64>) {
-        let (row, column) = (a.max(b), a.min(b) as usize);
-        let (start, end) = (self.starts[column], self.starts[column + 1]);
-        let Ok(place) = self.rows[start..end].binary_search(&row) else {
-            return;
-        };
-        // The columns before have 9 scalars a block, without the 3 above the diagonal of each diagonal block.
-        let mut scalar = 9 * start - 3 * column;
-        for axis in 0..3 {
-            let length = 3 * (end - start) - axis;
-            for k in 0..3 {
-                if place > 0 || k >= axis {
-                    let entry = if a >= b {
-                        block[(k, axis)]
-                    } else {
-                        block[(axis, k)]
-                    };
-                    values[scalar + 3 * place + k - axis] += entry;
-                }
-            }
-            scalar += length;
         }
     }
 }

@@ -8,44 +8,51 @@ use crate::anchor::Anchor;
 use crate::contact::Collision;
 use crate::damper::Damper;
 use crate::elasticity::Twist;
-use crate::energy::Energy;
 use crate::friction::FrictionContact;
 use crate::system::System;
+
+/// The terms of an incremental potential that stay constant while it is minimised.
+pub(crate) struct Terms {
+    /// The effective time step h, in s.
+    pub(crate) duration: f64,
+    pub(crate) inertia: Vec<Anchor>,
+    pub(crate) dampers: Vec<Damper>,
+    pub(crate) friction: Vec<FrictionContact>,
+}
 
 /// Inertia + h² Ψ(x) + κ Σ b + friction + damping, in kg m².
 pub(crate) struct Potential<'a> {
     pub(crate) system: &'a System,
-    /// The effective time step h, in s.
-    pub(crate) duration: f64,
+    pub(crate) terms: &'a Terms,
     /// κ.
     pub(crate) stiffness: f64,
-    pub(crate) inertia: &'a [Anchor],
-    pub(crate) friction: &'a [FrictionContact],
-    pub(crate) dampers: &'a [Damper],
     pub(crate) twists: &'a [Twist],
 }
 
 impl<'a> Potential<'a> {
     /// All terms.
     pub(super) fn forms<'b>(&'b self, collisions: &'b [Collision]) -> [Form<'b>; 6] {
+        let Terms {
+            duration,
+            inertia,
+            dampers,
+            friction,
+        } = self.terms;
+        let squared = duration * duration;
         [
-            Form::of(self.inertia, 1.0),
-            self.elasticity(self.duration * self.duration),
-            Form::of(self.twists, self.duration * self.duration),
+            Form::of(inertia, 1.0),
+            self.elasticity(squared),
+            Form::of(self.twists, squared),
             Form::of(collisions, self.stiffness),
-            Form::of(self.friction, 1.0),
+            Form::of(friction, 1.0),
             // They act on the vertices of elastic elements.
-            Form::of(self.dampers, 1.0),
+            Form::of(dampers, 1.0),
         ]
     }
 
     /// The elastic energy Ψ in J, times a factor.
     pub(crate) fn elasticity(&self, factor: f64) -> Form<'a> {
-        let terms = self.system.elements.iter().map(|element| &**element);
-        Form {
-            terms: terms.map(|element| element as &dyn Energy).collect(),
-            factor,
-        }
+        Form::elastic(self.system, factor)
     }
 
     /// The value. Infinite if a neo-Hookean element is inverted.
@@ -65,7 +72,7 @@ impl<'a> Potential<'a> {
 
     /// The magnitude of the rounding error of a value.
     pub(crate) fn noise(&self, value: f64) -> f64 {
-        let elastic = self.duration * self.duration * self.system.rigidity;
+        let elastic = self.terms.duration * self.terms.duration * self.system.elastic.rigidity;
         8.0 * f64::EPSILON * (elastic + value.abs())
     }
 }

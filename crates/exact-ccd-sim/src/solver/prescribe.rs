@@ -32,7 +32,7 @@ impl Newton<'_> {
         statistics: &mut Statistics,
     ) -> bool {
         let clock = Instant::now();
-        let all: Vec<usize> = (0..now.dirichlet.motions().len()).collect();
+        let all = now.dirichlet.places();
         let mut progress = if self.move_by_vertex(steps, now, &all, direction, potential) {
             1.0
         } else {
@@ -78,11 +78,11 @@ impl Newton<'_> {
         let mut part = (FARTHEST * self.system.extent() / size).min(1.0);
         for attempt in 0..SHORTER {
             let end = end(now, part);
-            let Ok(step) = Step::new(&self.system.surface, &now.positions, &end) else {
+            let Ok(step) = Step::new(&self.system.geometry.mesh, &now.positions, &end) else {
                 return 0.0;
             };
-            let candidates = self.system.near(step, &self.barrier);
-            let obstacles = self.system.obstacle_pairs(step);
+            let candidates = self.system.geometry.near(step, &self.barrier);
+            let obstacles = self.system.geometry.obstacle_pairs(step);
             // Offsets do not act between obstacles.
             let contact = MinDistance::default();
             if self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step, &contact) {
@@ -97,9 +97,9 @@ impl Newton<'_> {
             let free = if attempt == 0 {
                 let free = self
                     .filter
-                    .free_part(&candidates, step, self.system.min_distance());
+                    .free_part(&candidates, step, &self.system.geometry.min_distance);
                 free.min(self.filter.free_part(&obstacles, step, &contact))
-                    .min(self.system.free_of_half_spaces(step))
+                    .min(self.system.geometry.free_of_half_spaces(step))
             } else {
                 1.0
             };
@@ -119,12 +119,12 @@ impl Newton<'_> {
         potential: &Potential<'_>,
     ) -> bool {
         let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
-        if self.line_search != LineSearch::Vertex || size > FARTHEST * self.system.extent() {
+        if self.settings.line_search != LineSearch::Vertex || size > FARTHEST * self.system.extent() {
             return false;
         }
         let mut whole = self.displaced(&now.positions, direction, 1.0);
         now.dirichlet.set(&mut whole, places, 1.0);
-        let surface = &self.system.surface;
+        let surface = &self.system.geometry.mesh;
         let end = Step::new(surface, &now.positions, &whole)
             .ok()
             .and_then(|step| steps.truncated(self.system, step, &now.dirichlet.vertices()));
@@ -132,8 +132,8 @@ impl Newton<'_> {
         let Ok(step) = Step::new(surface, &now.positions, &end) else {
             return false;
         };
-        let candidates = self.system.near(step, &self.barrier);
-        let obstacles = self.system.obstacle_pairs(step);
+        let candidates = self.system.geometry.near(step, &self.barrier);
+        let obstacles = self.system.geometry.obstacle_pairs(step);
         let is_free =
             self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step, &MinDistance::default());
         let collisions = self.collisions(&candidates, &end);

@@ -1,15 +1,18 @@
 //! The quadratic model that a Newton iteration minimises.
 
-use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, Vector3};
+use std::borrow::Cow;
 
+use exact_ccd_mesh::Point;
+use nalgebra::{Matrix3, Vector3};
+
+use super::couplings::{Couplings, Place, add_keys};
 use super::form::Form;
-use super::pattern::{Pattern, key};
+use super::pattern::Pattern;
 use super::potential::Potential;
 use super::unknowns::Unknowns;
 use crate::carriers::Carriers;
 use crate::contact::Collision;
-use crate::energy::Projection;
+use crate::energy::{Block, Projection, pair_count, write_blocks};
 use crate::scripted::Axes;
 
 /// The gradient and the Hessian of a potential, and the effect of the prescribed displacements.
@@ -26,57 +29,136 @@ pub(crate) struct Quadratic {
 }
 
 impl Potential<'_> {
-    /// The pairs of unknowns that share an elastic element.
-    pub(crate) fn elastic_keys(&self, unknowns: &Unknowns) -> Vec<u64> {
-        let (mut keys, carriers) = (Vec::new(), &self.system.carriers);
-        add_keys(&mut keys, unknowns, carriers, &self.elasticity(1.0));
-        add_keys(&mut keys, unknowns, carriers, &Form::of(self.twists, 1.0));
-        keys.sort_unstable();
-        keys.dedup();
-        keys
-    }
-
-    /// The quadratic model. `displacements` are the prescribed ones: zero for unknown coordinates.
+    /// The quadratic model. `displacements` are the prescribed ones: zero for unknown coordinates. The
+    /// couplings are those of the system, the unknowns, and the twists. The pattern is that of an earlier
+    /// model, if that has all pairs of this one.
     pub(crate) fn quadratic(
         &self,
         points: &[Point],
         collisions: &[Collision],
         unknowns: &Unknowns,
-        elastic_keys: &[u64],
+        couplings: &Couplings,
         displacements: &[Vector3<f64>],
+        earlier: Option<&Pattern>,
     ) -> Quadratic {
-        let (mut keys, carriers) = (elastic_keys.to_vec(), &self.system.carriers);
+        let (mut keys, carriers) = (Vec::new(), &self.system.carriers);
         add_keys(&mut keys, unknowns, carriers, &Form::of(collisions, 1.0));
-        add_keys(&mut keys, unknowns, carriers, &Form::of(self.friction, 1.0));
-        let pattern = Pattern::new(unknowns.len(), keys);
-        let mut sum = Quadratic {
-            gradient: vec![Vector3::zeros(); points.len()],
-            values: vec![0.0; pattern.scalar_count()],
-            prescribed: vec![Vector3::zeros(); points.len()],
-            pattern,
+        add_keys(
+            &mut keys,
+            unknowns,
+            carriers,
+            &Form::of(&self.terms.friction, 1.0),
+        );
+        let own = couplings.pattern.with(keys);
+        let pattern = match earlier.filter(|earlier| own.places_in(earlier).is_some()) {
+            Some(earlier) => earlier.clone(),
+            None => own,
         };
-        for form in self.forms(collisions) {
-            form.add_gradient(points, &mut sum.gradient);
-            form.each(
-                |term| {
-                    let hessian = term.hessian(points, Projection::SemiDefinite) * form.factor;
-                    carriers.pulled(term.vertices(), hessian)
-                },
-                |term, hessian| {
-                    sum.add(
-                        &carriers.unknowns(term.vertices()),
-                        hessian,
-                        unknowns,
-                        displacements,
-                    );
-                },
-            );
+        let places = couplings.pattern.places_in(&pattern).unwrap_or_default();
+        let mut sum = Sum {
+            points,
+            carriers,
+            blocks: vec![[0.0; 9]; pattern.len()],
+            gradient: vec![Vector3::zeros(); points.len()],
+            prescribed: Prescribed {
+                unknowns,
+                displacements,
+                change: vec![Vector3::zeros(); points.len()],
+            },
+        };
+        let [inertia, elastic, others @ ..] = self.forms(collisions);
+        let place = |pair| Place::of(&pattern, unknowns, pair);
+        sum.add(&inertia, place);
+        let mut elastic_places = couplings.places.iter();
+        sum.add(&elastic, |_| {
+            elastic_places.next().copied().flatten()?.among(&places)
+        });
+        for form in &others {
+            sum.add(form, place);
         }
-        carriers.collect(&mut sum.gradient);
+        let Sum {
+            blocks,
+            mut gradient,
+            prescribed,
+            ..
+        } = sum;
+        carriers.collect(&mut gradient);
+        let mut quadratic = Quadratic {
+            gradient,
+            values: pattern.values(&blocks),
+            pattern,
+            prescribed: prescribed.change,
+        };
         if let Some(known) = unknowns.known() {
-            sum.eliminate(known, unknowns, displacements);
+            quadratic.eliminate(known, unknowns, displacements);
         }
-        sum
+        quadratic
+    }
+}
+
+/// The derivatives of the terms so far.
+struct Sum<'a> {
+    points: &'a [Point],
+    carriers: &'a Carriers,
+    blocks: Vec<Block>,
+    gradient: Vec<Vector3<f64>>,
+    prescribed: Prescribed<'a>,
+}
+
+impl Sum<'_> {
+    /// Adds the derivatives of some terms. `place` is called for each pair of vertices of a term, in the order
+    /// of [`pairs`], and returns the place of its block, if both are unknown.
+    fn add(&mut self, form: &Form<'_>, mut place: impl FnMut([u32; 2]) -> Option<Place>) {
+        let (points, carriers) = (self.points, self.carriers);
+        form.each(
+            |term| 3 * term.vertices().len() + 9 * pair_count(carriers.unknowns(term.vertices()).len()),
+            |term, derivatives| {
+                let (gradient, hessian) = derivatives.split_at_mut(3 * term.vertices().len());
+                let (hessian, _) = hessian.as_chunks_mut();
+                let projection = Projection::SemiDefinite;
+                match carriers.unknowns(term.vertices()) {
+                    Cow::Borrowed(_) => term.write_derivatives(points, projection, gradient, hessian),
+                    Cow::Owned(unknowns) => {
+                        term.write_gradient(points, gradient);
+                        let pulled = carriers.pulled(term.vertices(), term.hessian(points, projection));
+                        write_blocks(&pulled, unknowns.len(), hessian);
+                    }
+                }
+            },
+            |term, derivatives| {
+                let (gradient, hessian) = derivatives.split_at(3 * term.vertices().len());
+                form.add_forces(term, gradient, &mut self.gradient);
+                let mut blocks = hessian.as_chunks().0.iter();
+                let vertices = carriers.unknowns(term.vertices());
+                for (column, &vertex) in vertices.iter().enumerate() {
+                    for (&row, block) in vertices[column..].iter().zip(&mut blocks) {
+                        match place([row, vertex]) {
+                            Some(place) => place.add(&mut self.blocks, block, form.factor),
+                            None => self.prescribed.add([row, vertex], block, form.factor),
+                        }
+                    }
+                }
+            },
+        );
+    }
+}
+
+/// The change of the gradient by the prescribed displacements.
+struct Prescribed<'a> {
+    unknowns: &'a Unknowns,
+    displacements: &'a [Vector3<f64>],
+    change: Vec<Vector3<f64>>,
+}
+
+impl Prescribed<'_> {
+    /// Adds the product of the block of a pair of which one vertex is unknown.
+    fn add(&mut self, [row, column]: [u32; 2], block: &Block, factor: f64) {
+        let block = Matrix3::from_column_slice(block) * factor;
+        for (at, by, block) in [(row, column, block), (column, row, block.transpose())] {
+            if self.unknowns.number(at).is_some() && self.unknowns.number(by).is_none() {
+                self.change[at as usize] += block * self.displacements[by as usize];
+            }
+        }
     }
 }
 
@@ -113,41 +195,5 @@ impl Quadratic {
             *value = 0.0;
         }
         right
-    }
-
-    /// Adds the Hessian of a term.
-    fn add(
-        &mut self,
-        vertices: &[u32],
-        hessian: &DMatrix<f64>,
-        unknowns: &Unknowns,
-        displacements: &[Vector3<f64>],
-    ) {
-        for (row, &vertex) in vertices.iter().enumerate() {
-            let Some(number) = unknowns.number(vertex) else {
-                continue;
-            };
-            for (column, &other) in vertices.iter().enumerate() {
-                let block = hessian.fixed_view::<3, 3>(3 * row, 3 * column);
-                match unknowns.number(other) {
-                    None => self.prescribed[vertex as usize] += block * displacements[other as usize],
-                    // The upper triangle is not stored.
-                    Some(other) if other > number => {}
-                    Some(other) => self
-                        .pattern
-                        .add(&mut self.values, number, other, &block.into_owned()),
-                }
-            }
-        }
-    }
-}
-
-fn add_keys(keys: &mut Vec<u64>, unknowns: &Unknowns, carriers: &Carriers, form: &Form<'_>) {
-    for vertices in form.terms.iter().map(|term| carriers.unknowns(term.vertices())) {
-        for (place, &a) in vertices.iter().enumerate() {
-            let Some(a) = unknowns.number(a) else { continue };
-            let others = vertices[..place].iter().filter_map(|&b| unknowns.number(b));
-            keys.extend(others.map(|b| key(a, b)));
-        }
     }
 }

@@ -33,9 +33,9 @@ impl Newton<'_> {
         statistics: &mut Statistics,
     ) -> Option<Taken> {
         let clock = Instant::now();
-        let step = Step::new(&self.system.surface, &now.positions, end).ok()?;
+        let step = Step::new(&self.system.geometry.mesh, &now.positions, end).ok()?;
         // Vertices that move alike in the whole step are no candidates there, but can be here.
-        let candidates = self.system.near(step, &self.barrier);
+        let candidates = self.system.geometry.near(step, &self.barrier);
         statistics.seconds.ccd += clock.elapsed().as_secs_f64();
         let pairs = || end.iter().zip(&now.positions);
         let moves: Vec<Vector3<f64>> = pairs()

@@ -21,11 +21,11 @@ impl VertexSteps {
         pinned: &[u32],
     ) -> Option<Vec<Point>> {
         let detector = self.0.get_or_insert_with(|| {
-            Detector::new(system.surface.clone()).with_can_collide(system.can_collide.clone())
+            Detector::new(system.geometry.mesh.clone()).with_can_collide(system.geometry.can_collide.clone())
         });
         let options = FreeStepOptions::default()
             .with_keep(SLACK)
-            .with_min_distance(system.min_distance().clone());
+            .with_min_distance(system.geometry.min_distance.clone());
         let [start, _] = step.positions();
         let end = above_half_spaces(system, step, pinned);
         let steps = detector.free_steps(start, &end, pinned, &options).ok()?;
@@ -37,7 +37,7 @@ impl VertexSteps {
 fn above_half_spaces(system: &System, step: Step<'_>, pinned: &[u32]) -> Vec<Point> {
     let [start, end] = step.positions();
     let mut above = end.to_vec();
-    for (vertex, free) in system.held_back_by_half_spaces(step) {
+    for (vertex, free) in system.geometry.held_back_by_half_spaces(step) {
         if pinned.binary_search(&vertex).is_err() {
             let vertex = vertex as usize;
             let [x, to] = [start[vertex], end[vertex]].map(Vector3::from);

@@ -74,7 +74,7 @@ impl Parts {
             volume,
             [material.density, material.stiffness],
         )?;
-        self.faces.extend(faces);
+        self.outline.faces.extend(faces);
         Ok(())
     }
 }

@@ -2,9 +2,6 @@
 
 use std::fmt;
 
-use crate::body::Body;
-use crate::half_space::HalfSpace;
-
 /// A body or a half space in messages: by its name, or else by its place among the bodies or the half spaces
 /// of a scene, as ``body `sheet` `` or `body[1]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,22 +28,13 @@ impl Designation {
         Self { is_body, place, name }
     }
 
-    /// The body or half space at a place in the list of all bodies, followed by all half spaces.
-    pub(crate) fn at(place: usize, bodies: &[String], half_spaces: &[HalfSpace]) -> Self {
-        match place.checked_sub(bodies.len()) {
-            None => Self::of_body(place, bodies[place].as_str()),
-            Some(place) => {
-                let name = half_spaces
-                    .get(place)
-                    .map_or("", |half_space| half_space.name.as_str());
-                Self::of_half_space(place, name)
-            }
+    /// Two bodies, or two parts of one, in messages.
+    pub(crate) fn both([a, b]: &[Self; 2]) -> String {
+        if a == b {
+            format!("two parts of {a}")
+        } else {
+            format!("{a} and {b}")
         }
-    }
-
-    /// The body at a place in a list of bodies.
-    pub(crate) fn among(bodies: &[Body], place: usize) -> Self {
-        Self::of_body(place, bodies.get(place).map_or("", |body| body.name.as_str()))
     }
 
     /// The place in the list of bodies, or in that of half spaces, from 0.

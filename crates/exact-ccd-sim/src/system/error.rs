@@ -1,11 +1,11 @@
 //! Errors of bodies, scripts, loads, springs and half spaces.
 
 use exact_ccd::InvalidThickness;
-use exact_ccd_mesh::{MeshError, Point};
+use exact_ccd_mesh::MeshError;
 
 use super::body_error::BodyError;
 use super::designation::Designation;
-use crate::half_space::HalfSpaceError;
+use super::spring_error::SpringError;
 use crate::range::OutOfRange;
 
 /// An invalid part of a system. Bodies and half spaces have their names.
@@ -26,13 +26,13 @@ pub enum SystemError {
     /// The sum of offsets is out of range.
     #[error(transparent)]
     Thickness(#[from] InvalidThickness),
-    /// A half space is invalid.
-    #[error("{half_space}: the {} is {:?}, expected {}", source.what, source.value, source.expected)]
+    /// A half space has a point that is not finite, or no normal.
+    #[error("{half_space}: {source}")]
     HalfSpace {
         /// The half space.
         half_space: Designation,
-        /// The cause.
-        source: HalfSpaceError,
+        /// The point or the normal.
+        source: OutOfRange,
     },
     /// A load is out of range.
     #[error("load {load}: {source}")]
@@ -42,25 +42,13 @@ pub enum SystemError {
         /// The number.
         source: OutOfRange,
     },
-    /// A spring is out of range.
+    /// A spring is invalid.
     #[error("spring {spring}: {source}")]
     Spring {
         /// The spring, from 0.
         spring: usize,
-        /// The number.
-        source: OutOfRange,
-    },
-    /// An end of a spring is at no vertex of its body.
-    #[error("spring {spring}: {}", expected_end(body, at, *nearest))]
-    SpringEnd {
-        /// The spring, from 0.
-        spring: usize,
-        /// The body.
-        body: Designation,
-        /// The position of the end.
-        at: Point,
-        /// The nearest vertex of the body. `None` if there is no such body.
-        nearest: Option<Point>,
+        /// The cause.
+        source: SpringError,
     },
     /// A parameter of a script is out of range.
     #[error("script {script}: {source}")]
@@ -82,16 +70,4 @@ pub enum SystemError {
         /// The number of vertices of the system.
         vertex_count: usize,
     },
-}
-
-/// The end of a spring that is at no vertex, and the vertex that may be meant.
-fn expected_end(body: &Designation, at: &Point, nearest: Option<Point>) -> String {
-    match nearest {
-        Some(nearest) => {
-            format!(
-                "{at:?} is no vertex of {body}, which is not affine, expected one as {nearest:?}, the nearest one"
-            )
-        }
-        None => format!("there is no {body}, expected one of the bodies of the system"),
-    }
 }

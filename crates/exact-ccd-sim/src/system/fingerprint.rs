@@ -12,7 +12,7 @@ use crate::digest::{Digest, Hash};
 use crate::half_space::HalfSpace;
 
 /// The definition of the hashes, which is another one whenever equal systems would get other hashes.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 /// Hashes of the parts of a [`System`], of 64 bits: against accidental differences, not against forgery.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,11 +46,11 @@ impl Fingerprint {
             positions: Hash::of(&system.start),
             velocities: Hash::of(&system.velocities),
             elements: Hash::of(&(system.surface(), system.tetrahedra())),
-            materials: system.materials.clone(),
+            materials: system.bodies.materials.clone(),
             scripts: Hash::of(&system.scripts),
-            half_spaces: Hash::of(&system.half_spaces),
+            half_spaces: Hash::of(system.half_spaces()),
             loads: Hash::of(&system.loads),
-            springs: Hash::of(&system.springs),
+            springs: Hash::of(&system.elastic.springs),
         }
     }
 
@@ -98,11 +98,7 @@ impl Digest for BodyKind {
                     thickness,
                     strain_limit,
                 } = *material;
-                [density, young, poisson, thickness].digest(hash);
-                // Without it, the hash is that of earlier versions. The same holds for rods.
-                if let Some(limit) = strain_limit {
-                    limit.digest(hash);
-                }
+                ([density, young, poisson, thickness], strain_limit).digest(hash);
             }
             Self::Rod { material, .. } => {
                 let RodProperties {
@@ -111,10 +107,7 @@ impl Digest for BodyKind {
                     radius,
                     shear,
                 } = *material;
-                [density, young, radius].digest(hash);
-                if let Some(shear) = shear {
-                    shear.digest(hash);
-                }
+                ([density, young, radius], shear).digest(hash);
             }
             Self::Particles { material } => {
                 let ParticleProperties { density, radius } = *material;

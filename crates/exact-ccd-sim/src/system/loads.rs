@@ -31,9 +31,8 @@ impl System {
         for (number, load) in loads.iter_mut().enumerate() {
             // Tractions and pressures act on faces.
             if let Force::Acceleration(_) = load.force {
-                let body_of = |vertex| self.designation(self.body_of(vertex));
                 let what = Selecting::Load(number);
-                load.vertices = selection::unknowns(&self.carriers, body_of, &load.vertices, what)?;
+                load.vertices = selection::unknowns(&self.carriers, &self.bodies, &load.vertices, what)?;
             }
         }
         Ok(Self { loads, ..self })
@@ -48,7 +47,7 @@ impl System {
         let mut forces = vec![Vector3::zeros(); positions.len()];
         let points = [self.start.as_slice(), positions];
         for load in &self.loads {
-            load.add(&mut forces, &self.surface, &self.masses, points, time);
+            load.add(&mut forces, &self.geometry.mesh, &self.masses, points, time);
         }
         self.carriers.collect(&mut forces);
         let pairs = forces.into_iter().zip(&self.masses);

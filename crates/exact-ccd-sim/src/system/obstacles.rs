@@ -1,76 +1,50 @@
-//! The half spaces of a system.
+//! The obstacles of a system, and their motions relative to each other.
 
-use exact_ccd_mesh::{Point, Step};
+use std::ops::Range;
 
-use super::{Designation, System, SystemError};
-use crate::half_space::{HalfSpace, Plane};
+use exact_ccd_mesh::CanCollide;
 
-impl System {
-    /// The same system with half spaces as obstacles, in place of those that it has.
-    ///
-    /// # Errors
-    /// [`SystemError::HalfSpace`] names the first one without a finite point or a normal.
-    pub fn with_half_spaces(self, half_spaces: Vec<HalfSpace>) -> Result<Self, SystemError> {
-        for (number, half_space) in half_spaces.iter().enumerate() {
-            half_space
-                .check(number)
-                .map_err(|source| SystemError::HalfSpace {
-                    half_space: Designation::of_half_space(number, half_space.name.as_str()),
-                    source,
-                })?;
-        }
-        Ok(Self {
-            planes: half_spaces.iter().map(Plane::of).collect(),
-            half_spaces,
-            ..self
-        })
-    }
+use crate::contact::Part;
+use crate::scripted::Coordinates;
 
-    /// The half spaces.
-    #[must_use]
-    pub fn half_spaces(&self) -> &[HalfSpace] {
-        &self.half_spaces
-    }
-
-    /// The first vertex that is not apart from a half space, exactly, with the number of this half space.
-    /// A linear motion is free of contact with half spaces if there is none at both of its ends.
-    #[must_use]
-    pub fn first_grounded(&self, positions: &[Point]) -> Option<(u32, usize)> {
-        let touches = |half_space: &HalfSpace, vertex: u32| {
-            let (at, offset) = (positions.get(vertex as usize), self.offsets[vertex as usize]);
-            at.is_some_and(|&at| !half_space.is_apart(at, offset))
+/// The part in contact of each vertex of some bodies.
+pub(super) fn parts(bodies: &[Range<u32>], is_obstacle: &[bool], scripts: &[Coordinates]) -> Vec<Part> {
+    let part = |(number, range): (u32, &Range<u32>)| {
+        let vertices = range.start as usize..range.end as usize;
+        let scripts = &scripts[vertices.clone()];
+        let is_rigid = scripts.windows(2).all(|pair| pair[0] == pair[1])
+            && scripts.first().is_none_or(Coordinates::are_rigid);
+        let part = if is_obstacle[vertices.clone()].contains(&false) {
+            Part::Body
+        } else if !is_rigid {
+            Part::DeformingObstacle
+        } else if scripts.iter().all(Coordinates::are_fixed) {
+            Part::Obstacle { motion: 0 }
+        } else {
+            Part::Obstacle { motion: number }
         };
-        let numbered = self.half_spaces.iter().enumerate();
-        numbered.into_iter().find_map(|(number, half_space)| {
-            let vertex = self
-                .grounded
-                .iter()
-                .find(|&&vertex| touches(half_space, vertex))?;
-            Some((*vertex, number))
-        })
-    }
+        std::iter::repeat_n(part, vertices.len())
+    };
+    (1..).zip(bodies).flat_map(part).collect()
+}
 
-    /// The vertices that enter a half space in a step, with the parts of the step in which they stay apart.
-    pub(crate) fn held_back_by_half_spaces(&self, step: Step<'_>) -> impl Iterator<Item = (u32, f64)> {
-        let [before, after] = step.positions();
-        let part = move |&vertex: &u32| {
-            let at = vertex as usize;
-            let parts = self.planes.iter();
-            let parts = parts.map(|plane| plane.free_part([before[at], after[at]], self.offsets[at]));
-            (vertex, parts.fold(1.0, f64::min))
-        };
-        let parts = self.grounded.iter().map(part);
-        parts.filter(|(_, part)| *part < 1.0)
+/// The pairs of obstacles of different motions, and those within obstacles that do not move as a whole.
+/// `None` if there are none.
+pub(super) fn pairs(parts: Vec<Part>) -> Option<CanCollide> {
+    let are_together = |a: Part, b: Part| a == b && a != Part::DeformingObstacle;
+    let obstacles = || parts.iter().filter(|part| **part != Part::Body);
+    let first = *obstacles().next()?;
+    if obstacles().all(|part| are_together(*part, first)) {
+        return None;
     }
-
-    /// The part of a step that is free of contact with half spaces. It is 1 only if all of the step is free;
-    /// a smaller part is not certified.
-    pub(crate) fn free_of_half_spaces(&self, step: Step<'_>) -> f64 {
-        let [_, after] = step.positions();
-        if self.first_grounded(after).is_none() {
-            return 1.0;
-        }
-        let parts = self.held_back_by_half_spaces(step).map(|(_, part)| part);
-        parts.fold(1.0_f64.next_down(), f64::min).max(f64::EPSILON)
-    }
+    // A primitive belongs to one body.
+    let part = move |primitive: &[u32]| {
+        primitive
+            .first()
+            .map_or(Part::Body, |&vertex| parts[vertex as usize])
+    };
+    Some(CanCollide::new(move |a, b| {
+        let [a, b] = [part(a), part(b)];
+        a != Part::Body && b != Part::Body && !are_together(a, b)
+    }))
 }

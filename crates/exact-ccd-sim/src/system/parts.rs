@@ -7,8 +7,12 @@ use exact_ccd::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
 use nalgebra::Vector3;
 
-use super::body_error::BodyError;
+use super::bodies::Bodies;
+use super::body_error::{BodyError, Selecting};
+use super::elastic::Elastic;
+use super::geometry::Outline;
 use super::materials::materials;
+use super::{SystemError, selection};
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::carriers::Carriers;
@@ -16,7 +20,7 @@ use crate::chains::chains;
 use crate::elasticity::{Bend, Chain, Membrane, StrainLimit, Stretch, Tetrahedron, bending};
 use crate::energy::{Energy, gather};
 use crate::range::{OutOfRange, check, check_finite, check_positive};
-use crate::scripted::Coordinates;
+use crate::scripted::{Coordinates, Scripted, Timed};
 
 /// The least limit of strains. Rounding alone leads to strains of some 1e-15 in shapes at rest.
 const LEAST_STRAIN_LIMIT: f64 = 1e-6;
@@ -27,20 +31,10 @@ pub(super) struct Parts {
     pub(super) start: Vec<Point>,
     pub(super) velocities: Vec<Point>,
     pub(super) masses: Vec<f64>,
-    pub(super) faces: Vec<[u32; 3]>,
-    /// The edges of rods.
-    pub(super) edges: Vec<[u32; 2]>,
-    /// The parts of rods that resist twist.
-    pub(super) chains: Vec<Chain>,
-    /// The particles.
-    pub(super) particles: Vec<u32>,
-    pub(super) offsets: Vec<f64>,
-    pub(super) elements: Vec<Arc<dyn Energy>>,
-    pub(super) tetrahedra: Vec<[u32; 4]>,
-    pub(super) scripts: Vec<Coordinates>,
-    pub(super) obstacle: Vec<bool>,
-    pub(super) rigidity: f64,
     pub(super) carriers: Carriers,
+    pub(super) scripts: Vec<Coordinates>,
+    pub(super) elastic: Elastic,
+    pub(super) outline: Outline,
 }
 
 impl Parts {
@@ -58,8 +52,8 @@ impl Parts {
         self.start.extend(&added.points);
         self.velocities.resize(end, added.velocity);
         self.masses.resize(end, 0.0);
-        self.obstacle.resize(end, is_obstacle);
-        self.offsets.resize(end, added.offset);
+        self.outline.is_obstacle.resize(end, is_obstacle);
+        self.outline.offsets.resize(end, added.offset);
         self.scripts.resize(end, Coordinates::default());
         let is_empty = match &added.kind {
             BodyKind::Obstacle { faces } | BodyKind::Shell { faces, .. } | BodyKind::Affine { faces, .. } => {
@@ -75,7 +69,7 @@ impl Parts {
         match &added.kind {
             BodyKind::Obstacle { faces } => {
                 let faces = placed(faces, first, count)?;
-                self.faces.extend(faces);
+                self.outline.faces.extend(faces);
             }
             BodyKind::Solid {
                 tetrahedra,
@@ -87,7 +81,7 @@ impl Parts {
                 let tetrahedra = placed(tetrahedra, first, count)?;
                 let materials = materials(tetrahedra.len(), material, regions)?;
                 self.add_solid(tetrahedra, &materials)?;
-                self.faces.extend(surface);
+                self.outline.faces.extend(surface);
             }
             BodyKind::Shell { faces, material } => {
                 let faces = placed(faces, first, count)?;
@@ -104,6 +98,32 @@ impl Parts {
             }
         }
         self.spin(first..end, added.angular_velocity.into());
+        Ok(())
+    }
+
+    /// Adds a script, by its number.
+    pub(super) fn script(
+        &mut self,
+        number: usize,
+        scripted: &Scripted,
+        bodies: &Bodies,
+    ) -> Result<(), SystemError> {
+        scripted.check().map_err(|source| SystemError::Motion {
+            script: number,
+            source,
+        })?;
+        let script = Timed::new(scripted);
+        let what = Selecting::Script(number);
+        let vertex_count = self.start.len();
+        for vertex in selection::unknowns(&self.carriers, bodies, &scripted.vertices, what)? {
+            let slot = self.scripts.get_mut(vertex as usize);
+            let slot = slot.ok_or(SystemError::Script {
+                script: number,
+                vertex,
+                vertex_count,
+            })?;
+            slot.add(scripted.axes, &script);
+        }
         Ok(())
     }
 
@@ -147,7 +167,7 @@ impl Parts {
                 [material.density, material.young],
             )?;
         }
-        self.tetrahedra.extend(tetrahedra);
+        self.elastic.tetrahedra.extend(tetrahedra);
         Ok(())
     }
 
@@ -179,9 +199,10 @@ impl Parts {
             )?;
         }
         let rigidity = material.moduli().flexural_rigidity(material.thickness);
-        self.elements
+        self.elastic
+            .elements
             .extend(bending(&self.start, &faces, rigidity, material.poisson));
-        self.faces.extend(faces);
+        self.outline.faces.extend(faces);
         Ok(())
     }
 
@@ -204,13 +225,13 @@ impl Parts {
         for (element, corners) in bends(&edges) {
             let bend = Bend::new(corners, &self.start, material.flexural_rigidity());
             let bend = bend.ok_or(BodyError::Folded { element })?;
-            self.elements.push(Arc::new(bend));
+            self.elastic.elements.push(Arc::new(bend));
         }
         if let Some(rigidity) = material.torsional_rigidity() {
             let chain = |vertices| Chain::new(vertices, &self.start, rigidity);
-            self.chains.extend(chains(&edges).into_iter().map(chain));
+            self.elastic.chains.extend(chains(&edges).into_iter().map(chain));
         }
-        self.edges.extend(edges);
+        self.outline.edges.extend(edges);
         Ok(())
     }
 
@@ -227,8 +248,7 @@ impl Parts {
         for &corner in energy.vertices() {
             self.masses[corner as usize] += share;
         }
-        self.rigidity += young * volume;
-        self.elements.push(energy);
+        self.elastic.add(energy, young * volume);
         Ok(())
     }
 
@@ -239,7 +259,9 @@ impl Parts {
     ) -> Result<(), BodyError> {
         check_positive("density", material.density).and(check_positive("radius", material.radius))?;
         self.masses[vertices.clone()].fill(mass(0, material.mass())?);
-        self.particles.extend(vertices.map(|vertex| vertex as u32));
+        self.outline
+            .particles
+            .extend(vertices.map(|vertex| vertex as u32));
         Ok(())
     }
 }

@@ -2,19 +2,19 @@
 
 use std::collections::BTreeSet;
 
+use super::bodies::Bodies;
 use super::body_error::{BodyError, Selecting};
-use super::designation::Designation;
 use super::error::SystemError;
 use crate::carriers::Carriers;
 
 /// The selected vertices, with the nodes of affine bodies in place of the vertices that they carry. `what`
-/// selects them, for the error, and `body_of` is the body of a vertex.
+/// selects them, for the error.
 ///
 /// # Errors
 /// [`BodyError::Partly`], if some vertices of an affine body are selected, but not all.
 pub(super) fn unknowns(
     carriers: &Carriers,
-    body_of: impl Fn(u32) -> Designation,
+    bodies: &Bodies,
     vertices: &[u32],
     what: Selecting,
 ) -> Result<Vec<u32>, SystemError> {
@@ -29,7 +29,7 @@ pub(super) fn unknowns(
         }
         if found < expected {
             return Err(SystemError::Body {
-                body: body_of(carried.start),
+                body: bodies.designation(bodies.of(carried.start)),
                 source: BodyError::Partly {
                     what,
                     found,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::{Designation, System, SystemError};
+use super::{SpringError, System, SystemError};
 use crate::spring::{Spring, SpringEnd, SpringEnergy};
 
 /// The greatest distance of the end of a spring from its vertex, relative to the extent of the scene.
@@ -15,23 +15,23 @@ impl System {
     /// The same system with further springs.
     ///
     /// # Errors
-    /// [`SystemError::Spring`] names the first one with a number that is out of range,
-    /// [`SystemError::SpringEnd`] one whose end is at no vertex of its body.
+    /// [`SystemError::Spring`] names the first one with a number that is out of range, or with an end that is
+    /// at no vertex of its body.
     pub fn with_springs(mut self, springs: Vec<Spring>) -> Result<Self, SystemError> {
         for (number, spring) in springs.iter().enumerate() {
-            spring.check().map_err(|source| SystemError::Spring {
+            let energy = self.spring(spring).map_err(|source| SystemError::Spring {
                 spring: number,
                 source,
             })?;
-            let energy = self.spring(number, spring)?;
-            self.rigidity += energy.stiffness * energy.length * energy.length;
-            self.elements.push(Arc::new(energy));
+            let rigidity = energy.stiffness * energy.length * energy.length;
+            self.elastic.add(Arc::new(energy), rigidity);
         }
-        self.springs.extend(springs);
+        self.elastic.springs.extend(springs);
         Ok(self)
     }
 
-    fn spring(&self, number: usize, spring: &Spring) -> Result<SpringEnergy, SystemError> {
+    fn spring(&self, spring: &Spring) -> Result<SpringEnergy, SpringError> {
+        spring.check()?;
         // One vertex can carry both ends.
         let mut weights: BTreeMap<u32, f64> = BTreeMap::new();
         let mut fixed = Vector3::zeros();
@@ -39,7 +39,7 @@ impl System {
             match end.body {
                 None => fixed -= Vector3::from(end.at) * sign,
                 Some(body) => {
-                    for (vertex, weight) in self.parts_of(number, body, end)? {
+                    for (vertex, weight) in self.parts_of(body, end)? {
                         *weights.entry(vertex).or_default() += sign * weight;
                     }
                 }
@@ -57,14 +57,11 @@ impl System {
     }
 
     /// The vertices that carry an end of a spring, with their weights.
-    fn parts_of(&self, spring: usize, body: usize, end: &SpringEnd) -> Result<Vec<(u32, f64)>, SystemError> {
-        let missing = |nearest: Option<u32>| SystemError::SpringEnd {
-            spring,
-            body: Designation::of_body(body, self.names.get(body).map_or("", String::as_str)),
-            at: end.at,
-            nearest: nearest.map(|vertex| self.start[vertex as usize]),
+    fn parts_of(&self, place: usize, end: &SpringEnd) -> Result<Vec<(u32, f64)>, SpringError> {
+        let body = self.bodies.designation(place);
+        let Some(vertices) = self.bodies.ranges.get(place).cloned() else {
+            return Err(SpringError::Body { body });
         };
-        let vertices = self.bodies.get(body).cloned().ok_or_else(|| missing(None))?;
         if let Some(carried) = self
             .carriers
             .bodies()
@@ -82,7 +79,12 @@ impl System {
         let nearest = vertices.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
         match nearest {
             Some(vertex) if distance(vertex) <= NEAR * self.extent => Ok(vec![(vertex, 1.0)]),
-            _ => Err(missing(nearest)),
+            Some(vertex) => Err(SpringError::End {
+                body,
+                at: end.at,
+                nearest: self.start[vertex as usize],
+            }),
+            None => Err(SpringError::Body { body }),
         }
     }
 }

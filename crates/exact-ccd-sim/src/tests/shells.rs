@@ -1,7 +1,7 @@
 //! Elastic energies of shells.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector3};
 
 use super::differences::{Points, at, check, curvature, random_points, random_rotation};
 use super::elasticity::MODULI;
@@ -67,6 +67,47 @@ fn the_derivatives_of_limited_membranes_match_differences() {
             .value(&at_limit.map(|point| point.map(|x| 0.999 * x)))
             .is_finite()
     );
+}
+
+/// F has the columns x_b − x_a and x_c − x_a for a triangle of two unit sides: the blocks of b and c are the
+/// second derivatives by F. The projection is that to the nearest matrix, by the eigenvalues of all six
+/// coordinates; also for stretches near a limit, for triangles without area, and for equal stretches.
+#[test]
+fn the_projected_hessian_of_a_membrane_is_the_nearest_one() {
+    let mut random = fastrand::Rng::with_seed(21);
+    let rest = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let free = || Membrane::new([0, 1, 2], &rest, 0.1, MODULI).unwrap();
+    let limited = free().with_limit(Some(StrainLimit::new(0.5, 1.5)));
+    let mut indefinite = 0;
+    for round in 0..200 {
+        let [x, y, z] = [0; 3].map(|_| 1.4 * random.f64());
+        let stretches = match round % 4 {
+            0 => [x, y, z],
+            1 => [x, 0.0, 0.0],
+            2 => [x, x, x],
+            _ => [x, 1e-9 * y, 0.0],
+        };
+        let [turn, about] = [0; 2].map(|_| random_rotation(&mut random));
+        let deformation = turn.matrix() * Matrix3::from_diagonal(&stretches.into()) * about.matrix();
+        let corner = |place: usize| deformation * Vector3::from(rest[place]);
+        let points = [corner(0), corner(1), corner(2), Vector3::zeros()];
+        for membrane in [&free(), &limited] {
+            let [exact, found] = [Projection::None, Projection::SemiDefinite].map(|projection| {
+                let hessian = curvature(membrane, &points, projection);
+                hessian.fixed_view::<6, 6>(3, 3).into_owned()
+            });
+            let eigen = exact.symmetric_eigen();
+            let values = eigen.eigenvalues.map(|value| value.max(0.0));
+            let expected =
+                eigen.eigenvectors * Matrix6::from_diagonal(&values) * eigen.eigenvectors.transpose();
+            indefinite += usize::from(eigen.eigenvalues.min() < -1e-6);
+            let error = (found - expected).amax();
+            assert!(error < 1e-12 * exact.amax(), "{round}: {error} of {exact}");
+        }
+        // Without a limit, the energy is a polynomial of fourth degree also where the triangle has no area.
+        check(&free(), &points, 1e-3, [1e-7; 2], "membrane");
+    }
+    assert!(indefinite > 100, "{indefinite}");
 }
 
 /// The energy of a triangle that is stretched along one side is h A (μ ε² + λ/2 ε²) with ε = (s² − 1) / 2.

@@ -1,12 +1,12 @@
 //! Twist of rods.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::Vector3;
 
 use super::differences::{at, check, random_points, random_vector};
 use crate::chains::chains;
 use crate::elasticity::{Chain, Twist};
-use crate::energy::{Energy, Projection};
+use crate::energy::{Block, Energy, Projection, write_blocks};
 
 /// The twist of a chain as an energy of its four inner vertices. The first and the last edge are held.
 #[derive(Debug)]
@@ -29,13 +29,14 @@ impl Energy for Clamped {
         self.0.value(&Self::points(points))
     }
 
-    fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        self.0.gradient(&Self::points(points)).rows(6, 12).into_owned()
+    fn write_gradient(&self, points: &[Point], gradient: &mut [f64]) {
+        let all = self.0.gradient(&Self::points(points));
+        gradient.copy_from_slice(&all.as_slice()[6..18]);
     }
 
-    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
-        let hessian = self.0.hessian(&Self::points(points), projection);
-        hessian.view((6, 6), (12, 12)).into_owned()
+    fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
+        let all = self.0.hessian(&Self::points(points), projection);
+        write_blocks(&all.view((6, 6), (12, 12)), 4, hessian);
     }
 }
 

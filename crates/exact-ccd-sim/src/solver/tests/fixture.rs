@@ -11,7 +11,8 @@ use crate::friction::{FrictionContact, Smoothing};
 use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::shapes;
-use crate::solver::potential::Potential;
+use crate::solver::couplings::Couplings;
+use crate::solver::potential::{Potential, Terms};
 use crate::solver::quadratic::Quadratic;
 use crate::solver::unknowns::Unknowns;
 use crate::system::System;
@@ -25,11 +26,9 @@ const SMOOTHING: Smoothing = Smoothing { threshold: 0.05 };
 /// all bodies.
 pub(super) struct Fixture {
     pub(super) system: System,
-    duration: f64,
-    inertia: Vec<Anchor>,
+    pub(super) terms: Terms,
     pub(super) points: Vec<Point>,
     pub(super) barrier: Barrier,
-    pub(super) friction: Vec<FrictionContact>,
 }
 
 impl Fixture {
@@ -61,14 +60,17 @@ impl Fixture {
             stiffness: Vector3::repeat(system.masses[vertex]),
             force: Vector3::new(0.1, -0.2, 0.3) * system.masses[vertex],
         });
-        let inertia = inertia.collect();
+        let terms = Terms {
+            duration,
+            inertia: inertia.collect(),
+            dampers: Vec::new(),
+            friction: Vec::new(),
+        };
         let mut fixture = Self {
             system,
-            duration,
-            inertia,
+            terms,
             points,
             barrier: Barrier::new(DISTANCE),
-            friction: Vec::new(),
         };
         let collisions = fixture.collisions(&fixture.points);
         let friction = collisions.as_slice().iter().map(|collision| {
@@ -76,25 +78,22 @@ impl Fixture {
             let vertices = collision.vertices().iter().copied().collect();
             FrictionContact::new(vertices, &origin, &separation, 1e3, SMOOTHING)
         });
-        fixture.friction = friction.collect();
+        fixture.terms.friction = friction.collect();
         fixture
     }
 
     pub(super) fn potential(&self) -> Potential<'_> {
         Potential {
             system: &self.system,
-            duration: self.duration,
+            terms: &self.terms,
             stiffness: 1e7,
-            inertia: &self.inertia,
-            friction: &self.friction,
-            dampers: &[],
             twists: &[],
         }
     }
 
     pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
         let step = Step::new(self.system.surface(), points, points).unwrap();
-        let candidates = self.system.near(step, &self.barrier);
+        let candidates = self.system.geometry.near(step, &self.barrier);
         Collisions::new(
             self.system.contact_surface(Formulation::default()),
             &candidates,
@@ -146,13 +145,14 @@ impl Fixture {
 
     pub(super) fn quadratic(&self, collisions: &Collisions, unknowns: &Unknowns) -> Quadratic {
         let potential = self.potential();
-        let keys = potential.elastic_keys(unknowns);
+        let couplings = Couplings::new(&self.system, &[], unknowns);
         potential.quadratic(
             &self.points,
             collisions.as_slice(),
             unknowns,
-            &keys,
+            &couplings,
             &self.prescribed(),
+            None,
         )
     }
 
@@ -169,8 +169,9 @@ impl Fixture {
                 }
             }
         };
-        let scale = self.duration * self.duration;
+        let scale = self.terms.duration * self.terms.duration;
         self.system
+            .elastic
             .elements
             .iter()
             .for_each(|element| add(&**element, scale));
@@ -178,8 +179,8 @@ impl Fixture {
             .as_slice()
             .iter()
             .for_each(|collision| add(collision, 1e7));
-        self.friction.iter().for_each(|contact| add(contact, 1.0));
-        self.inertia.iter().for_each(|anchor| add(anchor, 1.0));
+        self.terms.friction.iter().for_each(|contact| add(contact, 1.0));
+        self.terms.inertia.iter().for_each(|anchor| add(anchor, 1.0));
         dense
     }
 }

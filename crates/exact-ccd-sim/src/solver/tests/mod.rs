@@ -68,7 +68,7 @@ fn the_sparse_hessian_is_the_sum_of_the_elements() {
     let mut fixture = Fixture::new(1.0, 0.02);
     assert_sum(&fixture);
     // Without friction, the contacts alone determine the pattern.
-    fixture.friction.clear();
+    fixture.terms.friction.clear();
     assert_sum(&fixture);
 }
 
@@ -109,7 +109,7 @@ fn assert_sum(fixture: &Fixture) {
 #[test]
 fn the_hessian_is_the_slope_of_the_gradient() {
     let fixture = Fixture::new(1.1, 0.0);
-    assert!(!fixture.friction.is_empty());
+    assert!(!fixture.terms.friction.is_empty());
     let none = fixture.no_collisions();
     let unknowns = fixture.unknowns();
     let quadratic = fixture.quadratic(&none, &unknowns);
@@ -149,22 +149,46 @@ fn the_sparse_solution_is_the_dense_one() {
     assert!(error < 1e-8 * expected.amax(), "{error} of {}", expected.amax());
 }
 
-/// A block may be given in either triangle; blocks of the same pair are summed.
+/// The pattern with more pairs is that of all pairs, and its blocks are at the places of their pairs.
 #[test]
-fn a_block_and_its_transpose_across_the_diagonal_are_the_same() {
-    let pattern = Pattern::new(3, vec![key(2, 0), key(0, 1), key(0, 2)]);
-    let block = Matrix3::from_fn(|row, column| (3 * row + column) as f64);
-    let mut values = vec![0.0; pattern.scalar_count()];
-    pattern.add(&mut values, 2, 0, &block);
-    pattern.add(&mut values, 0, 2, &block.transpose());
-    pattern.add(&mut values, 1, 1, &(block + block.transpose()));
+fn a_pattern_with_more_pairs_is_that_of_all() {
+    let mut random = fastrand::Rng::with_seed(12);
+    for _ in 0..50 {
+        let mut pairs = |count: u32| {
+            let mut pair = || [0; 2].map(|_| random.u32(..9));
+            (0..count).map(|_| pair()).collect::<Vec<_>>()
+        };
+        let (few, more) = (pairs(8), pairs(12));
+        let keys = |pairs: &[[u32; 2]]| pairs.iter().map(|&[a, b]| key(a, b)).collect::<Vec<_>>();
+        let pattern = Pattern::new(9, keys(&few));
+        let found = pattern.with(keys(&more));
+        assert_eq!(found, Pattern::new(9, keys(&[few.clone(), more].concat())));
+        let places = pattern.places_in(&found).unwrap();
+        assert_eq!(places.len(), pattern.len());
+        for [a, b] in few.into_iter().chain((0..9).map(|a| [a, a])) {
+            let place = places[pattern.place(a, b).unwrap()] as usize;
+            assert_eq!(found.place(b, a), Some(place));
+        }
+        // A pattern with more blocks is in none with less.
+        assert_eq!(found.places_in(&pattern).is_some(), found.len() == pattern.len());
+    }
+}
+
+/// The scalars are those of the blocks of the lower triangle.
+#[test]
+fn the_values_are_those_of_the_blocks() {
+    let pattern = Pattern::new(3, vec![key(2, 0), key(0, 2)]);
+    assert_eq!(pattern.len(), 4);
+    let block = |place: usize| std::array::from_fn(|entry| (9 * place + entry) as f64);
+    let blocks: Vec<[f64; 9]> = (0..4).map(block).collect();
     let mut expected = DMatrix::zeros(9, 9);
-    expected.view_mut((6, 0), (3, 3)).copy_from(&(block * 2.0));
-    expected
-        .view_mut((0, 6), (3, 3))
-        .copy_from(&(block.transpose() * 2.0));
-    expected
-        .view_mut((3, 3), (3, 3))
-        .copy_from(&(block + block.transpose()));
-    assert_eq!(expanded(&pattern, &values), expected);
+    for [row, column] in [[0, 0], [2, 0], [1, 1], [2, 2]] {
+        let block = blocks[pattern.place(row, column).unwrap()];
+        let place = (3 * row as usize, 3 * column as usize);
+        expected
+            .view_mut(place, (3, 3))
+            .copy_from(&Matrix3::from_column_slice(&block));
+    }
+    expected.fill_upper_triangle_with_lower_triangle();
+    assert_eq!(expanded(&pattern, &pattern.values(&blocks)), expected);
 }

@@ -1,18 +1,22 @@
-//! The Dirichlet targets of scripted vertices in one time step.
+//! The Dirichlet targets of scripted vertices in one part of a time step.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
 
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
+use super::paths::Paths;
 use crate::scripted::Axes;
 
 /// The scripts of a body in one time step, which all vertices follow by one fraction, from 0 to 1: a body
 /// that is moved as a whole stays rigid, also where an obstruction stops it.
 #[derive(Clone, Debug)]
-pub(crate) struct Motion {
+struct Motion {
     /// The body, by its place in the list of bodies.
-    pub(crate) body: u32,
+    body: u32,
     /// The fraction that the vertices have reached.
-    pub(crate) fraction: f64,
+    fraction: f64,
     targets: Vec<Target>,
 }
 
@@ -25,28 +29,19 @@ struct Target {
     apart: Vector3<f64>,
 }
 
-/// The scripted position of a vertex at a fraction.
-pub(crate) type Path<'a> = dyn Fn(usize, f64) -> Point + Sync + 'a;
-
 impl Motion {
-    /// The motion of the vertices of a body that are at `points` before the step. `held` are the coordinates
-    /// that are not free in this time step. `None` if no held coordinate moves.
-    pub(crate) fn new(
-        body: u32,
-        vertices: impl Iterator<Item = u32>,
-        held: &[Axes],
-        points: &[Point],
-        path: &Path<'_>,
-    ) -> Option<Self> {
+    /// The motion of some vertices of a body. `held` are the coordinates that are not free in this time step.
+    /// `None` if no held coordinate moves.
+    fn new(body: u32, vertices: impl Iterator<Item = u32>, held: &[Axes], paths: &Paths<'_>) -> Option<Self> {
         let target = |vertex: u32| {
             let vertex = vertex as usize;
-            let point = Vector3::from(points[vertex]);
-            let end = Vector3::from(path(vertex, 1.0));
+            let point = Vector3::from(paths.state.positions[vertex]);
+            let end = Vector3::from(paths.position(vertex, 1.0));
             let moves = (0..3).any(|axis| held[vertex][axis] && end[axis] != point[axis]);
             moves.then(|| Target {
                 vertex,
                 held: held[vertex],
-                apart: point - Vector3::from(path(vertex, 0.0)),
+                apart: point - Vector3::from(paths.position(vertex, 0.0)),
             })
         };
         let targets: Vec<Target> = vertices.filter_map(target).collect();
@@ -58,7 +53,7 @@ impl Motion {
     }
 
     /// The fraction after a part of the rest.
-    pub(crate) fn after(&self, part: f64) -> f64 {
+    fn after(&self, part: f64) -> f64 {
         if part < 1.0 {
             self.fraction + part * (1.0 - self.fraction)
         } else {
@@ -67,9 +62,9 @@ impl Motion {
     }
 
     /// Sets the held coordinates of the vertices to those at a fraction.
-    pub(crate) fn set(&self, points: &mut [Point], path: &Path<'_>, fraction: f64) {
+    fn set(&self, points: &mut [Point], paths: &Paths<'_>, fraction: f64) {
         for target in &self.targets {
-            let at = Vector3::from(path(target.vertex, fraction)) + target.apart * (1.0 - fraction);
+            let at = Vector3::from(paths.position(target.vertex, fraction)) + target.apart * (1.0 - fraction);
             for axis in (0..3).filter(|&axis| target.held[axis]) {
                 points[target.vertex][axis] = at[axis];
             }
@@ -77,9 +72,9 @@ impl Motion {
     }
 }
 
-/// The motions that scripts prescribe in one time step.
+/// The motions that scripts prescribe in one part of a time step.
 pub(crate) struct Dirichlet<'a> {
-    path: &'a Path<'a>,
+    paths: &'a Paths<'a>,
     motions: Vec<Motion>,
     mode: Mode,
     /// The number of times that the motions may still be repeated.
@@ -103,15 +98,22 @@ const ATTEMPTS: usize = 20;
 const PROGRESS: f64 = 1e-2;
 
 impl<'a> Dirichlet<'a> {
-    /// The motions along paths.
-    pub(crate) fn new(motions: Vec<Motion>, path: &'a Path<'a>) -> Self {
+    /// The motions along paths. `held` are the coordinates that are not free. Carried vertices follow their
+    /// nodes.
+    pub(crate) fn new(paths: &'a Paths<'a>, held: &[Axes]) -> Self {
+        let is_unknown = |vertex: &u32| paths.system.carriers.of(*vertex).is_none();
+        let bodies = (0..).zip(paths.system.body_vertices());
+        let motion = |(body, vertices): (u32, &Range<u32>)| {
+            Motion::new(body, vertices.clone().filter(is_unknown), held, paths)
+        };
+        let motions: Vec<Motion> = bodies.filter_map(motion).collect();
         let mode = if motions.is_empty() {
             Mode::Fixed
         } else {
             Mode::Prescribed
         };
         Self {
-            path,
+            paths,
             motions,
             mode,
             attempts: ATTEMPTS,
@@ -123,9 +125,16 @@ impl<'a> Dirichlet<'a> {
         self.mode == Mode::Prescribed
     }
 
-    /// The motions.
-    pub(crate) fn motions(&self) -> &[Motion] {
-        &self.motions
+    /// The places of all motions.
+    pub(crate) fn places(&self) -> Vec<usize> {
+        (0..self.motions.len()).collect()
+    }
+
+    /// The times in s by which the scripts of bodies are behind at the end, by the number of the body.
+    pub(crate) fn behind(&self) -> BTreeMap<u32, f64> {
+        let motions = self.motions.iter();
+        let behind = motions.map(|motion| (motion.body, self.paths.behind(motion.body, motion.fraction)));
+        behind.filter(|(_, behind)| *behind > 0.0).collect()
     }
 
     /// The fraction that a body has reached: 1 for a body without a motion.
@@ -143,7 +152,7 @@ impl<'a> Dirichlet<'a> {
     /// Sets the held coordinates to those after a part of the rest of some motions, by their places.
     pub(crate) fn set(&self, points: &mut [Point], places: &[usize], part: f64) {
         for motion in places.iter().map(|&place| &self.motions[place]) {
-            motion.set(points, self.path, motion.after(part));
+            motion.set(points, self.paths, motion.after(part));
         }
     }
 
@@ -154,7 +163,7 @@ impl<'a> Dirichlet<'a> {
         if self.is_prescribed() {
             self.motions
                 .iter()
-                .for_each(|motion| motion.set(&mut ends, self.path, 1.0));
+                .for_each(|motion| motion.set(&mut ends, self.paths, 1.0));
         }
         let pairs = ends.iter().zip(points);
         pairs
@@ -195,7 +204,7 @@ impl<'a> Dirichlet<'a> {
         let mut ends = points.to_vec();
         self.motions
             .iter()
-            .for_each(|motion| motion.set(&mut ends, self.path, 1.0));
+            .for_each(|motion| motion.set(&mut ends, self.paths, 1.0));
         let pairs = ends.iter().zip(points);
         let lags = pairs.map(|(end, point)| (Vector3::from(*end) - Vector3::from(*point)).norm());
         lags.fold(0.0, f64::max)

@@ -1,0 +1,127 @@
+//! The bodies of a system by their places.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use exact_ccd_mesh::Point;
+
+use super::fingerprint::Fingerprint;
+use super::{Designation, System, diagonal};
+use crate::body::Body;
+use crate::contact::Collision;
+use crate::energy::Energy;
+
+/// The bodies of a system, without their meshes.
+#[derive(Clone, Debug)]
+pub(crate) struct Bodies {
+    /// The name of each body. Empty for no name.
+    pub(super) names: Vec<String>,
+    pub(super) kinds: Vec<&'static str>,
+    /// The vertices of each body.
+    pub(crate) ranges: Vec<Range<u32>>,
+    /// The hash of the materials, for the fingerprint.
+    pub(super) materials: String,
+}
+
+impl Bodies {
+    pub(super) fn new(bodies: &[Body]) -> Self {
+        Self {
+            names: bodies.iter().map(|body| body.name.clone()).collect(),
+            kinds: bodies.iter().map(|body| body.kind.name()).collect(),
+            ranges: System::ranges(bodies),
+            materials: Fingerprint::materials(bodies),
+        }
+    }
+
+    /// The body of a vertex, by its place.
+    pub(crate) fn of(&self, vertex: u32) -> usize {
+        self.ranges.partition_point(|range| range.end <= vertex)
+    }
+
+    /// The body at a place, in messages.
+    pub(crate) fn designation(&self, place: usize) -> Designation {
+        Designation::of_body(place, self.names.get(place).map_or("", String::as_str))
+    }
+
+    /// The diagonals of the bounding boxes of the bodies at these positions, in m.
+    pub(crate) fn sizes(&self, points: &[Point]) -> impl Iterator<Item = f64> {
+        let points = |range: &Range<u32>| points[range.start as usize..range.end as usize].iter();
+        self.ranges
+            .iter()
+            .map(move |range| diagonal(points(range).copied()))
+    }
+}
+
+impl System {
+    /// The body or half space with this place in [`System::names`], in messages.
+    #[must_use]
+    pub fn designation(&self, place: usize) -> Designation {
+        match place.checked_sub(self.bodies.ranges.len()) {
+            None => self.bodies.designation(place),
+            Some(place) => self.geometry.designation(place),
+        }
+    }
+
+    /// The name of each body, or `body-N` for the Nth body if it has none.
+    #[must_use]
+    pub fn body_names(&self) -> Vec<String> {
+        let numbered = self.bodies.names.iter().enumerate();
+        let name = |(number, name): (usize, &String)| match name.as_str() {
+            "" => format!("body-{number}"),
+            name => name.to_owned(),
+        };
+        numbered.map(name).collect()
+    }
+
+    /// The kind of each body: see [`BodyKind::name`](crate::BodyKind::name).
+    #[must_use]
+    pub fn body_kinds(&self) -> &[&'static str] {
+        &self.bodies.kinds
+    }
+
+    /// The vertices of each body.
+    #[must_use]
+    pub fn body_vertices(&self) -> &[Range<u32>] {
+        &self.bodies.ranges
+    }
+
+    /// The body of a vertex, by its place in the list of bodies.
+    #[must_use]
+    pub fn body_of(&self, vertex: u32) -> usize {
+        self.bodies.of(vertex)
+    }
+
+    /// The bodies of a collision, by their places in the list of all bodies, followed by the half spaces.
+    pub(crate) fn bodies_of(&self, collision: &Collision) -> [usize; 2] {
+        // The vertices of the first primitive precede those of the second. A half space has none.
+        let vertices = collision.vertices();
+        let second = match collision.half_space() {
+            Some(half_space) => self.bodies.ranges.len() + half_space as usize,
+            None => self.body_of(vertices[vertices.len() - 1]),
+        };
+        [self.body_of(vertices[0]), second]
+    }
+
+    /// The names of all bodies, followed by those of the half spaces. Empty for no name.
+    #[must_use]
+    pub fn names(&self) -> Vec<&str> {
+        let half_spaces = self.half_spaces().iter().map(|half_space| &half_space.name);
+        self.bodies
+            .names
+            .iter()
+            .chain(half_spaces)
+            .map(String::as_str)
+            .collect()
+    }
+
+    /// All names, quoted, for messages.
+    pub(crate) fn known_names(&self) -> String {
+        let names = self.names();
+        let given: BTreeSet<String> = names
+            .iter()
+            .filter(|name| !name.is_empty())
+            .map(|name| format!("`{name}`"))
+            .collect();
+        given.into_iter().collect::<Vec<_>>().join(", ")
+    }
+}

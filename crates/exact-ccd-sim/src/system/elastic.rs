@@ -1,0 +1,28 @@
+//! The elastic parts of a system.
+
+use std::sync::Arc;
+
+use crate::elasticity::Chain;
+use crate::energy::Energy;
+use crate::spring::Spring;
+
+/// The elastic parts of a system, springs included.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Elastic {
+    /// The energies, except for those of twist.
+    pub(crate) elements: Vec<Arc<dyn Energy>>,
+    /// The parts of rods that resist twist.
+    pub(crate) chains: Vec<Chain>,
+    pub(super) tetrahedra: Vec<[u32; 4]>,
+    pub(super) springs: Vec<Spring>,
+    /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
+    pub(crate) rigidity: f64,
+}
+
+impl Elastic {
+    /// Adds an element with its E V, in J.
+    pub(super) fn add(&mut self, element: Arc<dyn Energy>, rigidity: f64) {
+        self.elements.push(element);
+        self.rigidity += rigidity;
+    }
+}
