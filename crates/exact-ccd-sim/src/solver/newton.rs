@@ -98,7 +98,8 @@ impl Newton<'_> {
                 twists: &twists,
             };
             let couplings = Couplings::kept(&mut memory.couplings, self.system, &twists, unknowns);
-            // The first system of a minimisation has its own pattern, so that no result depends on other ones.
+            // The first system of a minimisation has its own pattern, so that no result depends on earlier
+            // minimisations.
             let earlier = memory.linear.pattern().filter(|_| iteration > 0);
             let prescribed = now.dirichlet.displacements(&now.positions);
             let quadratic = potential.quadratic(
