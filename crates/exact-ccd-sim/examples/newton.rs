@@ -1,5 +1,5 @@
-//! The cost of Newton iterations: of a cloth of 289 vertices that hangs at two corners, of two such cloths on a
-//! sphere, and of a beam of tetrahedra with 1,125 vertices that hangs at one end.
+//! The cost of Newton iterations: of a cloth of 289 vertices that hangs at two corners, of two such cloths
+//! on a sphere, and of a beam of tetrahedra with 1,125 vertices that hangs at one end.
 //!
 //! Instructions do not depend on other load on the machine. All are in `minimise`, and in what it calls:
 //!

@@ -16,8 +16,8 @@ pub(crate) type Block = [f64; 9];
 
 /// One term of an energy, over some vertices. `points` has the positions of all vertices of the system.
 ///
-/// Derivatives are written into slices, so that a sum of many terms needs no memory for each of them. The former
-/// contents of a slice have no meaning.
+/// Derivatives are written into slices, so that a sum of many terms needs no memory for each of them. The
+/// former contents of a slice have no meaning.
 pub(crate) trait Energy: Debug + Send + Sync {
     /// The vertices on which it depends, without repetition.
     fn vertices(&self) -> &[u32];

@@ -23,8 +23,8 @@
 //!
 //! With C = FᵀF and its eigenvalues λ = σ², the energy is a function of C. The stress is F S with S = s(C),
 //! s(λ) = f′(σ)/σ, because dλ = v · dC v for the unit eigenvector v. In the frame of the eigenvectors, dS has
-//! the entries of dC, times the derivatives of s on the diagonal and the quotient of its differences beside it
-//! (J. Daleckii, M. Krein, 1965).
+//! the entries of dC, times the derivatives of s on the diagonal and the quotient of its differences beside
+//! it (J. Daleckii, M. Krein, 1965).
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -110,8 +110,8 @@ impl StrainLimit {
 /// eigenvalue is negative: those of C are none, up to rounding.
 ///
 /// With the half difference d of the diagonal, the entry o beside it and r² = d² + o², the frame is turned by
-/// θ with cos 2θ = d / r and sin 2θ = o / r. The larger of cos θ and sin θ is the square root of (r + |d|) / (2
-/// r), a sum without cancellation; the other one follows from 2 sin θ cos θ = o / r.
+/// θ with cos 2θ = d / r and sin 2θ = o / r. The larger of cos θ and sin θ is the square root of (r + |d|) /
+/// (2 r), a sum without cancellation; the other one follows from 2 sin θ cos θ = o / r.
 pub(super) fn principal(c: &Matrix2<f64>) -> (Vector2<f64>, Matrix2<f64>) {
     let (mean, half) = (0.5 * (c.m11 + c.m22), 0.5 * (c.m11 - c.m22));
     let radius = half.hypot(c.m12);

@@ -46,13 +46,13 @@ const LEAST: f64 = 0.01;
 /// boundary too.
 #[derive(Debug)]
 pub(crate) struct VertexBend {
-    /// The vertex of all hinges is the first one: its blocks have the most terms, and the least columns before
-    /// them.
+    /// The vertex of all hinges is the first one: its blocks have the most terms, and the fewest are in its
+    /// row of the lower triangle.
     vertices: Vec<u32>,
     /// The hinges at each vertex.
     hinges: Vec<Vec<usize>>,
-    /// The four corners of each hinge: their vertices, by their places in `vertices`, and their places among the
-    /// corners at the first vertex, at the second and so on.
+    /// The four corners of each hinge: their vertices, by their places in `vertices`, and their places among
+    /// the corners at the first vertex, at the second and so on.
     corners: Vec<[[usize; 2]; 4]>,
     /// The angle of each hinge at rest.
     rest: Vec<f64>,
@@ -60,8 +60,7 @@ pub(crate) struct VertexBend {
     stiffness: DMatrix<f64>,
 }
 
-/// The number of zeros on the stack for each hinge, of eight of them: of a vertex with more edges, they are on
-/// the heap.
+/// The number of hinges whose memory is on the stack. That of more hinges is on the heap.
 const FEW: usize = 8;
 
 impl VertexBend {
@@ -74,7 +73,8 @@ impl VertexBend {
         self.corners.iter().map(fold).zip(self.rest.iter().copied())
     }
 
-    /// Writes the change of each angle since rest, and the gradient of each angle by the corners of its hinge.
+    /// Writes the change of each angle since rest, and the gradient of each angle by the corners of its
+    /// hinge.
     fn write_angles(&self, points: &[Point], bends: &mut [f64], slopes: &mut [[f64; 3]]) {
         let hinges = self.shapes(points).zip(&self.corners);
         for (bend, ((shape, rest), corners)) in bends.iter_mut().zip(hinges) {
@@ -115,8 +115,8 @@ impl VertexBend {
         }
     }
 
-    /// Writes J K Jᵀ with the stiffness K, a block column for each vertex. `columns` has memory for three columns
-    /// of K Jᵀ.
+    /// Writes J K Jᵀ with the stiffness K, a block column for each vertex. `columns` has memory for three
+    /// columns of K Jᵀ.
     fn write_products(&self, slopes: &[[f64; 3]], columns: &mut [[f64; 3]], hessian: &mut [Block]) {
         let (stiffness, count) = (self.stiffness.as_slice(), columns.len());
         let mut blocks = hessian.iter_mut();
@@ -280,19 +280,19 @@ fn vertex_bend(
         Ok(place) => 1 + place,
         Err(_) => 0,
     };
-    let folds: Vec<[usize; 4]> = corners.iter().map(|corners| corners.map(place)).collect();
-    let mut hinges_at = vec![Vec::new(); vertices.len()];
-    for (hinge, fold) in folds.iter().enumerate() {
-        fold.iter().for_each(|&place| hinges_at[place].push(hinge));
+    let mut hinges = vec![Vec::new(); vertices.len()];
+    let mut places: Vec<[[usize; 2]; 4]> = Vec::new();
+    for (hinge, corners) in corners.iter().enumerate() {
+        places.push(corners.map(|corner| {
+            let place = place(corner);
+            hinges[place].push(hinge);
+            [place, hinges[place].len() - 1]
+        }));
     }
-    let before = |place: usize| hinges_at[..place].iter().map(Vec::len).sum::<usize>();
-    let corner = |hinge: usize, place: usize| {
-        let own = hinges_at[place].partition_point(|&other| other < hinge);
-        [place, before(place) + own]
-    };
-    let numbered = folds.iter().enumerate();
-    let corners_of = numbered.map(|(hinge, fold)| fold.map(|place| corner(hinge, place)));
-    let corners_of = corners_of.collect();
+    // A number among the corners at a vertex becomes one among all corners.
+    for [place, corner] in places.as_flattened_mut() {
+        *corner += hinges[..*place].iter().map(Vec::len).sum::<usize>();
+    }
     let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
     let plane = Plane::of(star);
     let (mut means, mut angles) = (Matrix3xX::zeros(corners.len()), MatrixXx3::zeros(corners.len()));
@@ -319,8 +319,8 @@ fn vertex_bend(
     let stiffness = curvature.transpose() * (plate * star.area) * &curvature
         + rest.transpose() * DMatrix::from_diagonal(&of_rest) * &rest;
     VertexBend {
-        hinges: hinges_at,
-        corners: corners_of,
+        hinges,
+        corners: places,
         rest: shapes.iter().map(Fold::angle).collect(),
         stiffness: stiffness * rigidity,
         vertices,

@@ -61,8 +61,8 @@ impl<'a> Form<'a> {
         sum
     }
 
-    /// Calls `write` for all terms in parallel, with memory for as many numbers as `length` returns, and `add` in
-    /// order, with what was written.
+    /// Calls `write` for all terms in parallel, with memory for as many numbers as `length` returns. Calls
+    /// `add` in order, with what was written.
     pub(super) fn each(
         &self,
         length: impl Fn(&dyn Energy) -> usize,

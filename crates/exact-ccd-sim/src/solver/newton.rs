@@ -80,7 +80,8 @@ impl Newton<'_> {
             let twists = self.chains.twists(&now.dirichlet);
             let potential = self.potential(now.stiffness, &twists);
             let couplings = Couplings::kept(&mut memory.couplings, self.system, &twists, unknowns);
-            // The first system of a minimisation has its own pattern, so that no result depends on other ones.
+            // The first system of a minimisation has its own pattern, so that no result depends on earlier
+            // minimisations.
             let earlier = memory.linear.pattern().filter(|_| iteration > 0);
             let prescribed = now.dirichlet.displacements(&now.positions);
             let quadratic = potential.quadratic(

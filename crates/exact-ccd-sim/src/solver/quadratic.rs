@@ -106,8 +106,8 @@ struct Sum<'a> {
 }
 
 impl Sum<'_> {
-    /// Adds the derivatives of some terms. `place` is called for each pair of vertices of a term, in the order
-    /// of [`pairs`], and returns the place of its block, if both are unknown.
+    /// Adds the derivatives of some terms. `place` is called for each pair of vertices of a term, in the
+    /// order of [`pairs`](crate::energy::pairs), and returns the place of its block, if both are unknown.
     fn add(&mut self, form: &Form<'_>, mut place: impl FnMut([u32; 2]) -> Option<Place>) {
         let (points, carriers) = (self.points, self.carriers);
         form.each(

@@ -96,9 +96,9 @@ fn assert_equal(found: &DMatrix<f64>, expected: &DMatrix<f64>, tolerance: f64, w
     );
 }
 
-/// At rest, all angles are those at rest, so that the Hessian H is J K Jᵀ with the derivatives J of angles. With
-/// them from differences, K = J⁺ H J⁺ᵀ. In another shape, the changes b of the angles have the energy ½ bᵀ K b,
-/// its gradient, and the Hessian J K Jᵀ. The vertices have from 4 to 14 edges.
+/// At rest, all angles are those at rest, so that the Hessian H is J K Jᵀ with the derivatives J of angles.
+/// With them from differences, K = J⁺ H J⁺ᵀ. In another shape, the changes b of the angles have the energy
+/// ½ bᵀ K b, its gradient, and the Hessian J K Jᵀ. The vertices have from 4 to 14 edges.
 #[test]
 fn the_energy_about_a_vertex_is_quadratic_in_the_angles() {
     let mut random = fastrand::Rng::with_seed(19);
@@ -163,5 +163,19 @@ fn the_gradient_does_not_depend_on_the_hessian() {
             element.write_derivatives(&points, projection, &mut gradient, &mut hessian);
             assert_eq!(element.gradient(&points).as_slice(), gradient);
         }
+    }
+}
+
+/// Two faces of the same three vertices have the constant angle π between them: all derivatives are zero.
+#[test]
+fn faces_with_the_same_corners_do_not_bend() {
+    let mut random = fastrand::Rng::with_seed(21);
+    let mut points = || [0; 3].map(|_| Point::from(random_vector(&mut random)));
+    let (rest, points) = (points(), points());
+    let elements = bending(&rest, &[[0, 1, 2], [1, 0, 2]], 0.7, 0.3);
+    assert_eq!(elements.len(), 3);
+    for element in elements {
+        assert!(element.gradient(&points).amax() < 1e-12);
+        assert!(element.hessian(&points, Projection::SemiDefinite).amax() < 1e-12);
     }
 }

@@ -12,6 +12,7 @@ use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::shapes;
 use crate::solver::couplings::Couplings;
+use crate::solver::pattern::Pattern;
 use crate::solver::potential::{Potential, Terms};
 use crate::solver::quadratic::Quadratic;
 use crate::solver::unknowns::Unknowns;
@@ -144,6 +145,16 @@ impl Fixture {
     }
 
     pub(super) fn quadratic(&self, collisions: &Collisions, unknowns: &Unknowns) -> Quadratic {
+        self.quadratic_after(None, collisions, unknowns)
+    }
+
+    /// The quadratic model after one with another pattern.
+    pub(super) fn quadratic_after(
+        &self,
+        earlier: Option<&Pattern>,
+        collisions: &Collisions,
+        unknowns: &Unknowns,
+    ) -> Quadratic {
         let potential = self.potential();
         let couplings = Couplings::new(&self.system, &[], unknowns);
         potential.quadratic(
@@ -152,7 +163,7 @@ impl Fixture {
             unknowns,
             &couplings,
             &self.prescribed(),
-            None,
+            earlier,
         )
     }
 

@@ -149,6 +149,35 @@ fn the_sparse_solution_is_the_dense_one() {
     assert!(error < 1e-8 * expected.amax(), "{error} of {}", expected.amax());
 }
 
+/// After a model with all pairs of contacts, the model without contacts has its pattern, the same matrix and
+/// the same solution. The other way round, it has its own pattern.
+#[test]
+fn a_pattern_that_has_all_pairs_is_kept() {
+    let mut fixture = Fixture::new(1.0, 0.02);
+    let unknowns = fixture.unknowns();
+    let collisions = fixture.collisions(&fixture.points);
+    let many = fixture.quadratic(&collisions, &unknowns);
+    fixture.terms.friction.clear();
+    let none = fixture.no_collisions();
+    let few = fixture.quadratic(&none, &unknowns);
+    assert!(few.pattern.len() < many.pattern.len());
+
+    let kept = fixture.quadratic_after(Some(&many.pattern), &none, &unknowns);
+    assert_eq!(kept.pattern, many.pattern);
+    let dense = expanded(&few.pattern, &few.values);
+    assert_eq!(expanded(&kept.pattern, &kept.values), dense);
+    let right = few.right(&unknowns);
+    assert_eq!(kept.right(&unknowns), right);
+    let solve = |pattern, values| LinearSolver::default().solve(pattern, values, &right).unwrap();
+    let [found, expected] = [kept, few].map(|model| DVector::from_vec(solve(model.pattern, model.values)));
+    let error = (found - &expected).amax();
+    assert!(error < 1e-10 * expected.amax(), "{error} of {}", expected.amax());
+
+    let own = Pattern::new(unknowns.len(), Vec::new());
+    let grown = fixture.quadratic_after(Some(&own), &collisions, &unknowns);
+    assert_eq!(grown.pattern, fixture.quadratic(&collisions, &unknowns).pattern);
+}
+
 /// The pattern with more pairs is that of all pairs, and its blocks are at the places of their pairs.
 #[test]
 fn a_pattern_with_more_pairs_is_that_of_all() {
