@@ -23,7 +23,11 @@ impl Instant {
 
     /// The earlier one of two times.
     pub(crate) fn earlier(mut self, mut other: Self) -> Self {
-        if self.order(&mut other).is_gt() { other } else { self }
+        if self.order(&mut other).is_gt() {
+            other
+        } else {
+            self
+        }
     }
 
     /// The comparison of two times. Different times keep the disjoint brackets that it needs.
