@@ -141,8 +141,8 @@ impl<'a, K: Kind> Planar<'a, K> {
 
     /// The contact at an event with which it begins, if parameters and normal are accurate enough.
     ///
-    /// At t = 0, all vertices are strictly beside the edges: the parameters are the only ones. Later, the only
-    /// vertex on an edge is that of the event.
+    /// At t = 0, all vertices are strictly beside the edges: the parameters are the only ones. Later, the
+    /// only vertex on an edge is that of the event.
     pub(super) fn impact(&self, beginning: &Event) -> Option<Impact> {
         let time = self.round(beginning)?;
         let (parameters, normal) = match beginning {

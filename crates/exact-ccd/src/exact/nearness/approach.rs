@@ -104,8 +104,8 @@ impl Approach {
             .collect()
     }
 
-    /// ±n · ((x − q) × (y − q)) for each vertex q and edge x y, in the order of the sides. Over n · n, they are
-    /// u and v; 1 − u − v for a triangle, otherwise 1 − u and 1 − v.
+    /// ±n · ((x − q) × (y − q)) for each vertex q and edge x y, in the order of the sides. Over n · n, they
+    /// are u and v, and 1 − u − v for a triangle, otherwise 1 − u and 1 − v.
     fn guards_of_inner<K: Kind>(&self, n: &Vector) -> Vec<Polynomial> {
         let [u, v] = K::PARAMETERS.map(|index| {
             let side = &K::SIDES[index];

@@ -53,8 +53,8 @@ impl<T: Lanes> Advancement<T> {
 
     /// The time before which the distance is certainly above d, from one time to at most a later one.
     ///
-    /// The direction at the beginning mostly suffices for all of it: g · x is linear in t for a constant g, so
-    /// that it is above d |g| at all times if it is at both ends. Otherwise directions turn.
+    /// The direction at the beginning mostly suffices for all of it: g · x is linear in t for a constant g,
+    /// so that it is above d |g| at all times if it is at both ends. Otherwise directions turn.
     ///
     /// A stretch has the length `first` at first. The next one is twice as long if the directions at
     /// its ends prove it free; otherwise it begins at the same time, and is half as long. All

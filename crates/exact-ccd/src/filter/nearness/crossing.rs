@@ -50,12 +50,12 @@ impl Crossings {
         is_within.then(|| Some(ContactTime::just_above(end)))
     }
 
-    /// Returns true if the distance is certainly above d from one time to another one, given that it is at the
-    /// latter. At the former, it mostly is not next to d, so that f64 suffice.
+    /// Returns true if the distance is certainly above d from one time to another one, given that it is at
+    /// the latter. At the former, it mostly is not next to d, so that f64 suffice.
     pub(super) fn is_beyond_between<K: Kind>(&self, t: f64, other: &Headed<'_>) -> bool {
         let precisely = || {
             let now = self.precise.at::<K>(t);
-            Headed::new(&now).is_some_and(|now| now.is_beyond_until(other))
+            Headed::new(&now).is_some_and(|now| now.is_beyond_across(other))
         };
         other.is_beyond_from(&self.advancement.at::<K>(t)) || precisely()
     }

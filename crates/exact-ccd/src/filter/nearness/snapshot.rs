@@ -193,22 +193,18 @@ impl<'a> Headed<'a> {
         headed.is_beyond_across(&headed).then_some(headed)
     }
 
-    /// Returns true if the distance is certainly above d at all times between this one and another one.
+    /// Returns true if the distance is certainly above d at all times between this one and another one, given
+    /// in f64, at which it may be d.
     ///
     /// The proof is that of [`Heading::is_beyond_across`].
-    pub(super) fn is_beyond_until(&self, other: &Self) -> bool {
-        self.is_beyond_across(other)
-    }
-
-    /// The same for another time, given in f64, at which the distance may be d.
     pub(super) fn is_beyond_from(&self, other: &Heading<f64>) -> bool {
         let Snapshot { count, limit, .. } = *self.snapshot;
         other.is_beyond(count, limit) && self.rounded.is_beyond_across(other, count, limit)
     }
 
-    /// Returns true if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for all corners. Where D is
-    /// not next to d, f64 prove it.
-    fn is_beyond_across(&self, other: &Self) -> bool {
+    /// The same for another time at which D certainly is above d: gₐ · x_b + g_b · xₐ certainly is above d
+    /// (|gₐ| + |g_b|) for all corners. Where D is not next to d, f64 prove it.
+    pub(super) fn is_beyond_across(&self, other: &Self) -> bool {
         let Snapshot { count, limit, .. } = *self.snapshot;
         self.rounded.is_beyond_across(&other.rounded, count, limit) || are_beyond(self, other)
     }
