@@ -1,5 +1,5 @@
-//! Advancement: stretches of time, from the left, in which a turning direction keeps the primitives
-//! farther than d apart. For one query, or for many side by side.
+//! Advancement: stretches of time, from the left, in which a direction, constant or turning, keeps the
+//! primitives farther than d apart. For one query, or for many side by side.
 
 use super::nearest::nearest;
 use super::scaled::Scaled;
