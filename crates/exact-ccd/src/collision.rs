@@ -4,7 +4,7 @@ use alloc::boxed::Box;
 
 use crate::distance::{DistanceBounds, Separation};
 use crate::environment;
-use crate::exact::{self, FirstContact};
+use crate::exact::{self, FirstContact, FirstWithin};
 use crate::filter::{self, Contact, Decision, Proved};
 use crate::impact::Impact;
 use crate::interval::Intervals;
@@ -47,6 +47,7 @@ enum Proof<K> {
     Exact(Box<FirstContact<K>>),
     /// The first time within a separation above 0, and the stage that found it.
     Within(ContactTime, Stage),
+    ExactWithin(Box<FirstWithin>),
 }
 
 impl<'a, K: Kind> Collision<'a, K> {
@@ -65,8 +66,7 @@ impl<'a, K: Kind> Collision<'a, K> {
                 Proof::Exact(Box::new(FirstContact::of(query).ok_or(Stage::Exact)?))
             }
             Decision::Unknown => {
-                let first = exact::first_within(query, separation).ok_or(Stage::Exact)?;
-                Proof::Within(first, Stage::Exact)
+                Proof::ExactWithin(Box::new(FirstWithin::of(query, separation).ok_or(Stage::Exact)?))
             }
         };
         Ok(Self {
@@ -97,7 +97,7 @@ impl<'a, K: Kind> Collision<'a, K> {
     pub fn stage(&self) -> Stage {
         match &self.proof {
             Proof::Filter(contact) => contact.stage(),
-            Proof::Exact(_) => Stage::Exact,
+            Proof::Exact(_) | Proof::ExactWithin(_) => Stage::Exact,
             Proof::Within(_, stage) => *stage,
         }
     }
@@ -148,7 +148,7 @@ impl<'a, K: Kind> Collision<'a, K> {
     pub(crate) fn determine_time(&self) -> ContactTime {
         self.first.unwrap_or_else(|| {
             let by_filter = |contact: &Contact| contact.first(self.query);
-            self.answer(by_filter, FirstContact::time, |first| first)
+            self.answer(by_filter, FirstContact::time, |first, _| first)
         })
     }
 
@@ -168,10 +168,11 @@ impl<'a, K: Kind> Collision<'a, K> {
         self.answer(
             |contact| contact.intervals(self.query),
             FirstContact::intervals,
-            |first| {
+            |first, exactly| {
                 let filtered = || filter::intervals_within(self.query, self.separation, first);
                 let filtered = environment::is_default().then(filtered).flatten();
-                filtered.unwrap_or_else(|| exact::intervals_within(self.query, self.separation))
+                let anew = || exact::intervals_within(self.query, self.separation);
+                filtered.unwrap_or_else(|| exactly.map_or_else(anew, FirstWithin::intervals))
             },
         )
     }
@@ -190,14 +191,13 @@ impl<'a, K: Kind> Collision<'a, K> {
                 contact.impact(self.query).or_else(|| starts().then(exactly))
             },
             FirstContact::impact,
-            |first| {
+            |first, exactly| {
                 let filtered = || filter::impact_within(self.query, self.separation, first);
                 let filtered = environment::is_default().then(filtered).flatten();
+                let anew = || exact::impact_at(self.query, self.separation, first);
+                let exactly = || exactly.map_or_else(anew, FirstWithin::impact::<K>);
                 // Cannot panic: the filters prove what the exact path defines.
-                filtered.unwrap_or_else(|| {
-                    exact::impact_at(self.query, self.separation, first)
-                        .expect("the primitives touch at the first time")
-                })
+                filtered.unwrap_or_else(|| exactly().expect("the primitives touch at the first time"))
             },
         )
     }
@@ -225,7 +225,7 @@ impl<'a, K: Kind> Collision<'a, K> {
         &self,
         by_filter: impl FnOnce(&Contact) -> Option<T>,
         exactly: impl FnOnce(&FirstContact<K>) -> T,
-        within: impl FnOnce(ContactTime) -> T,
+        within: impl FnOnce(ContactTime, Option<&FirstWithin>) -> T,
     ) -> T {
         match &self.proof {
             Proof::Exact(first) => exactly(first),
@@ -238,7 +238,8 @@ impl<'a, K: Kind> Collision<'a, K> {
                     exactly(&first)
                 })
             }
-            Proof::Within(first, _) => within(*first),
+            Proof::Within(first, _) => within(*first, None),
+            Proof::ExactWithin(first) => within(first.time(), Some(first)),
         }
     }
 }

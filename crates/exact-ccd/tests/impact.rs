@@ -60,6 +60,17 @@ fn extreme() -> impl Strategy<Value = Points> {
     })
 }
 
+/// Points in one plane across an axis at each time.
+fn in_a_plane() -> impl Strategy<Value = Points> {
+    let heights = prop::array::uniform2(-1.0..1.0);
+    (any(), 0..3_usize, heights).prop_map(|(mut points, axis, heights)| {
+        for (now, height) in points.iter_mut().zip(heights) {
+            now.iter_mut().for_each(|point| point[axis] = height);
+        }
+        points
+    })
+}
+
 fn dot(a: Point, b: Point) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
@@ -137,6 +148,16 @@ proptest! {
 
     #[test]
     fn edges_of_extreme_size_meet_at_the_parameters(points in extreme()) {
+        check(&Query::<EdgeEdge>::new(points[0], points[1]).unwrap(), EDGE_EDGE)?;
+    }
+
+    #[test]
+    fn vertex_and_face_in_a_plane_meet_at_the_parameters(points in in_a_plane()) {
+        check(&Query::<VertexFace>::new(points[0], points[1]).unwrap(), VERTEX_FACE)?;
+    }
+
+    #[test]
+    fn edges_in_a_plane_meet_at_the_parameters(points in in_a_plane()) {
         check(&Query::<EdgeEdge>::new(points[0], points[1]).unwrap(), EDGE_EDGE)?;
     }
 

@@ -20,7 +20,7 @@ impl<K: Kind> Motion<K> {
         let time = instant.round();
         // In a bracket narrower than the resolution of the ratios, approximations prove nearly
         // all of their signs.
-        let instant = Narrowing::new(instant);
+        let instant = Narrowing::new(instant.clone());
         instant.narrow_to(80);
         let meeting = Meeting {
             motion: self,

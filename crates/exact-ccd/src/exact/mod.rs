@@ -35,7 +35,7 @@ mod split;
 pub(crate) use dyadic::{parts, to_integers};
 pub(crate) use first_contact::FirstContact;
 pub use nearness::distance_at;
-pub(crate) use nearness::{first_within, impact_at, intervals_within};
+pub(crate) use nearness::{FirstWithin, impact_at, intervals_within};
 #[cfg(test)]
 pub(crate) use polynomial::Polynomial;
 #[cfg(test)]

@@ -38,7 +38,7 @@ impl<K: Kind> Motion<K> {
 
     /// Returns true if the primitives touch at an instant at which the four points are coplanar.
     pub(crate) fn touches(&self, instant: &Instant) -> bool {
-        let instant = &Narrowing::new(instant);
+        let instant = &Narrowing::new(instant.clone());
         let Some((axis, facing)) = self.facing(instant) else {
             // Parallel edges touch if and only if an end of one lies on the other. A flat face is
             // the union of its edges.

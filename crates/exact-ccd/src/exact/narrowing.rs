@@ -12,8 +12,8 @@ use super::split::Split;
 pub(crate) struct Narrowing(RefCell<Instant>);
 
 impl Narrowing {
-    pub(crate) fn new(instant: &Instant) -> Self {
-        Self(RefCell::new(instant.clone()))
+    pub(crate) fn new(instant: Instant) -> Self {
+        Self(RefCell::new(instant))
     }
 
     /// The sign of a polynomial at this time.

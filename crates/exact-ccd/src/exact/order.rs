@@ -21,6 +21,15 @@ impl Instant {
         times.insert(index, self);
     }
 
+    /// The earlier one of two times.
+    pub(crate) fn earlier(mut self, mut other: Self) -> Self {
+        if self.order(&mut other).is_gt() {
+            other
+        } else {
+            self
+        }
+    }
+
     /// The comparison of two times. Different times keep the disjoint brackets that it needs.
     fn order(&mut self, other: &mut Self) -> Ordering {
         if self.equals(other) {

@@ -70,6 +70,19 @@ impl Polynomial {
         Self(reduced)
     }
 
+    /// The square: products of different coefficients are computed once.
+    pub(super) fn squared(&self) -> Self {
+        let mut square = vec![IBig::ZERO; (2 * self.0.len()).saturating_sub(1)];
+        for (i, a) in self.0.iter().enumerate() {
+            square[2 * i] += a.sqr();
+            let doubled = a << 1;
+            for (target, b) in square[2 * i + 1..].iter_mut().zip(&self.0[i + 1..]) {
+                *target += &doubled * b;
+            }
+        }
+        Self(square)
+    }
+
     /// The derivative by t.
     pub(crate) fn velocity(&self) -> Self {
         let degree = self.0.len().saturating_sub(1);
@@ -158,4 +171,10 @@ pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
 
 pub(crate) fn dot(a: &Vector, b: &Vector) -> Polynomial {
     &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
+}
+
+/// v · v.
+pub(super) fn squared_length(v: &Vector) -> Polynomial {
+    let [x, y, z] = v;
+    &(&x.squared() + &y.squared()) + &z.squared()
 }

@@ -134,7 +134,8 @@ impl Contact {
             Self::AtRoot(at_root) => at_root.since_first()?.0,
             Self::At(root) => root,
             Self::Coincident(_) => return coincident::impact(query),
-            Self::Sliding(_) | Self::AtMoment(_) => return None,
+            Self::Sliding(beginning) => return Planar::new(query)?.impact(beginning),
+            Self::AtMoment(_) => return None,
         };
         let time = self.first(query)?;
         let (parameters, normal) = parameters_and_normal(query, &root.at(time))?;

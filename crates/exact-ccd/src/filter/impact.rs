@@ -1,9 +1,9 @@
-//! Parameters and normal of a contact at a root of the coplanarity cubic.
+//! Parameters and normal of a contact at a root: of the coplanarity cubic, or of a side in a plane.
 
 use super::cubic::Root;
 use super::position::{NearRoot, longest};
 use crate::impact::unit;
-use crate::kind::Kind;
+use crate::kind::{Kind, Side};
 use crate::point::Point;
 use crate::query::Query;
 
@@ -48,6 +48,50 @@ pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> O
         *parameter = if ratio > 0.0 { ratio.min(1.0) } else { 0.0 };
     }
     Some((parameters, direction))
+}
+
+/// (u, v) and the normal at a root at which a vertex reaches the line of an edge between its ends, in a plane
+/// with the axes i and j, if they are accurate enough.
+///
+/// For an edge e from x and the offset o of the vertex from x, the area of the side is e × o: it rises where
+/// the vertex moves along (−eⱼ, eᵢ) relative to the point at which it meets the edge.
+pub(super) fn vertex_on_edge<K: Kind>(
+    query: &Query<K>,
+    [i, j]: [usize; 2],
+    side: &Side,
+    root: &Root,
+) -> Option<([f64; 2], Point)> {
+    let [x, y] = side.edge;
+    let bracket = NearRoot::new(query, root);
+    let [offset, edge] = [(side.vertex, x), (y, x)].map(|difference| bracket.vector(difference));
+    let [along_i, along_j] = [i, j].map(|axis| bracket.component(&edge, axis));
+    let axis = if along_i.value.abs() > along_j.value.abs() {
+        i
+    } else {
+        j
+    };
+    let [above, below] = [&offset, &edge].map(|vector| bracket.component(vector, axis));
+    let length = below.value.abs();
+    let ratio = above.value / below.value;
+    let error = above.error + ratio.abs() * below.error;
+    // For vectors n and n + d, n ≠ 0, the unit vectors differ by at most 2 |d| / |n|.
+    let is_accurate =
+        is_small(error, length - below.error) && is_small(2.0 * (along_i.error + along_j.error), length);
+    let ratio = if ratio > 0.0 { ratio.min(1.0) } else { 0.0 };
+    let [start, end] = side.domain;
+    let is_of_first = side.vertex < x;
+    let against = if root.rising == is_of_first {
+        length
+    } else {
+        -length
+    };
+    let mut normal = [0.0; 3];
+    normal[i] = along_j.value / against;
+    normal[j] = -along_i.value / against;
+    is_accurate.then(|| {
+        let parameters = [0, 1].map(|k: usize| start[k] + ratio * (end[k] - start[k]));
+        (parameters, unit(normal))
+    })
 }
 
 fn is_small(error: f64, magnitude: f64) -> bool {

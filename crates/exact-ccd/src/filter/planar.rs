@@ -4,12 +4,16 @@
 //! Each side is the sign of a quadratic. If all roots of the quadratics are simple and apart from
 //! each other, one sign changes at a time, so that contact lasts for intervals of positive length.
 
+use core::cmp::Ordering;
+
 use arrayvec::ArrayVec;
 
 use super::cubic::{Cubic, Root};
 use super::double_double::DoubleDouble;
+use super::impact::{parameters_and_normal, vertex_on_edge};
 use super::number::{Number, reach, subtract};
 use super::precise_cubic::PreciseCubic;
+use crate::impact::Impact;
 use crate::interval::{Interval, Intervals};
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
@@ -133,6 +137,24 @@ impl<'a, K: Kind> Planar<'a, K> {
                 PreciseCubic::new(coefficients, magnitude).round(root)
             }
         }
+    }
+
+    /// The contact at an event with which it begins, if parameters and normal are accurate enough.
+    ///
+    /// At t = 0, all vertices are strictly beside the edges: the parameters are the only ones. Later, the
+    /// only vertex on an edge is that of the event.
+    pub(super) fn impact(&self, beginning: &Event) -> Option<Impact> {
+        let time = self.round(beginning)?;
+        let (parameters, normal) = match beginning {
+            Event::Start => parameters_and_normal(self.query, &Root::exactly(0.0, Ordering::Greater))?,
+            Event::Side(side, root) => vertex_on_edge(self.query, self.axes, side, &root.at(time))?,
+            Event::End => return None,
+        };
+        Some(Impact {
+            time,
+            parameters,
+            normal: Some(normal),
+        })
     }
 
     /// The quadratic q₀ (1−t)² + m (1−t) t + q₁ t², raised to a cubic. The longest chain of

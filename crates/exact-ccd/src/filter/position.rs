@@ -114,6 +114,14 @@ impl<'a, K: Kind> NearRoot<'a, K> {
         vector
     }
 
+    /// A component of a difference.
+    pub(super) fn component(&self, vector: &VectorEstimate, axis: usize) -> Estimate {
+        Estimate {
+            value: vector.value[axis],
+            error: self.slack * vector.magnitude[axis] + UNDERFLOW,
+        }
+    }
+
     /// The components of a × b.
     pub(super) fn cross(&self, a: &VectorEstimate, b: &VectorEstimate) -> [Estimate; 3] {
         [0, 1, 2].map(|axis| self.cross_along(axis, a, b))

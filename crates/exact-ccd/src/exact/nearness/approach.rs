@@ -9,12 +9,13 @@ use crate::distance::Separation;
 use crate::exact::dyadic::decompose;
 use crate::exact::motion::common;
 use crate::exact::points::MovingPoints;
-use crate::exact::polynomial::{Polynomial, Vector, cross, dot};
+use crate::exact::polynomial::{Polynomial, Vector, cross, dot, squared_length};
 use crate::kind::{Difference, Kind};
 use crate::query::Query;
 
 /// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
 /// contact, distance is not invariant under a scaling of one axis.
+#[derive(Clone, Debug)]
 pub(super) struct Approach {
     points: MovingPoints,
     squared_separation: Polynomial,
@@ -33,7 +34,7 @@ impl Approach {
         let separation = Polynomial::between(&separation, &separation);
         Self {
             points: points.scaled_to(unit),
-            squared_separation: &separation * &separation,
+            squared_separation: separation.squared(),
             unit,
         }
     }
@@ -67,7 +68,7 @@ impl Approach {
             (
                 Pair::Vertices(difference, parameters),
                 Polynomial::constant(IBig::ONE),
-                [dot(&x, &x), Polynomial::constant(IBig::ONE)],
+                [squared_length(&x), Polynomial::constant(IBig::ONE)],
                 Vec::new(),
             )
         });
@@ -75,28 +76,23 @@ impl Approach {
             let [a, b] = side.edge;
             let (x, e) = (self.difference((side.vertex, a)), self.difference((b, a)));
             let along = dot(&e, &x);
-            let beyond = &dot(&e, &e) - &along;
+            let beyond = &squared_length(&e) - &along;
             let (length, direction) = factor(e);
             let across = cross(&direction, &x);
             (
                 Pair::VertexEdge(side),
                 length,
-                [dot(&across, &across), dot(&direction, &direction)],
+                [squared_length(&across), squared_length(&direction)],
                 [along, beyond].into(),
             )
         });
         let inner = K::FEATURES.inner.map(|_| {
             let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
             let n = cross(&e1, &e2);
-            let guards = K::SIDES.iter().map(|side| {
-                let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
-                let area = dot(&n, &cross(&x, &y));
-                if side.along { area } else { -area }
-            });
-            let guards = guards.collect();
+            let guards = self.guards_of_inner::<K>(&n);
             let (length, direction) = factor(n);
             let volume = dot(&w, &direction);
-            let quotient = [&volume * &volume, dot(&direction, &direction)];
+            let quotient = [volume.squared(), squared_length(&direction)];
             (Pair::Inner, length, quotient, guards)
         });
         vertices
@@ -106,6 +102,25 @@ impl Approach {
                 Feature::new(pair, length, quotient, guards, &self.squared_separation)
             })
             .collect()
+    }
+
+    /// ±n · ((x − q) × (y − q)) for each vertex q and edge x y, in the order of the sides. Over n · n, they
+    /// are u and v, and 1 − u − v for a triangle, otherwise 1 − u and 1 − v.
+    fn guards_of_inner<K: Kind>(&self, n: &Vector) -> Vec<Polynomial> {
+        let [u, v] = K::PARAMETERS.map(|index| {
+            let side = &K::SIDES[index];
+            let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
+            let area = dot(n, &cross(&x, &y));
+            if side.along { area } else { -area }
+        });
+        let whole = squared_length(n);
+        let beyond_u = &whole - &u;
+        if K::FEATURES.are_of_triangle() {
+            [v.clone(), &beyond_u - &v, u].into()
+        } else {
+            let beyond_v = &whole - &v;
+            [u, beyond_u, v, beyond_v].into()
+        }
     }
 }
 

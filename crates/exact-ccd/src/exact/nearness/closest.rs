@@ -20,7 +20,7 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
     let time = first.round();
     // In a bracket narrower than the resolution of the ratios, approximations prove nearly all of
     // their signs.
-    let instant = Narrowing::new(first);
+    let instant = Narrowing::new(first.clone());
     instant.narrow_to(80);
     let within = features.iter().filter(|feature| feature.is_within(&instant));
     let closest = within.min_by(|one, other| one.compare(other, &instant))?;

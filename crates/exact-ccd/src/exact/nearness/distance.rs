@@ -17,7 +17,7 @@ use crate::query::Query;
 pub(super) fn bounds<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
     let approach = Approach::at(query, t);
     // All polynomials are constant.
-    let now = Narrowing::new(&Instant::At(Split::START));
+    let now = Narrowing::new(Instant::At(Split::START));
     let closest = approach
         .features::<K>()
         .into_iter()

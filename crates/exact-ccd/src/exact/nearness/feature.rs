@@ -12,7 +12,7 @@ use crate::exact::split::Split;
 use crate::kind::{Difference, Side};
 
 /// Two features, one of each primitive.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Pair {
     /// Two vertices, and the parameters (u, v) of the primitives there.
     Vertices(Difference, [f64; 2]),
@@ -27,6 +27,7 @@ pub(super) enum Pair {
 /// Where the length is not 0 and all guards are at least 0, the quotient is the squared distance of
 /// two points of the primitives. At each time, this holds for a pair of features whose points are the
 /// closest of the primitives.
+#[derive(Clone, Debug)]
 pub(super) struct Feature {
     pub(super) pair: Pair,
     /// λ, a common factor of the components of the edge, or of the normal. Numerator and denominator are
@@ -61,15 +62,24 @@ impl Feature {
 
     /// The times in [low, high] at which the excess vanishes and the feature exists, in increasing order;
     /// none if the excess is zero at all times.
-    pub(super) fn crossings(&self, [low, high]: &[Split; 2]) -> impl Iterator<Item = Instant> {
+    pub(super) fn crossings(&self, bounds: &[Split; 2]) -> impl Iterator<Item = Instant> {
+        let roots = self.roots(bounds).into_iter();
+        roots.filter_map(|root| self.existing(root))
+    }
+
+    /// The times in [low, high] at which the excess vanishes, in increasing order; none if it is zero at all
+    /// times, or if the feature exists at none for certain.
+    pub(super) fn roots(&self, [low, high]: &[Split; 2]) -> Vec<Instant> {
         let is_negative = |guard: &Polynomial| guard.sign_between(low, high) == Some(Ordering::Less);
         let may_cross = !self.excess.is_zero() && !self.guards.iter().any(is_negative);
         let roots = may_cross.then(|| roots_between(&self.excess, [low, high]));
-        let roots = roots.into_iter().flatten();
-        roots.filter_map(|root| {
-            let instant = Narrowing::new(&root);
-            self.exists(&instant).then(|| instant.into_instant())
-        })
+        roots.unwrap_or_default()
+    }
+
+    /// A time at which the feature exists, with the bracket that this needs.
+    pub(super) fn existing(&self, time: Instant) -> Option<Instant> {
+        let instant = Narrowing::new(time);
+        self.exists(&instant).then(|| instant.into_instant())
     }
 
     /// Numerator and denominator of the squared distance.

@@ -9,16 +9,15 @@ mod approach;
 mod closest;
 mod distance;
 mod feature;
+mod first_within;
 
-use alloc::vec::Vec;
+pub(crate) use first_within::{FirstWithin, intervals_within};
 
 use super::instant::Instant;
-use super::intervals::intervals_of;
 use super::narrowing::Narrowing;
 use super::split::Split;
 use crate::distance::{DistanceBounds, Separation, TimeOutOfStep};
 use crate::impact::Impact;
-use crate::interval::Intervals;
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
@@ -32,33 +31,6 @@ static STEP: [Split; 2] = [Split::START, Split::END];
 pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
     let features = Approach::new(query, d).features::<K>();
     is_within_at(&features, &STEP[0]) || first_crossings(&features, &STEP).next().is_some()
-}
-
-/// The first time at which the primitives are within d.
-pub(crate) fn first_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<ContactTime> {
-    let features = Approach::new(query, d).features::<K>();
-    if is_within_at(&features, &STEP[0]) {
-        return Some(ContactTime::exactly(0.0));
-    }
-    // Rounding is monotone: the least of the rounded times is the least time, rounded.
-    let times = first_crossings(&features, &STEP).map(|instant| instant.round());
-    times.reduce(|a, b| if b < a { b } else { a })
-}
-
-/// All times at which the primitives are within d.
-pub(crate) fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
-    let features = Approach::new(query, d).features::<K>();
-    let mut events = Vec::new();
-    for feature in &features {
-        for event in feature.crossings(&STEP) {
-            event.insert_into(&mut events);
-        }
-    }
-    for end in STEP.iter().filter(|end| is_within_at(&features, end)) {
-        Instant::At(end.clone()).insert_into(&mut events);
-    }
-    // The distance is at most d at each of them, and nothing changes between two.
-    intervals_of(&events, |t| is_within_at(&features, t))
 }
 
 /// The closest points at the first time at which the primitives are within d, given that time.
@@ -83,11 +55,7 @@ fn first_instant(features: &[Feature], bounds: &[Split; 2]) -> Option<Instant> {
     if is_within_at(features, &bounds[0]) {
         return Some(Instant::At(bounds[0].clone()));
     }
-    let mut times = Vec::new();
-    for time in first_crossings(features, bounds) {
-        time.insert_into(&mut times);
-    }
-    times.into_iter().next()
+    first_crossings(features, bounds).reduce(Instant::earlier)
 }
 
 /// The first instant within d, given its time: an f64, or a root of some excess between two of them.
@@ -112,6 +80,6 @@ fn first_crossings(features: &[Feature], bounds: &[Split; 2]) -> impl Iterator<I
 
 /// Returns true if the distance is at most d at a time.
 fn is_within_at(features: &[Feature], t: &Split) -> bool {
-    let instant = &Narrowing::new(&Instant::At(t.clone()));
+    let instant = &Narrowing::new(Instant::At(t.clone()));
     features.iter().any(|feature| feature.is_within(instant))
 }

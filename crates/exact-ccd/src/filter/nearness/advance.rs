@@ -1,5 +1,5 @@
-//! Advancement: stretches of time, from the left, in which a turning direction keeps the primitives
-//! farther than d apart. For one query, or for many side by side.
+//! Advancement: stretches of time, from the left, in which a direction, constant or turning, keeps the
+//! primitives farther than d apart. For one query, or for many side by side.
 
 use super::nearest::nearest;
 use super::scaled::Scaled;
@@ -53,20 +53,27 @@ impl<T: Lanes> Advancement<T> {
 
     /// The time before which the distance is certainly above d, from one time to at most a later one.
     ///
+    /// The direction at the beginning mostly suffices for all of it: g · x is linear in t for a constant g,
+    /// so that it is above d |g| at all times if it is at both ends. Otherwise directions turn.
+    ///
     /// A stretch has the length `first` at first. The next one is twice as long if the directions at
     /// its ends prove it free; otherwise it begins at the same time, and is half as long. All
     /// are longer than `shortest`, unless other lanes need more. There is none if the distance may be d
     /// from the beginning.
     #[inline(always)]
     pub(super) fn free_until<K: Kind>(&self, from: T, to: T, first: T, shortest: T) -> T {
-        let mut time = from;
-        let mut now = self.at::<K>(time);
-        let is_beyond = now.are_beyond_until::<K>(&now, self.limit);
+        let corners = K::FEATURES.vertices.len();
+        let mut now = self.at::<K>(from);
+        let is_beyond = now.is_beyond(corners, self.limit);
+        let is_free = is_beyond & now.is_beyond_at(&self.corners(to), corners, self.limit);
+        let mut time = T::select(is_free, to, from);
         let mut length = T::select(is_beyond, first, first.splat(0.0));
         while T::any(to.gt(time) & length.gt(shortest)) {
             let end = (time + length).min(to);
             let then = self.at::<K>(end);
-            let is_free = now.are_beyond_until::<K>(&then, self.limit) & end.gt(time);
+            let is_beyond = then.is_beyond(corners, self.limit);
+            let across = now.is_beyond_across(&then, corners, self.limit);
+            let is_free = is_beyond & across & end.gt(time);
             time = T::select(is_free, end, time);
             now = Heading::select(is_free, &then, &now);
             length = length * T::select(is_free, length.splat(2.0), length.splat(0.5));
@@ -74,13 +81,19 @@ impl<T: Lanes> Advancement<T> {
         time
     }
 
-    /// A corner results from that of the query, 1 − t, a product and a sum: four roundings.
     #[inline(always)]
     pub(super) fn at<K: Kind>(&self, t: T) -> Heading<T> {
+        let corners = self.corners(t);
+        Heading::new(corners, nearest::<K, T>(&corners))
+    }
+
+    /// A corner results from that of the query, 1 − t, a product and a sum: four roundings.
+    #[inline(always)]
+    fn corners(&self, t: T) -> [[T; 3]; 4] {
         let mut corners = self.start;
         for (corner, end) in corners.iter_mut().zip(&self.end) {
             *corner = add(scaled(*corner, -t + 1.0), scaled(*end, t));
         }
-        Heading::new(corners, nearest::<K, T>(&corners))
+        corners
     }
 }

@@ -49,13 +49,17 @@ impl Closest {
         best.1
     }
 
-    /// The same with better parameters, if F there is known to twice the precision: one step of iterative
-    /// refinement. The parameters of nearly parallel edges have lost digits, and the distance with them.
-    pub(super) fn refined<K: Kind>(self, corners: &[Point; 4], point: Point) -> Self {
+    /// The same with better parameters, for corners in twice the precision, which are given in f64 too: one
+    /// step of iterative refinement. The parameters of nearly parallel edges have lost digits, and the
+    /// distance with them.
+    pub(super) fn refined<K: Kind, T>(self, corners: &[[T; 3]; 4], rounded: &[Point; 4]) -> Self
+    where
+        T: Number<Real = f64> + Mul<f64, Output = T>,
+    {
         let Self::Inner(inner, [u, v]) = self else {
             return self;
         };
-        let [along_u, along_v] = from_plane(corners, inner, point);
+        let [along_u, along_v] = from_plane(rounded, inner, self.point(corners).map(Number::value));
         let parameters = [u + along_u, v + along_v];
         if is_inside::<K>(parameters) {
             Self::Inner(inner, parameters)

@@ -3,7 +3,7 @@
 use super::advance::Advancement;
 use super::approach::Approach;
 use super::scaled::Scaled;
-use super::snapshot::{Moving, Precision, Snapshot};
+use super::snapshot::{Headed, Moving, Precision, Snapshot};
 use crate::filter::double_double::DoubleDouble;
 use crate::filter::number::Number;
 use crate::filter::vector::dot;
@@ -37,15 +37,27 @@ impl Crossings {
         let Some((end, last)) = self.guess::<K>([free, until], free, Sense::Falling) else {
             return (self.advancement.free_after::<K>(free, until) == until).then_some(None);
         };
-        let is_beyond = |start: f64| self.precise.at::<K>(start).is_beyond_until(&last);
+        let at_end = Headed::new(&last)?;
+        let is_beyond = |start: f64| self.is_beyond_between::<K>(start, &at_end);
         if !is_beyond(free) && !is_beyond(self.advancement.free_after::<K>(free, end)) {
             return None;
         }
         if end == until {
             return Some(None);
         }
-        let next = self.precise.at::<K>(end.next_up());
-        next.is_within().then(|| Some(ContactTime::just_above(end)))
+        let next = end.next_up();
+        let is_within = self.precise.is_within(next, last.closest) || self.precise.at::<K>(next).is_within();
+        is_within.then(|| Some(ContactTime::just_above(end)))
+    }
+
+    /// Returns true if the distance is certainly above d from one time to another one, given that it is at
+    /// the latter. At the former, it mostly is not next to d, so that f64 suffice.
+    pub(super) fn is_beyond_between<K: Kind>(&self, t: f64, other: &Headed<'_>) -> bool {
+        let precisely = || {
+            let now = self.precise.at::<K>(t);
+            Headed::new(&now).is_some_and(|now| now.is_beyond_across(other))
+        };
+        other.is_beyond_from(&self.advancement.at::<K>(t)) || precisely()
     }
 
     /// A guess of the largest f64 between two times before D passes through d, from another guess on, and the

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::crossing::Crossings;
 use super::leaving::Leaving;
-use super::snapshot::Snapshot;
+use super::snapshot::{Headed, Snapshot};
 use crate::filter::double_double::DoubleDouble;
 use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
@@ -49,10 +49,11 @@ impl Crossings {
     fn first_after<K: Kind>(&self, from: f64, now: &Snapshot<DoubleDouble>) -> Option<Option<ContactTime>> {
         // The shortest stretches are as short as those of `Advancement::free_after`: their number is bounded.
         const ATTEMPTS: usize = 5;
+        let now = Headed::new(now)?;
         let mut length = 1.0 - from;
         for _ in 0..ATTEMPTS {
             let free = from + length;
-            if now.is_beyond_until(&self.precise.at::<K>(free)) {
+            if self.is_beyond_between::<K>(free, &now) {
                 let free = self.advancement.free_until::<K>(free, 1.0, length, 0.25 * length);
                 return if free == 1.0 {
                     Some(None)

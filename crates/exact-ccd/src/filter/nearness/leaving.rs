@@ -44,7 +44,7 @@ impl Crossings {
             return Some(Leaving::at_end());
         }
         let is_within_until = |end: f64, then: Closest| {
-            self.precise.is_within(reached, then)
+            self.is_within(reached, then)
                 || reached > from && self.middle_is_within([from, end], [now.closest, then])
         };
         self.leaving::<K>(reached, is_within_until).or_else(|| {
@@ -52,7 +52,7 @@ impl Crossings {
             if within == 1.0 {
                 return Some(Leaving::at_end());
             }
-            self.leaving::<K>(within, |_, then| self.precise.is_within(within, then))
+            self.leaving::<K>(within, |_, then| self.is_within(within, then))
         })
     }
 
@@ -123,6 +123,13 @@ impl Crossings {
         is_certainly_within(middle, self.rough.separation())
     }
 
+    /// Returns true if |F| is certainly less than d at one time, at the closest points of another one. It may
+    /// be just below d.
+    fn is_within(&self, t: f64, closest: Closest) -> bool {
+        is_certainly_within(self.rough.place(t, closest), self.rough.separation())
+            || self.precise.is_within(t, closest)
+    }
+
     /// A later time until which D certainly is below d, or the same if there is none: the time at which the
     /// distance of the closest points is nearly d, if they keep their parameters.
     fn step(&self, from: f64, now: &Snapshot<f64>) -> f64 {
@@ -135,10 +142,8 @@ impl Crossings {
         let step = if b > 0.0 { -c / (b + root) } else { (root - b) / a };
         let next = from + step;
         let next = if next < 1.0 { next } else { 1.0 };
-        let is_below = |t: f64| is_certainly_within(self.rough.place(t, now.closest), d);
-        // At first, D may be just below d.
-        let begins = is_below(from) || self.precise.is_within(from, now.closest);
-        if next > from && begins && is_below(next) {
+        let is_below = is_certainly_within(self.rough.place(next, now.closest), d);
+        if next > from && is_below && self.is_within(from, now.closest) {
             next
         } else {
             from

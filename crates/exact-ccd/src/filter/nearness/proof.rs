@@ -7,7 +7,7 @@ use super::closest::Closest;
 use super::largest_square;
 use super::scaled::Scaled;
 use super::snapshot::{
-    Moving, OF_SQUARE, OF_SUM, OF_THRESHOLD, Precision, error_of_excess, excess, least_along, threshold,
+    Moving, OF_SQUARE, OF_SUM, OF_THRESHOLD, Precision, error_of_excess, excess, least_of, threshold,
 };
 use super::turning::{Heading, limit};
 use crate::filter::coplanarity::Coplanarity;
@@ -39,9 +39,11 @@ fn turning_directions() {
                 heading
             });
             for corner in 0..4 {
-                let [start, across, end] = a.along(&b, corner);
-                assert_counts(&[start, end], 7, 1, total);
-                assert_counts(&[across], 8, 1, 2.0 * total);
+                for heading in [&a, &b] {
+                    let places = [&a, &b].map(|other| heading.along_to(&other.corners[corner]));
+                    assert_counts(&places, 7, 1, total);
+                }
+                assert_counts(&[a.across(&b, corner)], 8, 1, 2.0 * total);
             }
             // Of magnitudes that add up to `total`, with the error of `across` against twice the limit.
             assert_bound(limit(nothing, reach).value, total, 8);
@@ -123,6 +125,7 @@ fn a_small_distance_of_planes() {
 
 impl<const TWICE: bool> Precision for Precise<TWICE> {
     const SETTLED: f64 = 0.0;
+    const REFINES: bool = TWICE;
 }
 
 /// The parameters of a script: numbers that occur nowhere else.
@@ -195,7 +198,7 @@ fn distances_in_twice_the_precision() {
     .map(|vector: [f64; 3]| vector.map(|x| Precise::<true>::difference(x, 0.0)));
     let extent = 3.5;
     let slack = Precise::<true>::difference(0.0, 0.0);
-    let Precise(least) = least_along([g, x], [h, y], slack);
+    let Precise(least) = least_of(dot(g, x), dot(h, y), slack);
     assert_eq!(least.roundings, 5);
     assert!(least.permanent <= extent);
     let Precise(limit) = threshold(0.5, g, h);

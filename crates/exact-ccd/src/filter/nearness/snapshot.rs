@@ -17,16 +17,20 @@ use crate::query::Query;
 pub(super) trait Precision: Number<Real = f64> + Neg<Output = Self> + Mul<f64, Output = Self> {
     /// The step below which Newton's method has settled.
     const SETTLED: f64;
+    /// True if points are more precise than parameters in f64.
+    const REFINES: bool;
 }
 
 impl Precision for f64 {
     // 2⁻³²: one or two steps before twice the precision has settled. The error of a time is about that of
     // the corners over the speed of the approach, and may be far above the unit roundoff.
     const SETTLED: f64 = f64::from_bits((1023 - 32) << 52);
+    const REFINES: bool = false;
 }
 
 impl Precision for DoubleDouble {
     const SETTLED: f64 = 0.0;
+    const REFINES: bool = true;
 }
 
 type Vector<T> = [T; 3];
@@ -58,8 +62,12 @@ impl<T: Precision> Moving<T> {
     pub(super) fn at<K: Kind>(&self, t: f64) -> Snapshot<T> {
         let corners = self.corners(t);
         let rounded = corners.map(|corner| corner.map(Number::value));
-        let closest = Closest::guess::<K>(&rounded);
-        let closest = closest.refined::<K>(&rounded, closest.point(&corners).map(Number::value));
+        let guess = Closest::guess::<K>(&rounded);
+        let closest = if T::REFINES {
+            guess.refined::<K, T>(&corners, &rounded)
+        } else {
+            guess
+        };
         Snapshot {
             corners,
             closest,
@@ -163,43 +171,46 @@ impl Snapshot<DoubleDouble> {
     pub(super) fn precise_point(&self) -> [f64; 3] {
         self.closest.point(&self.corners).map(Number::value)
     }
-
-    /// Returns true if the distance is certainly above d at this time, at another one, and at all times
-    /// between.
-    ///
-    /// The proof is that of [`Heading::are_beyond_until`](super::turning::Heading::are_beyond_until).
-    pub(super) fn is_beyond_until(&self, later: &Self) -> bool {
-        let [now, then] = &[self, later].map(Headed::new);
-        now.is_beyond_across(now) && now.is_beyond_across(then) && then.is_beyond_across(then)
-    }
 }
 
-/// The corners at one time, and a direction: any vector of a length of about 1. In f64 too.
-struct Headed<'a> {
+/// The corners at a time at which D certainly is above d, perhaps next to it, and a direction that proves it:
+/// any vector of a length of about 1. In f64 too.
+pub(super) struct Headed<'a> {
     snapshot: &'a Snapshot<DoubleDouble>,
     direction: Vector<DoubleDouble>,
     rounded: Heading<f64>,
 }
 
 impl<'a> Headed<'a> {
-    fn new(snapshot: &'a Snapshot<DoubleDouble>) -> Self {
+    /// `None` if the distance may be d.
+    pub(super) fn new(snapshot: &'a Snapshot<DoubleDouble>) -> Option<Self> {
         let direction = direction(&snapshot.corners, snapshot.closest);
-        Self {
+        let headed = Self {
             snapshot,
             rounded: Heading::rounded(&snapshot.corners, direction),
             direction,
-        }
+        };
+        headed.is_beyond_across(&headed).then_some(headed)
     }
 
-    /// Returns true if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for all corners. Where D is
-    /// not next to d, f64 prove it.
-    fn is_beyond_across(&self, other: &Self) -> bool {
+    /// Returns true if the distance is certainly above d at all times between this one and another one, given
+    /// in f64, at which it may be d.
+    ///
+    /// The proof is that of [`Heading::is_beyond_across`].
+    pub(super) fn is_beyond_from(&self, other: &Heading<f64>) -> bool {
+        let Snapshot { count, limit, .. } = *self.snapshot;
+        other.is_beyond(count, limit) && self.rounded.is_beyond_across(other, count, limit)
+    }
+
+    /// The same for another time at which D certainly is above d: gₐ · x_b + g_b · xₐ certainly is above d
+    /// (|gₐ| + |g_b|) for all corners. Where D is not next to d, f64 prove it.
+    pub(super) fn is_beyond_across(&self, other: &Self) -> bool {
         let Snapshot { count, limit, .. } = *self.snapshot;
         self.rounded.is_beyond_across(&other.rounded, count, limit) || are_beyond(self, other)
     }
 }
 
-/// The errors of [`are_beyond`]: of [`least_along`], for corners that are off by 8 ε; of [`threshold`], and
+/// The errors of [`are_beyond`]: of [`least_of`], for corners that are off by 8 ε; of [`threshold`], and
 /// of the square of the first, with the difference of the two.
 pub(super) const OF_SUM: f64 = margin(8 + 5) * ROUNDOFF;
 pub(super) const OF_THRESHOLD: f64 = margin(7 + 1) * ROUNDOFF;
@@ -217,12 +228,14 @@ fn are_beyond(one: &Headed<'_>, other: &Headed<'_>) -> bool {
     let slack = DoubleDouble::difference(OF_SUM * extent + UNDERFLOW, 0.0);
     let threshold = threshold(a.d, of_a, of_b);
     let limit = OF_THRESHOLD * threshold.value() + UNDERFLOW;
+    let is_same = core::ptr::eq(one, other);
     a.corners
         .iter()
         .zip(&b.corners)
         .take(a.count)
         .all(|(&at_a, &at_b)| {
-            let least = least_along([of_a, at_b], [of_b, at_a], slack);
+            let along = dot(of_a, at_b);
+            let least = least_of(along, if is_same { along } else { dot(of_b, at_a) }, slack);
             let square = least * least;
             let above = limit + OF_SQUARE * square.value();
             least.value() > 0.0 && (square - threshold).value() > above
@@ -230,8 +243,8 @@ fn are_beyond(one: &Headed<'_>, other: &Headed<'_>) -> bool {
 }
 
 /// The sum of two scalar products, less the error of all.
-pub(super) fn least_along<T: Precision>([g, x]: [Vector<T>; 2], [h, y]: [Vector<T>; 2], slack: T) -> T {
-    dot(g, x) + dot(h, y) - slack
+pub(super) fn least_of<T: Precision>(one: T, other: T, slack: T) -> T {
+    one + other - slack
 }
 
 /// 2 d² (g · g + h · h).

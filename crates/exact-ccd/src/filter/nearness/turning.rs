@@ -4,17 +4,16 @@ use crate::filter::double_double::DoubleDouble;
 use crate::filter::number::{Lanes, Number};
 use crate::filter::roundoff::{UNDERFLOW, UNIT, margin};
 use crate::filter::vector::{dot, scaled, select};
-use crate::kind::Kind;
 
 /// The corners of F at one time, each component the result of four roundings of terms of at most the reach,
 /// and a direction: a vector of length at most 1 + 8 u.
 #[derive(Clone, Copy)]
 pub(super) struct Heading<T> {
-    corners: [[T; 3]; 4],
+    pub(super) corners: [[T; 3]; 4],
     pub(super) direction: [T; 3],
 }
 
-/// d and all errors of [`Heading::are_beyond_until`].
+/// d and all errors of [`Heading::is_beyond_across`].
 ///
 /// Let r be the sum of the reaches on the three axes. The sum gₐ · x_b + g_b · xₐ results from n = 8
 /// roundings, four of them those of a corner, of terms of at most 2 r (1 + 8 u), and is compared with twice
@@ -51,8 +50,30 @@ impl<T: Lanes> Heading<T> {
         chosen
     }
 
-    /// True where the distance is certainly above d at this time, at another one, and at all times
-    /// between.
+    /// True where the distance is certainly above d at this time, by the first corners: all different ones.
+    #[inline(always)]
+    pub(super) fn is_beyond(&self, corners: usize, limit: T) -> T::Mask {
+        self.is_beyond_at(&self.corners, corners, limit)
+    }
+
+    /// The same for the corners at another time: g · x > d |g| for all of them.
+    #[inline(always)]
+    pub(super) fn is_beyond_at(&self, places: &[[T; 3]; 4], corners: usize, limit: T) -> T::Mask {
+        let mut all = self.along_to(&places[0]).gt(limit);
+        for place in &places[1..corners] {
+            all = all & self.along_to(place).gt(limit);
+        }
+        all
+    }
+
+    /// g · x for a place of a corner.
+    #[inline(always)]
+    pub(super) fn along_to(&self, place: &[T; 3]) -> T {
+        dot(self.direction, *place)
+    }
+
+    /// True where the distance is certainly above d at all times between this one and another one, given that
+    /// it is at both.
     ///
     /// Let g change linearly from one direction to the other, and a corner x from its place at one
     /// time to that at the other. Then g · x is quadratic, with the Bernstein coefficients gₐ · xₐ,
@@ -60,29 +81,19 @@ impl<T: Lanes> Heading<T> {
     /// coefficients |gₐ|, (|gₐ| + |g_b|) / 2 and |g_b|. So g · x > d |g| at all these times if each
     /// coefficient is above d times the other: and if that is so for all corners, then it is for F.
     #[inline(always)]
-    pub(super) fn are_beyond_until<K: Kind>(&self, later: &Self, limit: T) -> T::Mask {
-        let mut all = self.corner_is_beyond(later, 0, limit);
-        for i in 1..K::FEATURES.vertices.len() {
-            all = all & self.corner_is_beyond(later, i, limit);
+    pub(super) fn is_beyond_across(&self, other: &Self, corners: usize, limit: T) -> T::Mask {
+        let twice = limit + limit;
+        let mut all = self.across(other, 0).gt(twice);
+        for i in 1..corners {
+            all = all & self.across(other, i).gt(twice);
         }
         all
     }
 
+    /// gₐ · x_b + g_b · xₐ for a corner x.
     #[inline(always)]
-    fn corner_is_beyond(&self, later: &Self, i: usize, limit: T) -> T::Mask {
-        let [start, across, end] = self.along(later, i);
-        start.gt(limit) & end.gt(limit) & across.gt(limit + limit)
-    }
-
-    /// gₐ · xₐ, gₐ · x_b + g_b · xₐ and g_b · x_b for a corner x.
-    #[inline(always)]
-    pub(super) fn along(&self, later: &Self, i: usize) -> [T; 3] {
-        let (a, b) = (self.corners[i], later.corners[i]);
-        [
-            dot(self.direction, a),
-            dot(self.direction, b) + dot(later.direction, a),
-            dot(later.direction, b),
-        ]
+    pub(super) fn across(&self, other: &Self, i: usize) -> T {
+        self.along_to(&other.corners[i]) + other.along_to(&self.corners[i])
     }
 }
 
@@ -92,7 +103,7 @@ impl Heading<f64> {
     ///
     /// The square of its length is computed from rounded components, with three roundings: it differs by at
     /// most 5 u, and the length by less than 3 u. So a square of at most 1 + 8 u suffices. The two roundings,
-    /// of a corner and of a direction, and the four of [`Heading::along`] make n = 6; the errors of corners
+    /// of a corner and of a direction, and the four of [`Heading::across`] make n = 6; the errors of corners
     /// in twice the precision, 8 ε, are less than another u r.
     pub(super) fn rounded(corners: &[[DoubleDouble; 3]; 4], direction: [DoubleDouble; 3]) -> Self {
         let direction = direction.map(Number::value);
@@ -101,10 +112,5 @@ impl Heading<f64> {
             corners: corners.map(|corner| corner.map(Number::value)),
             direction: if is_short { direction } else { [f64::NAN; 3] },
         }
-    }
-
-    /// Returns true if gₐ · x_b + g_b · xₐ certainly is above d (|gₐ| + |g_b|) for the first corners.
-    pub(super) fn is_beyond_across(&self, other: &Self, corners: usize, limit: f64) -> bool {
-        (0..corners).all(|i| self.along(other, i)[1] > limit + limit)
     }
 }

@@ -1,0 +1,131 @@
+//! The first time within a distance in integers, and the answers that follow from it.
+
+use alloc::vec::Vec;
+
+use super::approach::Approach;
+use super::feature::Feature;
+use super::{STEP, closest, is_within_at};
+use crate::distance::Separation;
+use crate::exact::instant::Instant;
+use crate::exact::intervals::intervals_of;
+use crate::exact::split::Split;
+use crate::impact::Impact;
+use crate::interval::Intervals;
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::time::ContactTime;
+
+/// The first time at which the primitives are within d, with the polynomials that it follows from.
+#[derive(Clone, Debug)]
+pub(crate) struct FirstWithin {
+    approach: Approach,
+    features: Vec<Feature>,
+    /// Those of each feature; none if the primitives are within d at t = 0.
+    crossings: Vec<Crossings>,
+    time: ContactTime,
+}
+
+impl FirstWithin {
+    /// The first time within d, if there is one.
+    pub(crate) fn of<K: Kind>(query: &Query<K>, d: Separation) -> Option<Self> {
+        let approach = Approach::new(query, d);
+        let features = approach.features::<K>();
+        let starts = is_within_at(&features, &STEP[0]);
+        let crossings = if starts { Vec::new() } else { crossings(&features) };
+        let time = if starts {
+            ContactTime::exactly(0.0)
+        } else {
+            // Rounding is monotone: the least of the rounded times is the least time, rounded.
+            let times = first_ones(&features, &crossings).map(|instant| instant.round());
+            times.reduce(|a, b| if b < a { b } else { a })?
+        };
+        Some(Self {
+            approach,
+            features,
+            crossings,
+            time,
+        })
+    }
+
+    /// The first time.
+    pub(crate) fn time(&self) -> ContactTime {
+        self.time
+    }
+
+    /// All times at which the primitives are within d.
+    pub(crate) fn intervals(&self) -> Intervals {
+        if self.time.is_start() {
+            intervals(&self.features, &crossings(&self.features))
+        } else {
+            intervals(&self.features, &self.crossings)
+        }
+    }
+
+    /// The closest points at the first time.
+    pub(crate) fn impact<K: Kind>(&self) -> Option<Impact> {
+        let first = if self.time.is_exact() {
+            Instant::At(Split::from_unit(self.time.lower()))
+        } else {
+            first_ones(&self.features, &self.crossings).reduce(Instant::earlier)?
+        };
+        closest::impact::<K>(&self.approach, &self.features, &first)
+    }
+}
+
+/// All times at which the primitives are within d.
+pub(crate) fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
+    let features = Approach::new(query, d).features::<K>();
+    intervals(&features, &crossings(&features))
+}
+
+fn intervals(features: &[Feature], crossings: &[Crossings]) -> Intervals {
+    let mut events = Vec::new();
+    for (feature, crossings) in features.iter().zip(crossings) {
+        for event in crossings.all(feature) {
+            event.insert_into(&mut events);
+        }
+    }
+    for end in STEP.iter().filter(|end| is_within_at(features, end)) {
+        Instant::At(end.clone()).insert_into(&mut events);
+    }
+    // The distance is at most d at each of them, and nothing changes between two.
+    intervals_of(&events, |t| is_within_at(features, t))
+}
+
+/// The times of the step at which the excess of a feature vanishes.
+#[derive(Clone, Debug)]
+struct Crossings {
+    /// The first one at which the feature exists.
+    first: Option<Instant>,
+    /// The roots after it; the feature may not exist there.
+    later: Vec<Instant>,
+}
+
+impl Crossings {
+    fn of(feature: &Feature) -> Self {
+        let mut roots = feature.roots(&STEP).into_iter();
+        let first = roots.find_map(|root| feature.existing(root));
+        Self {
+            first,
+            later: roots.collect(),
+        }
+    }
+
+    /// All at which the feature exists, in increasing order.
+    fn all(&self, feature: &Feature) -> impl Iterator<Item = Instant> {
+        let later = self.later.iter().cloned();
+        let later = later.filter_map(|root| feature.existing(root));
+        self.first.iter().cloned().chain(later)
+    }
+}
+
+fn crossings(features: &[Feature]) -> Vec<Crossings> {
+    features.iter().map(Crossings::of).collect()
+}
+
+/// Times within d, among which is the first one after t = 0: the first crossing of each feature, and the end.
+fn first_ones(features: &[Feature], crossings: &[Crossings]) -> impl Iterator<Item = Instant> {
+    let end = is_within_at(features, &STEP[1]).then(|| Instant::At(STEP[1].clone()));
+    let firsts = crossings.iter().filter_map(|crossings| crossings.first.clone());
+    end.into_iter().chain(firsts)
+}
