@@ -369,3 +369,24 @@ fn zeros_of_parameters_are_positive() {
     }
     assert!(zeros > 0);
 }
+
+/// Cross products of the sides of a sliver cancel, and the vertex moves far in a short time: the accuracy of the
+/// documentation holds nevertheless.
+#[test]
+fn a_sliver_and_a_fast_vertex_have_accurate_parameters() {
+    let height = 2f64.powi(-25);
+    let sliver = [[0.0; 3], [1.0, 1.0, 0.0], [0.5, 0.5 + height, 0.0]];
+    let far = 2f64.powi(30);
+    for (face, at, along, parameters) in [
+        (sliver, [0.5, 0.5 + 0.5 * height], 0.0, [0.25, 0.5]),
+        (FACE, [1.0, 1.0], far, [0.25, 0.25]),
+    ] {
+        let [a, b, c] = face;
+        let vertex = |s: f64| [at[0] + s * along, at[1], -s];
+        let query = Query::<VertexFace>::new([vertex(-1.0), a, b, c], [vertex(1.0), a, b, c]).unwrap();
+        let impact = query.impact(CONTACT).unwrap();
+        assert_eq!((impact.time.lower(), impact.time.is_exact()), (0.5, true));
+        assert!(close(&impact.parameters, &parameters), "{impact:?}");
+        assert_eq!(impact.normal.map(|[_, _, z]| z), Some(1.0));
+    }
+}
