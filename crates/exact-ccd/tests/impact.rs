@@ -370,8 +370,8 @@ fn zeros_of_parameters_are_positive() {
     assert!(zeros > 0);
 }
 
-/// Cross products of the sides of a sliver cancel, and the vertex moves far in a short time: the accuracy of the
-/// documentation holds nevertheless.
+/// Cross products of the sides of a sliver cancel, and the differences of a fast vertex too. The accuracy
+/// of the documentation holds nevertheless.
 #[test]
 fn a_sliver_and_a_fast_vertex_have_accurate_parameters() {
     let height = 2f64.powi(-25);

@@ -88,7 +88,7 @@ impl Window {
             Ordering::Greater
         };
         let (mut low, mut floor) = (root.low, self.low + root.low * width);
-        // `floor` is the f64 nearest to `low`, whose product with the width is exact: the next one is above it.
+        // The product with the width is exact, and `floor` the nearest f64: the next one is above `low`.
         for _ in 0..STEPS {
             let next = floor.next_up();
             if place(floor)? > low {

@@ -1,4 +1,4 @@
-//! What these filters prove is true: compared with the definition, for separations next to the distance.
+//! Statements that these filters prove, compared with the definition, for separations next to the distance.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
