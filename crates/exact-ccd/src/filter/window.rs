@@ -169,10 +169,10 @@ mod tests {
             };
             let digit = (nearest.next_up() - nearest) * parts;
             let place = (nearest - low) * parts;
-            for (below, above) in (1..40).flat_map(|below| [1, 3, 40].map(|above| (below, above))) {
+            for (below, above) in (1..40).flat_map(|below| [0, 3, 40].map(|above| (below, above))) {
                 let root = Root {
                     low: place - f64::from(below) * 0.4 * digit - digit,
-                    high: place + f64::from(above) * 0.4 * digit + digit,
+                    high: place + f64::from(above) * 0.4 * digit + 0.6 * digit,
                     near: place,
                     slope: 0.0,
                     rising: sign > 0,
