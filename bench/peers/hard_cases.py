@@ -141,7 +141,7 @@ def main():
     parser.add_argument("--only", help="the peer with this name", choices=METHODS)
     options = parser.parse_args()
     queries = list(read(options.file, options.every))
-    packages = ["ipctk", "python-fcl", "coal", "trimesh", "mujoco", "numpy"]
+    packages = ["ipctk", "python-fcl", "coal", "trimesh", "mujoco", "warp-lang", "newton", "numpy"]
     print(f"{len(queries)} queries;", ", ".join(f"{package} {version(package)}" for package in packages))
     for name in [options.only] if options.only else METHODS:
         count, findings = compare(name, queries, options.limit, options.budget)

@@ -144,6 +144,13 @@ def mujoco_rest():
     return answer
 
 
+def of_warp(name):
+    """Kernels of Warp, which are compiled for the CPU at the first call."""
+    import warp_peers
+
+    return getattr(warp_peers, name)()
+
+
 # Names, methods, and true if the question is about the whole step; else it is about t = 0.
 METHODS = {
     "ipctk TightInclusionCCD": (lambda: ipctk_step("TightInclusionCCD"), True),
@@ -153,4 +160,7 @@ METHODS = {
     "Coal collide": (coal_rest, False),
     "trimesh closest_point": (trimesh_rest, False),
     "MuJoCo capsules": (mujoco_rest, False),
+    "Warp intersect_tri_tri": (lambda: of_warp("warp_triangles"), False),
+    "Warp closest_point_edge_edge": (lambda: of_warp("warp_edges"), False),
+    "Newton triangle_closest_point": (lambda: of_warp("newton_vertex_and_face"), False),
 }

@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Point, Query, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Point, Query, Separation, VertexFace, exact};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -389,4 +389,38 @@ fn zeros_of_parameters_are_positive() {
         }
     }
     assert!(zeros > 0);
+}
+
+/// Cross products of the sides of a sliver cancel, and the differences of a fast vertex too. The accuracy
+/// of the documentation holds nevertheless.
+#[test]
+fn a_sliver_and_a_fast_vertex_have_accurate_parameters() {
+    let height = 2f64.powi(-25);
+    let sliver = [[0.0; 3], [1.0, 1.0, 0.0], [0.5, 0.5 + height, 0.0]];
+    let far = 2f64.powi(30);
+    for (face, at, along, parameters) in [
+        (sliver, [0.5, 0.5 + 0.5 * height], 0.0, [0.25, 0.5]),
+        (FACE, [1.0, 1.0], far, [0.25, 0.25]),
+    ] {
+        let [a, b, c] = face;
+        let vertex = |s: f64| [at[0] + s * along, at[1], -s];
+        let query = Query::<VertexFace>::new([vertex(-1.0), a, b, c], [vertex(1.0), a, b, c]).unwrap();
+        let impact = query.impact(CONTACT).unwrap();
+        assert_eq!((impact.time.lower(), impact.time.is_exact()), (0.5, true));
+        assert!(close(&impact.parameters, &parameters), "{impact:?}");
+        assert_eq!(impact.normal.map(|[_, _, z]| z), Some(1.0));
+    }
+}
+
+/// The vertex is at the distance 1/4 at t = 1/2 exactly.
+#[test]
+fn within_a_distance_at_a_time_that_is_a_number() {
+    let [a, b, c] = FACE;
+    let query = Query::<VertexFace>::new([[1.0, 1.0, 1.0], a, b, c], [[1.0, 1.0, -0.5], a, b, c]).unwrap();
+    let quarter = Separation::new(0.25).unwrap();
+    for impact in [query.impact(quarter), exact::impact(&query, quarter)].map(Option::unwrap) {
+        assert_eq!((impact.time.lower(), impact.time.is_exact()), (0.5, true));
+        assert!(close(&impact.parameters, &[0.25, 0.25]), "{impact:?}");
+        assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
+    }
 }

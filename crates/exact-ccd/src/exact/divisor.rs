@@ -74,9 +74,6 @@ impl Polynomial {
     /// Every remainder of Euclid's algorithm vanishes at common roots: none are in an interval in which one
     /// of them has one sign.
     pub(super) fn gcd_between(&self, other: &Self, low: &Split, high: &Split) -> Option<Self> {
-        if other.is_zero() {
-            return Some(self.clone());
-        }
         let [a, b] = [self, other].map(|p| p.reduced().coefficients().to_vec());
         if are_coprime(&a, &b) {
             return None;
@@ -109,8 +106,8 @@ fn quotient(mut a: Vec<IBig>, divisor: &[IBig]) -> Vec<IBig> {
 /// coefficients, by Euclid's algorithm; `None` if it ends because of a remainder.
 fn euclid(a: Vec<IBig>, b: Vec<IBig>, ends: impl Fn(&[IBig]) -> bool) -> Option<Vec<IBig>> {
     let (mut a, mut b) = (primitive(a), primitive(b));
-    while !b.is_empty() {
-        let rest = remainder(a, &b);
+    while let Some((leading, others)) = b.split_last() {
+        let rest = remainder(a, leading, others);
         if !rest.is_empty() && ends(&rest) {
             return None;
         }
@@ -140,12 +137,9 @@ fn primitive(mut coefficients: Vec<IBig>) -> Vec<IBig> {
     coefficients
 }
 
-/// The remainder of a division, times a number that is not zero. The last coefficient of the divisor is
-/// not zero, and neither is that of the result.
-fn remainder(mut a: Vec<IBig>, divisor: &[IBig]) -> Vec<IBig> {
-    let Some((leading, rest)) = divisor.split_last() else {
-        return a;
-    };
+/// The remainder of a division, times a number that is not zero. The leading coefficient of the divisor is
+/// not zero, and neither is the last one of the result.
+fn remainder(mut a: Vec<IBig>, leading: &IBig, rest: &[IBig]) -> Vec<IBig> {
     while a.len() > rest.len() {
         let top = a.pop().unwrap_or_default();
         let shift = a.len() - rest.len();

@@ -25,7 +25,9 @@ impl Instant {
         if let Some(sign) = self.plain_sign(polynomial) {
             return sign;
         }
-        if self.is_root_of(polynomial) {
+        if let Self::Root(root) = self
+            && root.is_root_of(polynomial)
+        {
             return Ordering::Equal;
         }
         let slope = polynomial.slope();
@@ -51,14 +53,6 @@ impl Instant {
             _ if polynomial.is_zero() => Some(Ordering::Equal),
             Self::At(t) => Some(polynomial.sign_at(t)),
             Self::Root(root) => polynomial.sign_between(root.low(), root.high()),
-        }
-    }
-
-    /// Returns true if a polynomial vanishes at this time.
-    fn is_root_of(&mut self, polynomial: &Polynomial) -> bool {
-        match self {
-            Self::At(t) => polynomial.sign_at(t).is_eq(),
-            Self::Root(root) => root.is_root_of(polynomial),
         }
     }
 

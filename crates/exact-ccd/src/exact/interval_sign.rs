@@ -31,16 +31,12 @@ impl Polynomial {
         self.sign_near(&self.slope(), low, high)
     }
 
-    /// The sign of all values in [low, high], if it is proved by the signs of the coefficients, or by the
-    /// value at `low` and the largest magnitude of the slope, which is given.
+    /// The sign of all values in [low, high], two times that are not far apart, if it is proved by the value
+    /// at `low` and the largest magnitude of the slope, which is given.
     pub(super) fn sign_near(&self, slope: &Self, low: &Split, high: &Split) -> Option<Ordering> {
-        match Split::closeness(low, high) {
-            0 => self.sign_everywhere(),
-            closeness => {
-                let change = slope.bound_near(low, high, closeness) + high.top() - closeness as isize;
-                self.changed_by(change, low).sign()
-            }
-        }
+        let closeness = Split::closeness(low, high);
+        let change = slope.bound_near(low, high, closeness) + high.top() - closeness as isize;
+        self.changed_by(change, low).sign()
     }
 
     /// All values of the polynomial in τ that differ from that at t by less than 2ᵏ. The value there is as

@@ -23,8 +23,10 @@ pub(super) fn are_coprime(a: &[IBig], b: &[IBig]) -> bool {
     let [mut a, mut b] = [a, b].map(reduced);
     let keeps_degree = a.last().is_some_and(|&leading| leading != 0);
     while b.pop_if(|leading| *leading == 0).is_some() {}
-    while b.len() > 1 {
-        let rest = remainder(a, &b);
+    while let [others @ .., leading] = &b[..]
+        && !others.is_empty()
+    {
+        let rest = remainder(a, *leading, others);
         (a, b) = (b, rest);
     }
     keeps_degree && b.len() == 1
@@ -36,10 +38,7 @@ fn reduced(coefficients: &[IBig]) -> Vec<i64> {
 }
 
 /// The remainder of a division, times a number that is not zero.
-fn remainder(mut a: Vec<i64>, b: &[i64]) -> Vec<i64> {
-    let Some((&leading, rest)) = b.split_last() else {
-        return a;
-    };
+fn remainder(mut a: Vec<i64>, leading: i64, rest: &[i64]) -> Vec<i64> {
     let modulo = |x: i128| (x % i128::from(PRIME)) as i64;
     let product = |x: i64, y: i64| i128::from(x) * i128::from(y);
     while a.len() > rest.len() {

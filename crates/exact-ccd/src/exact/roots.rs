@@ -99,3 +99,6 @@ fn simple(polynomial: &Polynomial, [low, high]: [&Split; 2]) -> Instant {
     root.narrow_to(16);
     root
 }
+
+#[cfg(test)]
+mod tests;

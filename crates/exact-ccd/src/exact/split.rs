@@ -70,11 +70,7 @@ impl Split {
             return [self.clone(), self.clone()];
         }
         let shift = 64 + self.left.bit_len() as isize - self.elapsed.bit_len() as isize;
-        let quotient = if shift < 0 {
-            &self.elapsed / (&self.left << shift.unsigned_abs())
-        } else {
-            (&self.elapsed << shift.unsigned_abs()) / &self.left
-        };
+        let quotient = shifted(&self.elapsed, shift) / &self.left;
         let next = &quotient + IBig::ONE;
         [quotient, next].map(|a| Self::ratio(a, self.exponent - shift))
     }

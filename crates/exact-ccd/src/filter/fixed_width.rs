@@ -261,4 +261,27 @@ mod tests {
         }
         assert!(found > 200, "{found}");
     }
+
+    #[test]
+    fn a_root_at_the_end_of_a_window_is_not_certain() {
+        // The roots are 1/2 and 1/2 ± 2⁻ᵏ; windows are 2⁻⁴³ wide.
+        for (digits, is_certain) in [(44, false), (45, true), (46, true)] {
+            let half = 1_i128 << (digits - 1);
+            let (x, y) = (half - 1, half + 1);
+            let square = x * x + y * y;
+            let cubic = [-x * y, x * y + square, -x * y - square, x * y].map(Volume::from);
+            let moments = roots_in_windows(&cubic, &[0.5]);
+            assert_eq!(moments.is_some(), is_certain, "{digits}");
+            let times = moments
+                .unwrap_or_default()
+                .into_iter()
+                .map(|moment| match moment {
+                    Moment::Root(window, root) => window.time(&cubic, &root),
+                    _ => None,
+                });
+            let step = 1.0 / (1_u64 << digits) as f64;
+            let all = [0.5 - step, 0.5, 0.5 + step].map(|t| Some(ContactTime::exactly(t)));
+            assert!(!is_certain || times.eq(all), "{digits}");
+        }
+    }
 }

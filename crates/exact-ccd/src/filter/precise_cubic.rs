@@ -123,4 +123,43 @@ mod tests {
         }
         assert!(exceeded > 100, "{exceeded}");
     }
+
+    #[test]
+    fn a_root_is_rounded_or_unknown() {
+        let mut rounded = 0;
+        for (a, b) in (1_i32..40).flat_map(|a| (a + 1..60).map(move |b| (a, b))) {
+            let sign = if (a + b) % 2 == 0 { 1.0 } else { -1.0 };
+            let [a, b] = [a, b].map(f64::from);
+            // (b t − a) (1 + t²), which vanishes at a / b only.
+            let bernstein = [-a, b - 3.0 * a, 2.0 * b - 4.0 * a, 2.0 * b - 2.0 * a];
+            let cubic = PreciseCubic::new(bernstein.map(|c| DoubleDouble::sum(sign * c, 0.0)), 2.0 * b);
+            let nearest = a / b;
+            // The sign of the remainder is exact: a fused operation has one rounding.
+            let remainder = nearest.mul_add(b, -a);
+            let floor = if remainder > 0.0 {
+                nearest.next_down()
+            } else {
+                nearest
+            };
+            for width in [0.0, 1e-3] {
+                // A slope that is a hundredth of the true one leads away from the root.
+                for (offset, factor) in [(0.0, 1.0), (1e-4, 1.0), (-1e-9, 1.0), (1e-4, 0.01)] {
+                    let root = Root {
+                        low: nearest - width,
+                        high: nearest + width,
+                        near: nearest + offset,
+                        slope: sign * factor * b * (1.0 + nearest * nearest),
+                        rising: sign > 0.0,
+                    };
+                    let time = cubic.round(&root);
+                    // No sign is certain where the cubic vanishes.
+                    let is_certain = remainder != 0.0 && width > 0.0 && factor == 1.0;
+                    let expected = is_certain.then(|| ContactTime::just_above(floor));
+                    assert_eq!(time, expected, "{a} / {b}, {root:?}");
+                    rounded += usize::from(time.is_some());
+                }
+            }
+        }
+        assert!(rounded > 1000, "{rounded}");
+    }
 }

@@ -67,9 +67,7 @@ impl<const N: usize> Wide<N> {
     /// The integer, if 64 bits hold it.
     #[inline]
     fn short(&self) -> Option<i64> {
-        let [first, rest @ ..] = &self.0[..] else {
-            return None;
-        };
+        let (first, rest) = self.0.split_first()?;
         let first = *first as i64;
         let fill = if first < 0 { u64::MAX } else { 0 };
         rest.iter().all(|&word| word == fill).then_some(first)

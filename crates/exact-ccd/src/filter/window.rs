@@ -88,12 +88,11 @@ impl Window {
             Ordering::Greater
         };
         let (mut low, mut floor) = (root.low, self.low + root.low * width);
+        // The product with the width is exact, and `floor` the nearest f64: the next one is above `low`.
         for _ in 0..STEPS {
             let next = floor.next_up();
             if place(floor)? > low {
                 floor = floor.next_down();
-            } else if place(next)? <= low {
-                floor = next;
             } else if place(next)? >= root.high {
                 return Some(ContactTime::just_above(floor));
             } else {
@@ -135,4 +134,55 @@ fn blossom<const N: usize, const D: usize>(mut b: [Integer; N], times: [[Integer
         }
     }
     b[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::filter::length::Volume;
+
+    #[test]
+    fn times_in_windows_are_those_of_the_roots() {
+        let mut found = [0; 2];
+        for (a, b) in (1_i32..40).flat_map(|a| (1..40).map(move |b| (a, b))) {
+            // (b t − a (1 − t)) ((1 − t)² + t²), which vanishes at a / (a + b) only.
+            let sign = if (a + b) % 2 == 0 { 1 } else { -1 };
+            let cubic = [-a, b, -a, b].map(|c| Volume::from(i128::from(sign * c)));
+            let [elapsed, whole] = [a, a + b].map(f64::from);
+            let nearest = elapsed / whole;
+            // The sign of the remainder is exact: a fused operation has one rounding.
+            let remainder = nearest.mul_add(whole, -elapsed);
+            let expected = if remainder == 0.0 {
+                ContactTime::exactly(nearest)
+            } else {
+                let floor = if remainder > 0.0 {
+                    nearest.next_down()
+                } else {
+                    nearest
+                };
+                ContactTime::just_above(floor)
+            };
+            let parts = 1024.0;
+            let low = (nearest * parts - 0.5).floor() / parts;
+            let Some(window) = Window::new(low, low + 1.0 / parts) else {
+                continue;
+            };
+            let digit = (nearest.next_up() - nearest) * parts;
+            let place = (nearest - low) * parts;
+            for (below, above) in (1..40).flat_map(|below| [0, 3, 40].map(|above| (below, above))) {
+                let root = Root {
+                    low: place - f64::from(below) * 0.4 * digit - digit,
+                    high: place + f64::from(above) * 0.4 * digit + 0.6 * digit,
+                    near: place,
+                    slope: 0.0,
+                    rising: sign > 0,
+                };
+                let time = window.time(&cubic, &root);
+                assert!(time.is_none_or(|time| time == expected), "{a} {b} {time:?}");
+                found[usize::from(time.is_some())] += 1;
+                assert!(time.is_some() || below > 4, "{a} {b} {below}");
+            }
+        }
+        assert!(found.iter().all(|&count| count > 1000), "{found:?}");
+    }
 }

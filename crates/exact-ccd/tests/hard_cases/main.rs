@@ -11,6 +11,7 @@ mod hard_cases;
 #[allow(dead_code, reason = "the test target `queries` needs more of it")]
 mod primitives;
 
+use exact_ccd::batch::Queries;
 use exact_ccd::{EdgeEdge, Query, Separation, Stage, VertexEdge, VertexFace, VertexVertex};
 
 use check::{Defined, assert_defined};
@@ -44,6 +45,30 @@ fn a_vertex_and_an_edge() {
 #[test]
 fn two_vertices() {
     are_defined::<VertexVertex>();
+}
+
+/// A batch of all cases, so that hard ones are side by side with others, answers as one by one.
+fn batches_are_defined<K: Hard>() {
+    let cases: Vec<Case<K>> = cases(7).collect();
+    for d in [Separation::ZERO, Separation::new(1.0).expect("a distance")] {
+        let queries: Vec<_> = cases.iter().map(|case| *case.query.points()).collect();
+        let mut found = vec![None; queries.len()];
+        Queries::<K>::new(&queries)
+            .collisions(d, |index, collision| found[index] = Some(collision.time()))
+            .expect("one distance for all");
+        for (case, found) in cases.iter().zip(found) {
+            let first = case.query.collision(d).map(|collision| collision.time());
+            assert_eq!(found, first, "{}: {:?}", case.class, case.query);
+        }
+    }
+}
+
+#[test]
+fn batches_of_hard_cases_answer_as_single_queries() {
+    batches_are_defined::<VertexFace>();
+    batches_are_defined::<EdgeEdge>();
+    batches_are_defined::<VertexEdge>();
+    batches_are_defined::<VertexVertex>();
 }
 
 /// Some queries of each family collide. Hence no family is a list of queries far from contact.

@@ -9,6 +9,7 @@ use proptest::prelude::*;
 use crate::each_kind::for_each_kind;
 use crate::families::{Rule, cases, extreme, ordinary, rule};
 use crate::kinds::{points_of, query};
+use crate::named_cases::vertex_against;
 use crate::primitives::Points;
 use crate::runner::for_all;
 
@@ -134,6 +135,32 @@ fn batches<K: Kind>() {
                 .unwrap();
             assert!(found == expected, "points until {until:e} within {d:?}");
         }
+    }
+}
+
+/// A vertex reaches the plane of a resting face at t = 1/2 exactly, inside of the face and beside it.
+#[test]
+fn contact_exactly_at_the_last_time() {
+    let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+    let falls_at = |[x, y]: [f64; 2]| vertex_against(face, [x, y, 1.0], [x, y, -1.0]);
+    let inside = falls_at([0.25, 0.75]);
+    for (last, touches) in [(0.5f64.next_down(), false), (0.5, true)] {
+        let until = Options::from(Separation::ZERO).until(last);
+        assert_eq!(inside.collides(until), touches);
+        let impact = inside.impact(until);
+        assert_eq!(impact.map(|impact| impact.time.lower()), touches.then_some(0.5));
+        assert_eq!(
+            impact.map(|impact| impact.parameters),
+            touches.then_some([0.25; 2])
+        );
+        let intervals: Vec<_> = inside.intervals(until).into_iter().collect();
+        assert_eq!(intervals.len(), usize::from(touches));
+        assert!(
+            intervals
+                .iter()
+                .all(|interval| interval.is_moment && interval.start.lower() == 0.5)
+        );
+        assert!(!falls_at([0.625, 1.5]).collides(until));
     }
 }
 

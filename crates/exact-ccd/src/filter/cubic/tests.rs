@@ -1,6 +1,7 @@
 //! Cubics with small integer coefficients: roots by exact arithmetic, and derivatives without rounding.
 
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use dashu_int::IBig;
 
@@ -26,6 +27,23 @@ fn value([b0, b1, b2, b3]: [f64; 4], time: f64) -> f64 {
     b0 * s * s * s + 3.0 * b1 * s * s * t + 3.0 * b2 * s * t * t + b3 * t * t * t
 }
 
+/// The sign of c(t) for an f64 t, in integers.
+fn exact_sign([b0, b1, b2, b3]: [f64; 4], t: f64) -> Ordering {
+    const UNITS: f64 = (1_u128 << 100) as f64;
+    // No end of a bracket is so near to 0 that it is no multiple of 2⁻¹⁰⁰.
+    let elapsed = t * UNITS;
+    assert_eq!(elapsed.fract(), 0.0, "{t}");
+    let elapsed = IBig::from(elapsed as i128);
+    let left = (IBig::ONE << 100) - &elapsed;
+    let integer = |b: f64| IBig::from(b as i64);
+    let three = IBig::from(3);
+    let sum = integer(b0) * &left * &left * &left
+        + &three * integer(b1) * &left * &left * &elapsed
+        + &three * integer(b2) * &left * &elapsed * &elapsed
+        + integer(b3) * &elapsed * &elapsed * &elapsed;
+    sum.cmp(&IBig::ZERO)
+}
+
 #[test]
 fn roots_are_all_roots_of_the_exact_cubic() {
     let mut found = [0; 4];
@@ -39,6 +57,13 @@ fn roots_are_all_roots_of_the_exact_cubic() {
         assert_eq!(brackets.len(), exact.len(), "{bernstein:?}");
         let ends: Vec<f64> = brackets.iter().flat_map(|root| [root.low, root.high]).collect();
         assert!(ends.is_sorted(), "{bernstein:?}");
+        // The brackets are disjoint and as many as the roots: each has one, if it has an odd number of them.
+        for root in &brackets {
+            let signs = [root.low, root.high].map(|t| exact_sign(bernstein, t));
+            let expected = [Ordering::Less, Ordering::Greater];
+            let falls = [Ordering::Greater, Ordering::Less];
+            assert_eq!(signs, if root.rising { expected } else { falls }, "{bernstein:?}");
+        }
         found[brackets.len()] += 1;
     }
     assert!(found.iter().all(|&count| count > 10), "{found:?}");
@@ -79,4 +104,30 @@ fn pieces_between_cuts_are_monotone() {
         let bend = (b2 - 2.0 * b1 + b0) + (b3 - 3.0 * b2 + 3.0 * b1 - b0) * cubic(b).inflection();
         assert!(bend.is_nan() || bend.is_infinite() || bend.abs() < 1e-12, "{b:?}");
     }
+}
+
+#[test]
+fn signs_until_a_time_are_those_of_the_values() {
+    let mut known = 0;
+    for bernstein in all_cubics(3) {
+        for end in [0.25, 0.5, 1.0] {
+            let Some([before, at_end]) = cubic(bernstein).signs_until(end) else {
+                continue;
+            };
+            let before = before.expect("the sign at the start");
+            let sign = |time: f64| {
+                let value = value(bernstein, time);
+                (value > 0.0).cmp(&(value < 0.0))
+            };
+            let times = || (0..64).map(f64::from).filter(|time| *time < 64.0 * end);
+            let there = exact_sign(bernstein, end);
+            assert!(at_end.is_none_or(|at_end| at_end == there), "{bernstein:?}");
+            assert_eq!(sign(0.0), before, "{bernstein:?}");
+            if there != before.reverse() {
+                assert!(times().all(|time| sign(time) == before), "{bernstein:?} {end}");
+                known += 1;
+            }
+        }
+    }
+    assert!(known > 1000, "{known}");
 }

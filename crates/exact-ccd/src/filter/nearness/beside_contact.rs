@@ -41,11 +41,7 @@ pub(super) fn first_after<K: Kind>(
     } else {
         contact.lower()
     };
-    let start = if free < floor {
-        Advancement::of(scaled).free_after::<K>(free, floor)
-    } else {
-        free.min(floor)
-    };
+    let start = Advancement::of(scaled).free_after::<K>(free.min(floor), floor);
     are_planes_beyond(query, &planes, d, [start, floor, contact.upper()])
         .then(|| ContactTime::just_above(floor))
 }

@@ -20,6 +20,8 @@ mod nearest;
 mod proof;
 mod scaled;
 mod snapshot;
+#[cfg(test)]
+mod statements;
 mod turning;
 
 pub(crate) use advance::free_until;

@@ -44,3 +44,25 @@ fn stay_in_touch_at_one_corner() {
         &[[0.0, 1.0]],
     );
 }
+
+/// All points are in one place at one end of the step, and in general position at the other.
+#[test]
+fn meet_or_part_in_general_position() {
+    let place = [[0.5, -1.0, 3.0]; 4];
+    let face = [
+        [0.25, 0.25, 1.0],
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
+    let edges = [
+        [-1.0, 0.0, 1.0],
+        [1.0, 0.0, 1.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
+    touches_at(&Query::<VertexFace>::new(place, face).unwrap(), &[0.0]);
+    touches_at(&Query::<VertexFace>::new(face, place).unwrap(), &[1.0]);
+    touches_at(&Query::<EdgeEdge>::new(place, edges).unwrap(), &[0.0]);
+    touches_at(&Query::<EdgeEdge>::new(edges, place).unwrap(), &[1.0]);
+}

@@ -1,0 +1,84 @@
+//! Roots that are known, and signs at them that are known.
+
+use alloc::vec;
+use core::cmp::Ordering;
+
+use dashu_int::IBig;
+
+use super::*;
+
+/// The product of b t − a (1 − t) for pairs (a, b), which vanish at the ratios a / b.
+fn product(ratios: &[[i64; 2]]) -> Polynomial {
+    let linear = |[a, b]: [i64; 2]| Polynomial::new([-a, b].map(IBig::from).to_vec());
+    let one = Polynomial::constant(IBig::ONE);
+    ratios
+        .iter()
+        .fold(one, |product, &ratio| &product * &linear(ratio))
+}
+
+/// The time with this ratio, a quotient of small integers, the second a power of two.
+fn time([a, b]: [i64; 2]) -> Split {
+    Split::ratio(a.into(), -(b.trailing_zeros() as isize))
+}
+
+#[test]
+fn roots_at_the_ends_of_an_interval_count_once() {
+    let all = [[1, 4], [1, 2], [1, 1], [3, 2], [4, 1]];
+    let polynomial = product(&all);
+    for first in 0..all.len() {
+        for last in first + 1..all.len() {
+            let found = roots_between(&polynomial, [&time(all[first]), &time(all[last])]);
+            assert_eq!(found.len(), last - first + 1);
+            for (root, ratio) in found.iter().zip(&all[first..]) {
+                assert_eq!(root.compare(&time(*ratio)), Ordering::Equal, "{ratio:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn signs_next_to_a_root_are_known() {
+    let mut random = fastrand::Rng::with_seed(1);
+    for _ in 0..1000 {
+        let bits = random.u32(4..40);
+        let [a, b] = [(); 2].map(|()| random.i64(1..1 << bits));
+        let [c, d] = [a + random.i64(0..2), b + random.i64(0..2)];
+        let other = product(&[[c, d]]);
+        for ratios in [vec![[a, b]], vec![[a, b + 7], [a, b], [a + 7, b]]] {
+            let roots = roots(vec![product(&ratios)]);
+            assert_eq!(roots.len(), ratios.len());
+            for (mut root, ratio) in roots.into_iter().zip(&ratios) {
+                let [a, b, c, d] = [ratio[0], ratio[1], c, d].map(i128::from);
+                assert_eq!(
+                    root.narrow_to_sign(&other),
+                    (a * d).cmp(&(b * c)),
+                    "{ratios:?} {c} {d}"
+                );
+            }
+        }
+    }
+}
+
+/// Narrow brackets end at such a root.
+#[test]
+fn signs_next_to_a_root_of_few_digits_are_known() {
+    for digits in 1..50 {
+        // 1 ± 2⁻ᵏ, and numbers next to them.
+        let one = 1_i64 << digits;
+        let ratios = [[one - 1, one], [one + 1, one]];
+        let roots = roots(vec![product(&ratios)]);
+        assert_eq!(roots.len(), 2);
+        for more in 1..(60 - digits) {
+            for (root, [a, b]) in roots.iter().zip(ratios) {
+                for offset in [-1, 0, 1] {
+                    let other = product(&[[(a << more) + offset, b << more]]);
+                    assert_eq!(
+                        root.clone().narrow_to_sign(&other),
+                        0.cmp(&offset),
+                        "{digits} {more} {offset}"
+                    );
+                }
+            }
+        }
+    }
+}
