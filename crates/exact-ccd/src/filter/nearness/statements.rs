@@ -6,6 +6,7 @@ use core::cmp::Ordering;
 use super::beside_contact;
 use super::crossing::Crossings;
 use super::scaled::Scaled;
+use super::snapshot::Headed;
 use super::starts_within;
 use crate::distance::{DistanceBounds, Separation};
 use crate::exact;
@@ -104,7 +105,11 @@ fn stretches<K: Kind>() {
                 proved[1] += 1;
             }
             let [now, then] = [from, to].map(|t| crossings.precise.at::<K>(t));
-            if now.is_beyond_until(&then) {
+            let [headed, arrived] = [&now, &then].map(Headed::new);
+            if headed
+                .zip(arrived)
+                .is_some_and(|(headed, arrived)| headed.is_beyond_across(&arrived))
+            {
                 for t in between(from, to) {
                     assert_eq!(compare(query, t, d), Ordering::Greater, "{query:?} {d} {t}");
                 }
@@ -133,7 +138,7 @@ fn answers<K: Kind>() {
     for_all::<K>(24, |query, hull, scaled, d| {
         let separation = Separation::new(d).expect("positive and finite");
         let crossings = Crossings::new(query, scaled);
-        let truth = exact::first_within(query, separation);
+        let truth = exact::FirstWithin::of(query, separation).map(|first| first.time());
         let expects = |first| assert_eq!(first, truth, "{query:?} {d}");
         if compare(query, 0.0, d) == Ordering::Greater {
             if let Some(first) = crossings.first_between::<K>([0.0, 1.0]) {
