@@ -19,6 +19,7 @@ pub(super) fn of_system(description: &Description, error: &SystemError) -> Field
         SystemError::Spring { spring, source } => {
             let field = match source {
                 SpringError::Parameter(source) => source.field,
+                SpringError::Body { .. } => "between",
                 _ => "at",
             };
             FieldError::new(format!("spring.{spring}.{field}"), source)

@@ -65,6 +65,9 @@ impl Energy for Hinge {
 
     fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let shape = Fold::of(points, &self.vertices);
+        if shape.is_degenerate() {
+            return hessian.fill([0.0; 9]);
+        }
         let gradient = shape.gradient();
         let second = gradient * gradient.transpose() + shape.hessian() * self.bend(&shape);
         write_blocks(&projection.of(second * self.stiffness), 4, hessian);
@@ -100,11 +103,21 @@ impl Fold {
         sine.atan2(n.dot(&m))
     }
 
-    /// The gradient of the angle by each of the four vertices.
+    /// Returns true if a face has no area, so that the angle has no derivatives.
+    fn is_degenerate(&self) -> bool {
+        let length = self.edge.norm();
+        let is_line = |normal: &Vector3<f64>| !(length / normal.norm_squared()).is_finite();
+        self.normals.iter().any(is_line)
+    }
+
+    /// The gradient of the angle by each of the four vertices. Zero if a face has no area.
     ///
     /// A displacement of a corner along the normal rotates its triangle about the edge, by 1 / height. The
     /// foot of the corner on the edge divides the opposite rotation between the ends of the edge.
     pub(super) fn slopes(&self) -> [[f64; 3]; 4] {
+        if self.is_degenerate() {
+            return [[0.0; 3]; 4];
+        }
         let (squared, length) = (self.edge.norm_squared(), self.edge.norm());
         let turn = |normal: Vector3<f64>| normal * (-length / normal.norm_squared());
         let [left, right] = self.normals.map(turn);

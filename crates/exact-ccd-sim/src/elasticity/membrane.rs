@@ -76,15 +76,16 @@ impl Membrane {
         }
     }
 
-    /// The second derivatives at these stretches. Their eigenvalues are projected.
-    fn modes(&self, stretches: &Vector2<f64>, projection: Projection) -> Modes {
+    /// The second derivatives in a frame. Their eigenvalues are projected.
+    fn modes(&self, frame: &Frame, projection: Projection) -> Modes {
+        let stretches = &frame.stretches;
         let squares = stretches.component_mul(stretches);
         let strains = squares.add_scalar(-1.0) * 0.5;
         let mut stresses = (strains * (2.0 * self.mu)).add_scalar(self.lambda * strains.sum());
         let mut slopes = Matrix2::repeat(0.5 * self.lambda) + Matrix2::from_diagonal_element(self.mu);
         let mut quotient = self.mu;
         if let Some(limit) = &self.limit {
-            let limited = limit.principal(&squares);
+            let limited = limit.principal(&frame.squares);
             stresses += limited.stresses;
             slopes += Matrix2::from_diagonal(&limited.slopes);
             quotient += limited.quotient;
@@ -133,7 +134,7 @@ impl Energy for Membrane {
     /// the triangle, so that the blocks of the first vertex follow from the others.
     fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let frame = Frame::of(&self.deformation(points));
-        let modes = self.modes(&frame.stretches, projection);
+        let modes = self.modes(&frame, projection);
         let [_, b, c] = [0, 1, 2].map(|row| frame.plane.tr_mul(&self.shape.row(row).transpose()));
         let block = |a: &Vector2<f64>, b: &Vector2<f64>| {
             frame.axes * modes.block(a, b) * frame.axes.transpose() * self.volume()
@@ -153,22 +154,27 @@ struct Frame {
     plane: Matrix2<f64>,
     /// σ₁ ≥ σ₂ ≥ 0.
     stretches: Vector2<f64>,
+    /// The eigenvalues of FᵀF, with the bits that the value and the stress have.
+    squares: Vector2<f64>,
 }
 
 impl Frame {
-    /// v is that of the symmetric FᵀF. Then u₁ σ₁ = F v₁, and u₂ σ₂ is the part of F v₂ across u₁: all of it
-    /// up to rounding, so that σ₂ has a relative error of a few ulps of σ₁ at most.
+    /// v₁ and v₂ are the eigenvectors of FᵀF. Then u₁ σ₁ = F v₁, and u₂ σ₂ is the part of F v₂ across u₁.
+    /// Up to rounding that is all of F v₂, so that the error of σ₂ is a few ulps of σ₁.
     fn of(f: &Matrix3x2<f64>) -> Self {
-        let (_, plane) = principal(&f.tr_mul(f));
+        let (squares, plane) = principal(&f.tr_mul(f));
         let [along, across] = [f * plane.column(0), f * plane.column(1)];
         let first = along.try_normalize(0.0).unwrap_or_else(Vector3::x);
         let across = across - first * first.dot(&across);
         let any = || first.cross(&Vector3::ith(first.iamin(), 1.0)).normalize();
-        let second = across.try_normalize(0.0).unwrap_or_else(any);
+        // A part across u₁ of a few ulps of σ₁ is rounding, without a direction of its own.
+        let least = 4.0 * f64::EPSILON * along.norm();
+        let second = across.try_normalize(least).unwrap_or_else(any);
         Self {
             axes: Matrix3::from_columns(&[first, second, first.cross(&second)]),
             plane,
             stretches: Vector2::new(along.norm(), across.norm()),
+            squares,
         }
     }
 }

@@ -106,8 +106,8 @@ impl StrainLimit {
     }
 }
 
-/// The eigenvalues of a symmetric matrix, the larger one first, and the frame of its eigenvectors. No
-/// eigenvalue is negative: those of C are none, up to rounding.
+/// The eigenvalues of a symmetric matrix, the larger one first, and the frame of its eigenvectors. The
+/// smaller eigenvalue is set to 0 if rounding makes it negative: C has none below 0.
 ///
 /// With the half difference d of the diagonal, the entry o beside it and r² = d² + o², the frame is turned by
 /// θ with cos 2θ = d / r and sin 2θ = o / r. The larger of cos θ and sin θ is the square root of (r + |d|) /

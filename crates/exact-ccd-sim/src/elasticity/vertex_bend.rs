@@ -60,7 +60,7 @@ pub(crate) struct VertexBend {
     stiffness: DMatrix<f64>,
 }
 
-/// The number of hinges whose memory is on the stack. That of more hinges is on the heap.
+/// The number of hinges up to which their memory is on the stack.
 const FEW: usize = 8;
 
 impl VertexBend {
@@ -188,7 +188,7 @@ impl Energy for VertexBend {
         self.write_derivatives(points, projection, &mut gradient, hessian);
     }
 
-    /// The Hessian is that without second derivatives of angles, which is positive semi-definite.
+    /// The Hessian leaves out the second derivatives of angles; so it is positive semi-definite.
     fn write_derivatives(
         &self,
         points: &[Point],

@@ -20,7 +20,7 @@ struct Motion {
     targets: Vec<Target>,
 }
 
-/// A vertex of which a held coordinate moves.
+/// A vertex with a held coordinate that moves.
 #[derive(Clone, Copy, Debug)]
 struct Target {
     vertex: usize,

@@ -11,7 +11,7 @@ use crate::elasticity::{Chain, Twist, angle_about, transported};
 use crate::scripted::Axes;
 
 /// The parts of rods between two held edges, in a part of a time step. Beyond the last held edge, cross
-/// sections turn freely. The least energy is that without twist, 0 for every shape.
+/// sections turn freely. Without twist their energy is least: 0, for every shape.
 pub(crate) struct HeldChains<'a> {
     paths: &'a Paths<'a>,
     chains: Vec<Chain>,

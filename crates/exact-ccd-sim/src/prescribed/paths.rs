@@ -64,8 +64,8 @@ impl<'a> Paths<'a> {
         self.system.scripts[vertex].position(&origins, moment, self.time(vertex, fraction))
     }
 
-    /// The positions at the fraction 0 and at another one, of a point apart from the origin of a vertex: in
-    /// one of two stretches, that of the scripts from before the part, until others begin, and that of these.
+    /// The positions of a point apart from the origin of a vertex, at the start and at the end of one of two
+    /// stretches: the earlier scripts act until others begin, and these act from then to the fraction.
     pub(super) fn carried(
         &self,
         vertex: usize,

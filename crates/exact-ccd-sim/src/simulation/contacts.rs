@@ -1,6 +1,6 @@
 //! The contacts of a state.
 
-use exact_ccd_mesh::{Candidates, Point, Step};
+use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::Simulation;
@@ -34,12 +34,7 @@ impl Simulation {
     /// The collisions of the current state.
     pub(super) fn collisions(&self) -> Collisions {
         let positions = &self.state.positions;
-        // The positions of a state have been checked.
-        let rest = Step::new(&self.system.geometry.mesh, positions, positions);
-        let candidates = rest.map_or_else(
-            |_| Candidates::default(),
-            |step| self.system.geometry.near(step, &self.barrier),
-        );
+        let candidates = self.system.geometry.near_at(positions, &self.barrier);
         let surface = self.system.contact_surface(self.settings.formulation);
         Collisions::new(surface, &candidates, positions, self.barrier)
     }

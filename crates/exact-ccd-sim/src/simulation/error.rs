@@ -71,7 +71,7 @@ pub enum SimulationError {
     )]
     OtherSystem {
         /// The first part that differs: `positions`, `elements`, `velocities`, `materials`, `scripts`,
-        /// `half spaces` or `loads`.
+        /// `half spaces`, `loads` or `springs`.
         what: &'static str,
     },
     /// Two primitives intersect or touch at the start.

@@ -10,7 +10,7 @@ use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Statistics};
 
 impl Problem<'_> {
-    /// The state with the positions of an iterate. Adds what it determines to the statistics.
+    /// The state with the positions of an iterate. Adds its figures to the statistics.
     pub(super) fn record(&self, now: Iterate<'_>, statistics: &mut Statistics) -> State {
         let before = &self.simulation.state;
         let twists = self.newton.chains.twists(&now.dirichlet);

@@ -1,7 +1,5 @@
 //! Warnings about a simulation that is valid, but unlikely to be intended.
 
-use exact_ccd_mesh::Step;
-
 use super::Simulation;
 use crate::system::Designation;
 
@@ -62,13 +60,10 @@ impl Simulation {
 
     /// The warning about the nearest two bodies that are within the contact distance.
     fn near(&self) -> Option<Warning> {
-        let positions = &self.state.positions;
-        let step = Step::new(&self.system.geometry.mesh, positions, positions).ok()?;
-        let candidates = self.system.geometry.near(step, &self.barrier);
         let formulation = self.settings.formulation;
         let nearest = self
             .system
-            .nearest(formulation, &candidates, positions, self.barrier);
+            .nearest(formulation, &self.state.positions, self.barrier);
         let (gap, bodies) = nearest?;
         let distance = self.barrier.activation_distance();
         Some(Warning::Near {

@@ -19,7 +19,7 @@ pub(crate) struct Couplings {
     pub(super) places: Vec<Option<Place>>,
 }
 
-/// The place of a block of an element among those of a sum.
+/// The place of a block of an element in a sum.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     block: u32,
@@ -61,7 +61,7 @@ impl Couplings {
         }
     }
 
-    /// The couplings of a system, from memory if they were the last ones of this system.
+    /// The couplings of a system. They are kept while chains and unknowns stay the same.
     pub(super) fn kept<'a>(
         last: &'a mut Option<Self>,
         system: &System,

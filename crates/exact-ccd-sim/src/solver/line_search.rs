@@ -77,7 +77,7 @@ impl Newton<'_> {
         let end = self.displaced(&now.positions, direction.displacements, longest);
         let surface = &self.system.geometry.mesh;
         // A direction that is not finite is rejected like one into a contact.
-        let rejected = |_| self.blocked(now, &Candidates::default());
+        let rejected = |_| self.blocked(now);
         let step = Step::new(surface, &now.positions, &end).map_err(rejected)?;
         let candidates = self.system.geometry.near(step, &self.barrier);
         let free = self
@@ -85,7 +85,7 @@ impl Newton<'_> {
             .free_part(&candidates, step, &self.system.geometry.min_distance);
         let free = free.min(self.system.geometry.free_of_half_spaces(step));
         if free <= 0.0 {
-            return Err(self.blocked(now, &candidates));
+            return Err(self.blocked(now));
         }
         let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         // Held coordinates rest, so that no vertex has to be pinned.
@@ -140,11 +140,9 @@ impl Newton<'_> {
     }
 
     /// The error that the filter rejects every step from an iterate.
-    fn blocked(&self, now: &Iterate<'_>, candidates: &Candidates) -> SimulationError {
+    fn blocked(&self, now: &Iterate<'_>) -> SimulationError {
         let formulation = self.settings.formulation;
-        let nearest = self
-            .system
-            .nearest(formulation, candidates, &now.positions, self.barrier);
+        let nearest = self.system.nearest(formulation, &now.positions, self.barrier);
         SimulationError::Blocked {
             step: self.times.step,
             filter: self.filter.name().to_owned(),

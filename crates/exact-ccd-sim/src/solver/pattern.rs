@@ -133,7 +133,7 @@ impl Pattern {
         SymbolicSparseColMat::new_checked(3 * columns, 3 * columns, pointers, None, rows)
     }
 
-    /// The values of the scalars, from those of the blocks. Of a diagonal block, the lower triangle counts.
+    /// The values of the scalars, from the blocks. Only the lower triangle of a diagonal block counts.
     pub(crate) fn values(&self, blocks: &[Block]) -> Vec<f64> {
         let mut values = Vec::with_capacity(self.scalar_count());
         for ends in self.starts.windows(2) {

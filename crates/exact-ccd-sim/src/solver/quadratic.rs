@@ -29,9 +29,9 @@ pub(crate) struct Quadratic {
 }
 
 impl Potential<'_> {
-    /// The quadratic model. `displacements` are the prescribed ones: zero for unknown coordinates. The
-    /// couplings are those of the system, the unknowns, and the twists. The pattern is that of an earlier
-    /// model, if that has all pairs of this one.
+    /// The quadratic model. `displacements` are the prescribed ones: zero for unknown coordinates.
+    /// `couplings` belong to the same system, unknowns and twists. If an earlier pattern has all pairs of
+    /// this model, the model takes it.
     pub(crate) fn quadratic(
         &self,
         points: &[Point],

@@ -9,7 +9,7 @@ use crate::spring::Spring;
 /// The elastic parts of a system, springs included.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Elastic {
-    /// The energies, except for those of twist.
+    /// All energies but twist.
     pub(crate) elements: Vec<Arc<dyn Energy>>,
     /// The parts of rods that resist twist.
     pub(crate) chains: Vec<Chain>,

@@ -109,8 +109,14 @@ impl Geometry {
             .expect("the distance of a barrier is not below 0, and each vertex has an offset")
     }
 
-    /// The pairs of two obstacles that can touch in a step. Pairs within one obstacle that moves as a whole
-    /// are left out, and so are those of obstacles that rest: their relative positions do not change, because
+    /// The same at rest. Positions that are not finite have none.
+    pub(crate) fn near_at(&self, points: &[Point], barrier: &Barrier) -> Candidates {
+        let rest = Step::new(&self.mesh, points, points);
+        rest.map_or_else(|_| Candidates::default(), |step| self.near(step, barrier))
+    }
+
+    /// The pairs of two obstacles that can touch in a step. Pairs within one obstacle that moves as a whole,
+    /// and pairs of obstacles that rest, are left out: their relative positions do not change, because
     /// linear motions between rigid ones are affine.
     pub(crate) fn obstacle_pairs(&self, step: Step<'_>) -> Candidates {
         let Some(can_collide) = &self.obstacle_pairs else {

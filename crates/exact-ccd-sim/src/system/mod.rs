@@ -20,7 +20,7 @@ mod springs;
 
 use std::ops::Range;
 
-use exact_ccd_mesh::{Aabb, Candidates, Frame, MinDistance, Point, PositionsError, TriangleMesh};
+use exact_ccd_mesh::{Aabb, Frame, MinDistance, Point, PositionsError, TriangleMesh};
 use nalgebra::Vector3;
 
 use crate::body::Body;
@@ -128,17 +128,17 @@ impl System {
         self.geometry.surface(&self.start, formulation)
     }
 
-    /// The least distance between two surfaces within the activation distance of a barrier, in m, and their
-    /// bodies in their order. The arguments are those of [`Collisions::new`].
+    /// The least distance between two surfaces at these positions, if it is within the activation distance
+    /// of a barrier, in m, and their bodies in their order.
     pub(crate) fn nearest(
         &self,
         formulation: Formulation,
-        candidates: &Candidates,
         points: &[Point],
         barrier: Barrier,
     ) -> Option<(f64, [Designation; 2])> {
+        let candidates = self.geometry.near_at(points, &barrier);
         let surface = self.contact_surface(formulation);
-        let (gap, collision) = Collisions::nearest(surface, candidates, points, barrier)?;
+        let (gap, collision) = Collisions::nearest(surface, &candidates, points, barrier)?;
         let [a, b] = self.bodies_of(&collision);
         let bodies = [a.min(b), a.max(b)].map(|body| self.designation(body));
         Some((gap, bodies))

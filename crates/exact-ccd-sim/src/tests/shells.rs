@@ -79,7 +79,7 @@ fn the_projected_hessian_of_a_membrane_is_the_nearest_one() {
     let free = || Membrane::new([0, 1, 2], &rest, 0.1, MODULI).unwrap();
     let limited = free().with_limit(Some(StrainLimit::new(0.5, 1.5)));
     let mut indefinite = 0;
-    for round in 0..200 {
+    for round in 0..250 {
         let [x, y, z] = [0; 3].map(|_| 1.4 * random.f64());
         let stretches = match round % 4 {
             0 => [x, y, z],
@@ -90,7 +90,12 @@ fn the_projected_hessian_of_a_membrane_is_the_nearest_one() {
         let [turn, about] = [0; 2].map(|_| random_rotation(&mut random));
         let deformation = turn.matrix() * Matrix3::from_diagonal(&stretches.into()) * about.matrix();
         let corner = |place: usize| deformation * Vector3::from(rest[place]);
-        let points = [corner(0), corner(1), corner(2), Vector3::zeros()];
+        let mut points = [corner(0), corner(1), corner(2), Vector3::zeros()];
+        if round % 5 == 4 {
+            // Exactly on a line, in a direction in which products round.
+            points[1] = Vector3::new(0.6, -0.15, 0.3) * x;
+            points[2] = points[1] * 0.75;
+        }
         for membrane in [&free(), &limited] {
             let [exact, found] = [Projection::None, Projection::SemiDefinite].map(|projection| {
                 let hessian = curvature(membrane, &points, projection);

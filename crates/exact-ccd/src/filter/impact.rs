@@ -74,7 +74,8 @@ pub(super) fn vertex_on_edge<K: Kind>(
     let length = below.value.abs();
     let ratio = above.value / below.value;
     let error = above.error + ratio.abs() * below.error;
-    // For vectors n and n + d, n ≠ 0, the unit vectors differ by at most 2 |d| / |n|.
+    // A quotient of α and ν with errors a and n, of ratio r, is off by at most (a + r n) / (ν − n). For
+    // vectors n and n + d, n ≠ 0, the unit vectors differ by at most 2 |d| / |n|, where n may be either.
     let is_accurate =
         is_small(error, length - below.error) && is_small(2.0 * (along_i.error + along_j.error), length);
     let ratio = if ratio > 0.0 { ratio.min(1.0) } else { 0.0 };

@@ -88,7 +88,8 @@ impl Window {
             Ordering::Greater
         };
         let (mut low, mut floor) = (root.low, self.low + root.low * width);
-        // The product with the width is exact, and `floor` the nearest f64: the next one is above `low`.
+        // If the width is a power of two, the product is exact, and `floor` the nearest f64: the next one is
+        // above `low`. Otherwise there are no places.
         for _ in 0..STEPS {
             let next = floor.next_up();
             if place(floor)? > low {

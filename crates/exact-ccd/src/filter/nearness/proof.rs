@@ -48,6 +48,14 @@ fn turning_directions() {
             // Of magnitudes that add up to `total`, with the error of `across` against twice the limit.
             assert_bound(limit(nothing, reach).value, total, 8);
 
+            // At one of the times, corners and direction in twice the precision, rounded.
+            let rounded = Heading {
+                corners: ends[0],
+                direction: b.direction.map(|component| component * Symbol::exactly(1.0)),
+            };
+            assert_counts(&[rounded.across(&b, 0)], 9, 1, 2.0 * total);
+            assert_bound(limit(nothing, reach).value, total, 9);
+
             let across = [0, 1, 2].map(|axis: usize| ends[0][0][axis].afresh());
             let unit = Heading::new(ends[0], across).direction;
             assert!(unit.iter().all(|x| x.roundings == 6), "less than eight");
