@@ -35,7 +35,8 @@ use every::EveryViolation;
 /// contact. On the straight line from one time step to the next, as in DIR/frames, parts that turn
 /// around each other may touch.
 ///
-/// All ids count from 0. Exit status: 0 free, 1 violation, 2 error.
+/// All ids count from 0. Exit status: 0 free, 1 violation, 2 error, 3 if some pairs have no
+/// certificate.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// Meshes with the same faces: mesh files, folders of files of one format, lists of files (.pvd,

@@ -71,7 +71,7 @@ pub(crate) struct Counts {
 }
 
 /// The pairs of a step whose candidates have all been examined.
-#[derive(Serialize)]
+#[derive(Clone, Copy, Serialize)]
 pub(crate) struct Pairs {
     touching_at_start: usize,
     candidates: OfKinds,
@@ -79,7 +79,7 @@ pub(crate) struct Pairs {
 }
 
 /// A number for each kind of pair.
-#[derive(Serialize)]
+#[derive(Clone, Copy, Serialize)]
 struct OfKinds {
     vf: usize,
     ee: usize,

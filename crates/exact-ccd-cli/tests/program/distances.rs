@@ -206,9 +206,9 @@ fn an_audit_certifies_the_distance() {
 fn a_distance_that_is_none_is_an_error_with_the_reason() {
     let folder = fall(1.0, 0.5);
     for (d, reason) in [
-        ("-1", "separation -1 is not a finite number of at least 0"),
-        ("inf", "separation inf is not a finite number of at least 0"),
-        ("nan", "separation NaN is not a finite number of at least 0"),
+        ("-1", "distance -1 is not a finite number of at least 0"),
+        ("inf", "distance inf is not a finite number of at least 0"),
+        ("nan", "distance NaN is not a finite number of at least 0"),
         ("1mm", "expected a number"),
     ] {
         for (option, arguments) in [

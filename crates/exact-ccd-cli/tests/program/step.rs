@@ -221,7 +221,7 @@ fn a_report_begins_with_what_was_read() {
     let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply"]);
     assert!(
         run.stdout
-            .starts_with("read: 7 vertices, 8 edges, 3 faces, 2 parts\nfree of contact\n"),
+            .starts_with("read: 7 vertices, 8 edges, 3 faces, 2 components\nfree of contact\n"),
         "{run:?}"
     );
     let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply", "--json"]);
@@ -229,7 +229,7 @@ fn a_report_begins_with_what_was_read() {
     assert_eq!(
         report["read"],
         json!({
-            "vertices": 7, "edges": 8, "faces": 3, "loose_edges": 0, "loose_vertices": 0, "parts": 2,
+            "vertices": 7, "edges": 8, "faces": 3, "loose_edges": 0, "loose_vertices": 0, "components": 2,
             "polygons": 0, "solids": 0,
         })
     );
@@ -241,7 +241,7 @@ fn json_is_one_line_with_these_keys_in_this_order() {
     assert_eq!(run.status, 1);
     assert_eq!(
         without_seconds(&run),
-        "{\"version\":1,\"command\":\"step\",\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"parts\":2,\
+        "{\"version\":1,\"command\":\"step\",\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"components\":2,\
          \"polygons\":0,\"solids\":0},\"min_distance\":0.0,\"collision_free\":false,\
          \"frames\":2,\"examined\":2,\
          \"intersection\":null,\"toi\":0.3333333333333333,\
@@ -268,7 +268,7 @@ fn json_of_a_free_step_has_nulls() {
     assert_eq!(run.status, 0);
     assert_eq!(
         without_seconds(&run),
-        "{\"version\":1,\"command\":\"step\",\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"parts\":2,\
+        "{\"version\":1,\"command\":\"step\",\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"components\":2,\
          \"polygons\":0,\"solids\":0},\"min_distance\":0.0,\"collision_free\":true,\
          \"frames\":2,\"examined\":2,\
          \"intersection\":null,\"toi\":null,\"contact\":null,\"intersections\":0,\"touching_at_start\":0,\
