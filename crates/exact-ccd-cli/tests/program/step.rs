@@ -91,8 +91,8 @@ fn a_free_step_has_status_0() {
     assert_eq!(
         answer(&run),
         "free of contact\n\
-         candidates: 2 vertex-face pairs, 0 edge-edge pairs\n\
-         touching at t = 0: 0 pairs\n"
+         candidate pairs: 2 vertex-face, 0 edge-edge\n\
+         pairs that touch at t = 0: 0\n"
     );
 }
 
@@ -103,8 +103,8 @@ fn a_step_with_contact_has_status_1_and_names_the_pair() {
     assert_eq!(
         answer(&run),
         "contact at t = 0.3333333333333333: vertex 4 and face 1 (vertices 2, 1, 3)\n\
-         candidates: 8 vertex-face pairs, 5 edge-edge pairs\n\
-         touching at t = 0: 0 pairs\n"
+         candidate pairs: 8 vertex-face, 5 edge-edge\n\
+         pairs that touch at t = 0: 0\n"
     );
 }
 
@@ -211,8 +211,8 @@ fn a_pair_in_contact_at_the_start_is_counted() {
     assert_eq!(
         answer(&run),
         "contact at t = 0: vertex 4 and face 1 (vertices 2, 1, 3)\n\
-         candidates: 4 vertex-face pairs, 3 edge-edge pairs\n\
-         touching at t = 0: 1 pairs\n"
+         candidate pairs: 4 vertex-face, 3 edge-edge\n\
+         pairs that touch at t = 0: 1\n"
     );
 }
 
