@@ -219,7 +219,8 @@ impl<'a, K: Kind> Collision<'a, K> {
         within: impl FnOnce(&FirstWithin) -> T,
     ) -> T {
         let filters = environment::is_default();
-        // Cannot panic: the filters prove contact, or nearness, only where the exact path, which defines it, finds it.
+        // Cannot panic: the filters prove contact, or nearness, only where the exact path, which defines
+        // it, finds it.
         let first_contact = || FirstContact::of(self.query).expect("a proved contact exists");
         let first_within = || FirstWithin::of(self.query, self.separation).expect("a proved nearness exists");
         let by_filter = |first| filters.then(|| within_by_filter(first)).flatten();

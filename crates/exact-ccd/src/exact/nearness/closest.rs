@@ -23,7 +23,8 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
     let instant = Narrowing::new(first.clone());
     instant.narrow_to(80);
     let within = features.iter().filter(|feature| feature.is_within(&instant));
-    // Cannot panic: at each time some features have the closest points of the primitives, within d at this one.
+    // Cannot panic: at each time some features have the closest points of the primitives, which are
+    // within d at this one.
     let closest = within.min_by(|one, other| one.compare(other, &instant));
     let closest = closest.expect("some features are within the separation at the first time");
     let (parameters, normal) = match closest.pair {
