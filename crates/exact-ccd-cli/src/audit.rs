@@ -99,17 +99,26 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let writing = if mesh.has_files() { "write" } else { "examine" };
     let count = scene.frame_count();
     during(progress::bar(count, "frames"), |progress| {
+        let mut next = None;
         for index in 0..count {
-            let frame = scene.read(index)?;
+            let frame = next.take().unwrap_or_else(|| scene.read(index))?;
             clock.end("read");
             page.begin(&frame.mesh, || frame.bounds());
             let file = scene.frame_name(index);
             page.add(&view::name(Path::new(&file)), &frame.positions)?;
             clock.end(writing);
             let before = examination.last().map(|last| last.positions.clone());
-            let violations = examination
-                .examine(frame)
-                .map_err(|error| scene.mismatch(index, error))?;
+            // The next frame is read meanwhile. The time of reading is what remains after the examination.
+            let examine = || {
+                let violations = examination.examine(frame);
+                clock.end("examine");
+                violations
+            };
+            let read = || (index + 1 < count).then(|| scene.read(index + 1));
+            let (violations, following) = rayon::join(examine, read);
+            clock.end("read");
+            next = following;
+            let violations = violations.map_err(|error| scene.mismatch(index, error))?;
             report.examined = index + 1;
             let Some(last) = examination.last() else {
                 continue;
