@@ -96,6 +96,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 struct Run<'a> {
     arguments: &'a Arguments,
     scene: Scene,
+    /// The next frame, read while the last one was examined.
+    next: Option<Result<Frame, Failure>>,
     half_spaces: HalfSpaces,
     examination: Examination,
     certificate: Certificate<'a>,
@@ -127,6 +129,7 @@ impl<'a> Run<'a> {
             .around(scene.moving_vertices(), mesh.min_distance, None);
         Ok(Self {
             arguments,
+            next: None,
             examination: arguments.examination(&scene),
             certificate,
             page: mesh.view.recording(frames, &scene, half_spaces.all()),
@@ -146,17 +149,14 @@ impl<'a> Run<'a> {
 
     /// Examines a frame and the step that leads to it.
     fn examine(&mut self, index: usize) -> Result<(), Failure> {
-        let frame = self.scene.read(index)?;
+        let frame = self.next.take().unwrap_or_else(|| self.scene.read(index))?;
         self.clock.end("read");
         self.page.begin(&frame.mesh, || frame.bounds());
         let file = self.scene.frame_name(index);
         self.page.add(&view::name(Path::new(&file)), &frame.positions)?;
         self.clock.end(self.writing);
         let before = self.examination.last().map(|last| last.positions.clone());
-        let violations = self
-            .examination
-            .examine(frame)
-            .map_err(|error| self.scene.mismatch(index, error))?;
+        let violations = self.examine_and_read(index, frame)?;
         self.report.examined = index + 1;
         let Some(last) = self.examination.last() else {
             return Ok(());
@@ -186,6 +186,22 @@ impl<'a> Run<'a> {
         self.list.0.append(&mut records);
         self.clock.end(self.writing);
         Ok(())
+    }
+
+    /// Examines a frame, while the next one is read. The duration of reading is what remains after the
+    /// examination.
+    fn examine_and_read(&mut self, index: usize, frame: Frame) -> Result<Vec<Violation>, Failure> {
+        let examine = || {
+            let violations = self.examination.examine(frame);
+            self.clock.end("examine");
+            violations
+        };
+        let is_last = index + 1 == self.scene.frame_count();
+        let read = || (!is_last).then(|| self.scene.read(index + 1));
+        let (violations, next) = rayon::join(examine, read);
+        self.clock.end("read");
+        self.next = next;
+        violations.map_err(|error| self.scene.mismatch(index, error))
     }
 
     /// Writes the outputs about all frames, and returns the exit status.
