@@ -6,8 +6,8 @@ use nalgebra::DMatrix;
 use super::hinge::Fold;
 use crate::energy::{Block, Energy, Projection};
 
-/// The energy ½ (θ − θ₀)ᵀ K (θ − θ₀) of the angles θ of some hinges, with the angles θ₀ at rest and a constant,
-/// positive semi-definite stiffness K.
+/// The energy ½ (θ − θ₀)ᵀ K (θ − θ₀) of the angles θ of some hinges, with the angles θ₀ at rest and a
+/// constant, positive semi-definite stiffness K.
 #[derive(Debug)]
 pub(super) struct VertexBend {
     /// The vertex of all hinges is the first one: its blocks have the most terms, and the fewest are in its

@@ -154,8 +154,8 @@ impl Newton<'_> {
     ///
     /// Carried vertices are rounded in another way. Where two primitives touch, each coordinate of their
     /// closest points then differs by at most the sum of both deviations more than along the step.
-    /// `candidates` have all pairs within the activation distance: they suffice if a deviation is at most half
-    /// of it, of which a quarter leaves room for the rounding of the difference.
+    /// `candidates` have all pairs within the activation distance: they suffice if each deviation is at most
+    /// half of it. The test for a quarter leaves room for the rounding of the difference.
     fn is_free_again(&self, candidates: &Candidates, part: Step<'_>, along: &[Point]) -> bool {
         let [_, end] = part.positions();
         let coordinates = end.as_flattened().iter().zip(along.as_flattened());
