@@ -102,8 +102,8 @@ fn a_vertex_slides_over_a_face() {
     assert_within(VertexFace, &at(-2.0), &at(6.0), 0.0, &[slides]);
 }
 
-/// Two edges at t = 0 and t = 1. The ends of the first one, at x = −1 and x = 1, have the heights z + 4 t − 2 and
-/// z + 2 − 4 t. The second one is at x = 2 t − 1. There, the first edge has the height z − 2 (2 t − 1)².
+/// Two edges at t = 0 and t = 1. The ends of the first one, at x = −1 and x = 1, have the heights z + 4 t − 2
+/// and z + 2 − 4 t. The second one is at x = 2 t − 1. There, the first edge has the height z − 2 (2 t − 1)².
 fn turning(z: f64) -> [[Point; 4]; 2] {
     [(z - 2.0, z + 2.0, -1.0), (z + 2.0, z - 2.0, 1.0)].map(|(left, right, x)| {
         [
