@@ -75,6 +75,8 @@ class Exact:
         self.name = " ".join(["exact-ccd step", *flags])
         self.program, self.flags = program, flags
         self.environment = {**os.environ, "RAYON_NUM_THREADS": str(threads)}
+        # Of all contacts.
+        self.candidates, self.contacts = 0, 0
 
     def run(self, _x0, _x1, files, repeat):
         # ipctk does not look for intersections at the start either.
@@ -88,6 +90,7 @@ class Exact:
         seconds = phases["broad"] + phases["narrow"]
         if "--any" in self.flags:
             return seconds, report["collision_free"]
+        self.candidates, self.contacts = (sum(report.get(name, {}).values()) for name in ("candidates", "colliding"))
         return seconds, 1.0 if report["toi"] is None else report["toi"]
 
 
@@ -116,7 +119,10 @@ def print_table(title, contestants, seconds, answers, file):
 
 
 class Summary:
-    """One row for each scene and number of threads, with the times of all contestants in ms."""
+    """One row for each scene and number of threads, with the times of all contestants in ms.
+
+    Where one of them counts all contacts, it has the counts, and the time of that one for each candidate.
+    """
 
     def __init__(self, title):
         self.title, self.header, self.rows = title, None, []
@@ -124,6 +130,11 @@ class Summary:
     def add(self, row, contestants, seconds):
         self.header = [contestant.name for contestant in contestants]
         self.rows.append([row, *(f"{1e3 * taken:.1f}" for taken in seconds)])
+        for contestant, taken in zip(contestants, seconds):
+            candidates = getattr(contestant, "candidates", 0)
+            if candidates > 0:
+                self.header += ["candidates", "contacts", "ns a candidate"]
+                self.rows[-1] += [str(candidates), str(contestant.contacts), f"{1e9 * taken / candidates:.0f}"]
 
     def print(self):
         if self.rows:

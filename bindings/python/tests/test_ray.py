@@ -212,7 +212,7 @@ def test_data_sets(cluster, tmp_path) -> None:
         lists = pa.array(list(points.reshape(500, -1)), pa.list_(pa.float64()))
         table = pa.table({"kind": [kind] * 500, "points": lists, "id_a": np.arange(500)})
         pyarrow.parquet.write_table(table, tmp_path / f"{kind}.parquet", row_group_size=100)
-    answered = exact_ccd.ray.answer_dataset(ray.data.read_parquet(str(tmp_path)))
+    answered = exact_ccd.ray.answer_files(tmp_path)
     rows = pa.concat_tables(ray.get(answered.to_arrow_refs())).to_pandas()
     for kind in POINTS:
         part = rows[rows["kind"] == kind].sort_values("id_a")
@@ -279,8 +279,9 @@ def test_hostile_arguments(cluster, tmp_path) -> None:
 
     def decide(rows) -> None:
         d = float(random.choice([0.0, 1.0, np.nan, -1.0], p=[0.6, 0.2, 0.1, 0.1]))
-        answered = exact_ccd.ray.answer_dataset(ray.data.from_arrow(rows), separation=d)
         try:
+            pyarrow.parquet.write_table(rows, tmp_path / "rows.parquet")
+            answered = exact_ccd.ray.answer_files(tmp_path / "rows.parquet", separation=d)
             answered.materialize()
         except (pa.ArrowException, ray.exceptions.RayError) as error:
             # An exception of the task, not the end of its process.

@@ -66,7 +66,7 @@ def test_wrong_arguments() -> None:
     detector = Detector(Mesh(4, [[0, 1, 2]]))
     x = np.array([*FACE, [0.25, 0.25, 0.5]])
     for cut_off in (-1.0, np.inf, np.nan):
-        with pytest.raises(ValueError, match="cut_off: separation .* is not a finite number"):
+        with pytest.raises(ValueError, match="cut_off: distance .* is not a finite number"):
             detector.clearances(x, cut_off)
     with pytest.raises(ValueError, match="x has the shape"):
         detector.clearances(x[:3], 1.0)

@@ -8,15 +8,18 @@ use std::process::ExitCode;
 use exact_ccd::Point;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
+use crate::certificate::Certificate;
 use crate::contacts::{ContactList, ContactRecord};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
+use crate::half_spaces::HalfSpaces;
 use crate::mesh_arguments::MeshArguments;
 use crate::notes::Notes;
 use crate::progress::{self, during};
 use crate::report::{Report, Violations};
 use crate::scene::{Scene, note_split_vertices};
 use crate::seconds::Seconds;
+use crate::view::Recording;
 use crate::{impact_files, view};
 use every::EveryViolation;
 
@@ -35,7 +38,8 @@ use every::EveryViolation;
 /// contact. On the straight line from one time step to the next, as in DIR/frames, parts that turn
 /// around each other may touch.
 ///
-/// All ids count from 0. Exit status: 0 free, 1 violation, 2 error.
+/// All ids count from 0. Exit status: 0 free, 1 violation, 2 error, 3 if some pairs have no
+/// certificate.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// Meshes with the same faces: mesh files, folders of files of one format, lists of files (.pvd,
@@ -73,94 +77,166 @@ impl Examination {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let Arguments {
-        mesh,
-        frames,
-        as_given,
-    } = arguments;
-    mesh.check_places()?;
-    let mut certificate = mesh.certificate.begin(frames, mesh.min_distance)?;
-    if certificate.is_wanted() && mesh.all.is_some() {
-        return Err(Failure::new(
-            "a certificate ends with the first violation: leave out --all",
-        ));
-    }
-    let mut clock = Seconds::begin();
-    let mut notes = Notes::default();
-    let mut scene = Scene::of_sequence(frames, *as_given, &mesh.scene, &mut notes)?;
-    mesh.check(&scene)?;
-    let mut report = Report::new("audit", &scene, notes, Distances::new(mesh.min_distance, None));
-    let mut examination = arguments.examination(&scene);
-    let vertices = scene.moving_vertices();
-    let half_spaces = mesh.half_spaces.around(vertices, mesh.min_distance, None);
-    let mut page = mesh.view.recording(frames, &scene, half_spaces.all());
-    let mut list = ContactList::default();
-    // Without files, nothing is written.
-    let writing = if mesh.has_files() { "write" } else { "examine" };
-    let count = scene.frame_count();
+    let mut run = Run::begin(arguments)?;
+    let count = run.scene.frame_count();
     during(progress::bar(count, "frames"), |progress| {
         for index in 0..count {
-            let frame = scene.read(index)?;
-            clock.end("read");
-            page.begin(&frame.mesh, || frame.bounds());
-            let file = scene.frame_name(index);
-            page.add(&view::name(Path::new(&file)), &frame.positions)?;
-            clock.end(writing);
-            let before = examination.last().map(|last| last.positions.clone());
-            let violations = examination
-                .examine(frame)
-                .map_err(|error| scene.mismatch(index, error))?;
-            report.examined = index + 1;
-            let Some(last) = examination.last() else {
-                continue;
-            };
-            certificate.add_frame(before.as_deref(), last, &violations)?;
-            let start = before.as_ref().unwrap_or(&last.positions);
-            let found = violations.iter().map(|violation| record(start, last, violation));
-            let mut records: Vec<_> = found.collect();
-            if let Some(first) = records.first().filter(|_| index == 0) {
-                note_split_vertices(first, &[&last.positions], &mesh.scene, &mut report.notes);
-            }
-            records.extend(half_spaces.touching(index, last));
-            let in_file = |record: ContactRecord| record.in_file(scene.ids());
-            let mut records: Vec<_> = records.into_iter().map(in_file).collect();
-            clock.end("examine");
-            for violation in &violations {
-                match violation {
-                    Violation::Intersection { intersection, .. } => page.intersection(*intersection),
-                    Violation::Contact { contact, .. } => page.contact(contact),
-                }?;
-            }
-            for (vertex, number) in records.iter().filter_map(ContactRecord::in_half_space) {
-                page.half_space_contact(vertex, number, None)?;
-            }
-            if report.collision_free && !records.is_empty() {
-                arguments.write_impact(&scene, index, [start, &last.positions], &records)?;
-            }
-            records
-                .iter()
-                .for_each(|record| report.add(&scene, index, record));
-            list.0.append(&mut records);
-            clock.end(writing);
-            if !report.collision_free && mesh.all.is_none() {
+            run.examine(index)?;
+            if run.is_over() {
                 break;
             }
             progress(1);
         }
         Ok::<_, Failure>(())
     })?;
-    if let Some(file) = &mesh.all {
-        report.counts.violations = Some(Violations::from(&list));
-        list.write(file)?;
+    run.finish()
+}
+
+/// The frames examined so far, and the outputs that they go to.
+struct Run<'a> {
+    arguments: &'a Arguments,
+    scene: Scene,
+    /// The next frame, read while the last one was examined.
+    next: Option<Result<Frame, Failure>>,
+    half_spaces: HalfSpaces,
+    examination: Examination,
+    certificate: Certificate<'a>,
+    page: Recording,
+    report: Report,
+    /// All violations.
+    list: ContactList,
+    clock: Seconds,
+    /// The phase of the clock that has the outputs: without files, nothing is written.
+    writing: &'static str,
+}
+
+impl<'a> Run<'a> {
+    fn begin(arguments: &'a Arguments) -> Result<Self, Failure> {
+        let Arguments { mesh, frames, .. } = arguments;
+        mesh.check_places()?;
+        let certificate = mesh.certificate.begin(frames, mesh.min_distance)?;
+        if certificate.is_wanted() && mesh.all.is_some() {
+            return Err(Failure::new(
+                "a certificate ends with the first violation: leave out --all",
+            ));
+        }
+        let clock = Seconds::begin();
+        let mut notes = Notes::default();
+        let scene = Scene::of_sequence(frames, arguments.as_given, &mesh.scene, &mut notes)?;
+        mesh.check(&scene)?;
+        let half_spaces = mesh
+            .half_spaces
+            .around(scene.moving_vertices(), mesh.min_distance, None);
+        Ok(Self {
+            arguments,
+            next: None,
+            examination: arguments.examination(&scene),
+            certificate,
+            page: mesh.view.recording(frames, &scene, half_spaces.all()),
+            report: Report::new("audit", &scene, notes, Distances::new(mesh.min_distance, None)),
+            list: ContactList::default(),
+            clock,
+            writing: if mesh.has_files() { "write" } else { "examine" },
+            scene,
+            half_spaces,
+        })
     }
-    if let Some(last) = examination.last().filter(|_| report.collision_free) {
-        arguments.write_impact(&scene, count, [&last.positions; 2], &[])?;
+
+    /// Returns true if a violation was found, and the first one suffices.
+    fn is_over(&self) -> bool {
+        !self.report.collision_free && self.arguments.mesh.all.is_none()
     }
-    page.finish(&report.verdict(), &report.to_string())?;
-    clock.end(writing);
-    report.seconds = Some(clock);
-    let status = mesh.finish(report)?;
-    Ok(certificate.finish()?.unwrap_or(status))
+
+    /// Examines a frame and the step that leads to it.
+    fn examine(&mut self, index: usize) -> Result<(), Failure> {
+        let frame = self.next.take().unwrap_or_else(|| self.scene.read(index))?;
+        self.clock.end("read");
+        self.page.begin(&frame.mesh, || frame.bounds());
+        let file = self.scene.frame_name(index);
+        self.page.add(&view::name(Path::new(&file)), &frame.positions)?;
+        self.clock.end(self.writing);
+        let before = self.examination.last().map(|last| last.positions.clone());
+        let violations = self.examine_and_read(index, frame)?;
+        self.report.examined = index + 1;
+        let Some(last) = self.examination.last() else {
+            return Ok(());
+        };
+        self.certificate.add_frame(before.as_deref(), last, &violations)?;
+        let start = before.as_ref().unwrap_or(&last.positions);
+        let found: Vec<_> = violations
+            .iter()
+            .map(|violation| record(start, last, violation))
+            .collect();
+        if let Some(first) = found.first().filter(|_| index == 0) {
+            let options = &self.arguments.mesh.scene;
+            note_split_vertices(first, &[&last.positions], options, &mut self.report.notes);
+        }
+        let all = found.into_iter().chain(self.half_spaces.touching(index, last));
+        let in_file = |record: ContactRecord| record.in_file(self.scene.ids());
+        let mut records: Vec<_> = all.map(in_file).collect();
+        self.clock.end("examine");
+        show(&mut self.page, &violations, &records)?;
+        if self.report.collision_free && !records.is_empty() {
+            let ends = [&start[..], &last.positions];
+            self.arguments.write_impact(&self.scene, index, ends, &records)?;
+        }
+        for record in &records {
+            self.report.add(&self.scene, index, record);
+        }
+        self.list.0.append(&mut records);
+        self.clock.end(self.writing);
+        Ok(())
+    }
+
+    /// Examines a frame, while the next one is read. The duration of reading is what remains after the
+    /// examination.
+    fn examine_and_read(&mut self, index: usize, frame: Frame) -> Result<Vec<Violation>, Failure> {
+        let examine = || {
+            let violations = self.examination.examine(frame);
+            self.clock.end("examine");
+            violations
+        };
+        let is_last = index + 1 == self.scene.frame_count();
+        let read = || (!is_last).then(|| self.scene.read(index + 1));
+        let (violations, next) = rayon::join(examine, read);
+        self.clock.end("read");
+        self.next = next;
+        violations.map_err(|error| self.scene.mismatch(index, error))
+    }
+
+    /// Writes the outputs about all frames, and returns the exit status.
+    fn finish(mut self) -> Result<ExitCode, Failure> {
+        let mesh = &self.arguments.mesh;
+        if let Some(file) = &mesh.all {
+            self.report.counts.violations = Some(Violations::from(&self.list));
+            self.list.write(file)?;
+        }
+        if let Some(last) = self.examination.last().filter(|_| self.report.collision_free) {
+            let count = self.scene.frame_count();
+            self.arguments
+                .write_impact(&self.scene, count, [&last.positions; 2], &[])?;
+        }
+        self.page
+            .finish(&self.report.verdict(), &self.report.to_string())?;
+        self.clock.end(self.writing);
+        self.report.seconds = Some(self.clock);
+        let status = mesh.finish(self.report)?;
+        Ok(self.certificate.finish()?.unwrap_or(status))
+    }
+}
+
+/// Adds what was found in a frame, and in the step to it, to the page.
+fn show(page: &mut Recording, violations: &[Violation], records: &[ContactRecord]) -> Result<(), Failure> {
+    for violation in violations {
+        match violation {
+            Violation::Intersection { intersection, .. } => page.intersection(*intersection),
+            Violation::Contact { contact, .. } => page.contact(contact),
+        }?;
+    }
+    for (vertex, number) in records.iter().filter_map(ContactRecord::in_half_space) {
+        page.half_space_contact(vertex, number, None)?;
+    }
+    Ok(())
 }
 
 /// The record of a violation, found in the frame `last` or in the step to it from these positions.

@@ -73,6 +73,7 @@ pub(crate) fn commands(program: clap::Command) -> clap::Command {
             .hide(true);
         let command = clap::Command::new(name)
             .about(format!("{summary} [not in this build: feature {feature}]"))
+            .after_help(message(&format!("`{name}`"), feature, name))
             .disable_help_flag(true)
             .arg(arguments);
         program.subcommand(command)

@@ -71,7 +71,7 @@ pub(crate) struct Counts {
 }
 
 /// The pairs of a step whose candidates have all been examined.
-#[derive(Serialize)]
+#[derive(Clone, Copy, Serialize)]
 pub(crate) struct Pairs {
     touching_at_start: usize,
     candidates: OfKinds,
@@ -79,7 +79,7 @@ pub(crate) struct Pairs {
 }
 
 /// A number for each kind of pair.
-#[derive(Serialize)]
+#[derive(Clone, Copy, Serialize)]
 struct OfKinds {
     vf: usize,
     ee: usize,
@@ -153,7 +153,9 @@ impl Report {
 
     /// The line of the text about a contact that is not known, or that is absent.
     fn decision(&self) -> &'static str {
-        if self.collision_free {
+        if self.collision_free && self.frames == 1 {
+            "free of contact at rest: one frame has no motion"
+        } else if self.collision_free {
             "free of contact"
         } else if self.touches {
             "contact"
@@ -236,17 +238,17 @@ impl fmt::Display for Report {
 impl fmt::Display for Counts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(count) = self.intersections.filter(|count| *count > 0) {
-            writeln!(f, "intersections at t = 0: {count} pairs")?;
+            writeln!(f, "pairs that intersect at t = 0: {count}")?;
         }
         if let Some(pairs) = &self.pairs {
-            writeln!(f, "candidates: {}", pairs.candidates)?;
-            writeln!(f, "touching at t = 0: {} pairs", pairs.touching_at_start)?;
+            writeln!(f, "candidate pairs: {}", pairs.candidates)?;
+            writeln!(f, "pairs that touch at t = 0: {}", pairs.touching_at_start)?;
         }
         if let Some(vertices) = &self.half_spaces {
             let (colliding, touching) = (vertices.colliding, vertices.touching_at_start);
             writeln!(
                 f,
-                "half spaces: {colliding} vertices in contact, {touching} touching at t = 0"
+                "vertices that touch half spaces: {colliding}, at t = 0: {touching}"
             )?;
         }
         match self.violations {
@@ -261,11 +263,11 @@ impl fmt::Display for Counts {
 
 impl fmt::Display for OfKinds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} vertex-face pairs, {} edge-edge pairs", self.vf, self.ee)?;
+        write!(f, "{} vertex-face, {} edge-edge", self.vf, self.ee)?;
         // A mesh of faces alone has none of these.
         if self.ve + self.vv > 0 {
             let (ve, vv) = (self.ve, self.vv);
-            write!(f, ", {ve} vertex-edge pairs, {vv} vertex-vertex pairs")?;
+            write!(f, ", {ve} vertex-edge, {vv} vertex-vertex")?;
         }
         Ok(())
     }

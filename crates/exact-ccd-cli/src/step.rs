@@ -14,7 +14,7 @@ use exact_ccd_mesh::{
 use crate::contacts::{ContactList, ContactRecord};
 use crate::distances::{self, Distances, kept};
 use crate::failure::Failure;
-use crate::half_spaces::HalfSpaces;
+use crate::half_spaces::{HalfSpaceCounts, HalfSpaces};
 use crate::impact_files;
 use crate::mesh_arguments::MeshArguments;
 use crate::notes::Notes;
@@ -40,7 +40,7 @@ use crate::timed::Timed;
 ///
 /// The time of impact is the earliest contact time, rounded down to f64: until then the step is
 /// free of contact for certain. All ids count from 0. Exit status: 0 free, 1 contact or intersection
-/// at the start, 2 error.
+/// at the start, 2 error, 3 if some pairs have no certificate.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// Pairs of mesh files, START END: a mesh at the start of the step, and at its end, with the same
@@ -90,96 +90,29 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut clock = Seconds::begin();
     let mut notes = Notes::default();
     let (scene, motion) = during(progress::stage("reading"), |_| arguments.read(&mut notes))?;
-    let (min_distance, inner_distance) = (mesh.min_distance, arguments.inner_distance);
-    let vertices = scene.moving_vertices();
-    let problem = Problem {
-        can_collide: scene.can_collide(),
-        distance: kept(min_distance, inner_distance),
-        half_spaces: mesh.half_spaces.around(vertices, min_distance, inner_distance),
-        broad_phase: Timed::new(Bvh),
-        ids: scene.ids().clone(),
-        motion,
-    };
+    let problem = arguments.problem(&scene, motion);
     let mut detector = problem.detector();
     clock.end("read");
 
-    let start = arguments.start(&problem)?;
-    let at_start = start.iter().map(|&found| problem.record_of_start(found));
-    let mut records: Vec<_> = at_start.collect();
-    clock.end("start");
-
-    let (in_half_spaces, half_spaces) = problem.half_spaces.in_step(&problem.motion);
-    let in_half_spaces = in_half_spaces
-        .into_iter()
-        .map(|record| record.in_file(&problem.ids));
-    let in_half_spaces: Vec<_> = in_half_spaces.collect();
-    let half_spaces = mesh.half_spaces.is_given().then_some(half_spaces);
-    if half_spaces.is_some() {
-        clock.end("half_spaces");
-    }
-
-    let mut runs = Vec::new();
-    for _ in 0..arguments.repeat {
-        let answer = arguments.answer(&problem, &mut detector)?;
-        runs.push((clock.lap(), problem.broad_phase.take_time_in_sinks(), answer));
-    }
-    runs.sort_by_key(|(duration, ..)| *duration);
-    let (search, narrow, answer) = runs.swap_remove(runs.len() / 2);
-    clock.add("broad", search.saturating_sub(narrow));
-    clock.add("narrow", narrow.min(search));
-
-    // Of contacts at the same time, those of the mesh are first.
-    let earliest = answer.earliest.map(|contact| problem.record(&contact));
-    let earliest = earliest.into_iter().chain(in_half_spaces.first().cloned());
-    let earliest = earliest.min_by(ContactRecord::compare_times);
-    let is_split = |record: &&ContactRecord| record.toi() == 0.0;
-    let at_start = records
-        .first()
-        .or(earliest.as_ref().filter(|_| !arguments.any).filter(is_split));
-    let mut report = Report::new(
-        "step",
-        &scene,
-        notes,
-        Distances::new(min_distance, inner_distance),
-    );
-    if let Some(first) = at_start {
-        let Motion { x0, x1, .. } = &problem.motion;
-        note_split_vertices(first, &[x0, x1], &mesh.scene, &mut report.notes);
-    }
-    records
-        .first()
-        .into_iter()
-        .for_each(|record| report.add(&scene, 1, record));
-    match earliest {
-        Some(_) if arguments.any => report.touch(),
-        Some(record) => report.add(&scene, 1, &record),
-        None if answer.touches => report.touch(),
-        None => {}
-    }
-    report.counts = Counts {
-        intersections: (!arguments.no_start_check).then_some(start.len()),
-        pairs: answer.pairs,
-        half_spaces,
-        violations: None,
-    };
+    let found = arguments.find(&problem, &mut detector, &mut clock)?;
+    let distances = Distances::new(mesh.min_distance, arguments.inner_distance);
+    let mut report = Report::new("step", &scene, notes, distances);
+    arguments.tell(&scene, &problem, &found, &mut report);
     if mesh.has_files() {
         let contacts = during(progress::stage("listing all contacts"), |_| {
             let Motion { x0, x1, .. } = &problem.motion;
             detector.collisions(x0, x1, problem.options())
         })?;
         clock.end("list");
-        records.extend(contacts.iter().map(|contact| problem.record(contact)));
-        records.extend(in_half_spaces);
-        records.sort_by(ContactRecord::compare_times);
-        let list = ContactList(records);
+        let list = found.list(&problem, &contacts);
         report.counts.violations = mesh.all.as_ref().map(|_| Violations::from(&list));
-        arguments.write((&scene, &problem), &start, &contacts, &list, &report)?;
+        arguments.write((&scene, &problem), &found.start, &contacts, &list, &report)?;
         clock.end("write");
     }
     if certificate.is_wanted() {
         let Motion { x0, x1, .. } = &problem.motion;
         let earliest = detector.collision(x0, x1, problem.options())?;
-        let starts_apart = (!arguments.no_start_check).then_some(start.is_empty());
+        let starts_apart = (!arguments.no_start_check).then_some(found.start.is_empty());
         certificate.add_step(&problem.motion, earliest.as_ref(), starts_apart)?;
         clock.end("certificate");
     }
@@ -194,6 +127,27 @@ struct Answer {
     touches: bool,
     earliest: Option<Contact>,
     pairs: Option<Pairs>,
+}
+
+/// The answers to all questions: about the start, the half spaces, and the mesh in motion.
+struct Found {
+    start: Vec<Intersection>,
+    /// The contacts with half spaces, the earliest first.
+    in_half_spaces: Vec<ContactRecord>,
+    half_spaces: Option<HalfSpaceCounts>,
+    answer: Answer,
+}
+
+impl Found {
+    /// The intersections at the start and all contacts, in the order of their times.
+    fn list(&self, problem: &Problem, contacts: &[Contact]) -> ContactList {
+        let start = self.start.iter().map(|&found| problem.record_of_start(found));
+        let contacts = contacts.iter().map(|contact| problem.record(contact));
+        let mut records: Vec<_> = start.chain(contacts).collect();
+        records.extend(self.in_half_spaces.iter().cloned());
+        records.sort_by(ContactRecord::compare_times);
+        ContactList(records)
+    }
 }
 
 /// A motion, the ids of its vertices and faces, and the meaning of contact in it.
@@ -234,6 +188,81 @@ impl Arguments {
         let (start, end) = (scene.read(0)?, scene.read(1)?);
         let motion = Motion::new(start, end).map_err(|error| scene.mismatch(1, error))?;
         Ok((scene, motion))
+    }
+
+    fn problem(&self, scene: &Scene, motion: Motion) -> Problem {
+        let (min_distance, inner_distance) = (self.mesh.min_distance, self.inner_distance);
+        let half_spaces = &self.mesh.half_spaces;
+        Problem {
+            can_collide: scene.can_collide(),
+            distance: kept(min_distance, inner_distance),
+            half_spaces: half_spaces.around(scene.moving_vertices(), min_distance, inner_distance),
+            broad_phase: Timed::new(Bvh),
+            ids: scene.ids().clone(),
+            motion,
+        }
+    }
+
+    /// All answers, that about the mesh as often as `--repeat` says.
+    fn find(
+        &self,
+        problem: &Problem,
+        detector: &mut Detector<&Timed<Bvh>>,
+        clock: &mut Seconds,
+    ) -> Result<Found, Failure> {
+        let start = self.start(problem)?;
+        clock.end("start");
+        let (in_half_spaces, half_spaces) = problem.half_spaces.in_step(&problem.motion);
+        let in_file = |record: ContactRecord| record.in_file(&problem.ids);
+        let in_half_spaces = in_half_spaces.into_iter().map(in_file).collect();
+        let half_spaces = self.mesh.half_spaces.is_given().then_some(half_spaces);
+        if half_spaces.is_some() {
+            clock.end("half_spaces");
+        }
+        let mut runs = Vec::new();
+        for _ in 0..self.repeat {
+            let answer = self.answer(problem, detector)?;
+            runs.push((clock.lap(), problem.broad_phase.take_time_in_sinks(), answer));
+        }
+        runs.sort_by_key(|(duration, ..)| *duration);
+        let (search, narrow, answer) = runs.swap_remove(runs.len() / 2);
+        clock.add("broad", search.saturating_sub(narrow));
+        clock.add("narrow", narrow.min(search));
+        Ok(Found {
+            start,
+            in_half_spaces,
+            half_spaces,
+            answer,
+        })
+    }
+
+    /// Adds what was found to the report.
+    fn tell(&self, scene: &Scene, problem: &Problem, found: &Found, report: &mut Report) {
+        let at_start = found.start.first().map(|&found| problem.record_of_start(found));
+        // Of contacts at the same time, those of the mesh are first.
+        let answer = &found.answer;
+        let earliest = answer.earliest.as_ref().map(|contact| problem.record(contact));
+        let earliest = earliest.into_iter().chain(found.in_half_spaces.first().cloned());
+        let earliest = earliest.min_by(ContactRecord::compare_times);
+        let touches = |record: &&ContactRecord| !self.any && record.toi() == 0.0;
+        if let Some(first) = at_start.as_ref().or(earliest.as_ref().filter(touches)) {
+            let Motion { x0, x1, .. } = &problem.motion;
+            note_split_vertices(first, &[x0, x1], &self.mesh.scene, &mut report.notes);
+        }
+        if let Some(record) = &at_start {
+            report.add(scene, 1, record);
+        }
+        match earliest {
+            Some(record) if !self.any => report.add(scene, 1, &record),
+            None if !answer.touches => {}
+            _ => report.touch(),
+        }
+        report.counts = Counts {
+            intersections: (!self.no_start_check).then_some(found.start.len()),
+            pairs: answer.pairs,
+            half_spaces: found.half_spaces,
+            violations: None,
+        };
     }
 
     /// The intersections at the start, unless they are not searched for.

@@ -14,7 +14,7 @@ use serde::Serialize;
 /// let file = MeshFile::parse(obj, Format::Obj, Polygons::Triangulate)?;
 /// assert_eq!(
 ///     file.contents.to_string(),
-///     "5 vertices, 5 edges, 2 faces, 1 point, 2 parts; \
+///     "5 vertices, 5 edges, 2 faces, 1 point, 2 components; \
 ///      1 polygon triangulated as a fan from its lowest vertex"
 /// );
 /// # Ok::<(), exact_ccd_files::ParseError>(())
@@ -33,7 +33,7 @@ pub struct Contents {
     /// Points: vertices of no face and no edge.
     pub loose_vertices: usize,
     /// Connected components: vertices that faces and edges connect, and every point.
-    pub parts: usize,
+    pub components: usize,
     /// Faces with more than three corners, which were triangulated.
     pub polygons: usize,
     /// Tetrahedra, hexahedra, wedges and pyramids, of which the frame has the surface.
@@ -58,7 +58,7 @@ impl Contents {
             faces: mesh.faces().len(),
             loose_edges: mesh.loose_edges().len(),
             loose_vertices: is_loose.into_iter().filter(|&is_loose| is_loose).count(),
-            parts: mesh.component_count(),
+            components: mesh.component_count(),
             polygons: 0,
             solids: 0,
         }
@@ -83,7 +83,7 @@ impl fmt::Display for Contents {
         if self.loose_vertices > 0 {
             write!(f, "{}, ", count(self.loose_vertices, "point", "points"))?;
         }
-        write!(f, "{}", count(self.parts, "part", "parts"))?;
+        write!(f, "{}", count(self.components, "component", "components"))?;
         if self.solids > 0 {
             let cells = count(self.solids, "cell with volume", "cells with volume");
             write!(f, "; the surface of {cells}")?;

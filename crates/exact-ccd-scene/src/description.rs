@@ -9,7 +9,6 @@ use super::group::GroupKey;
 use super::half_spaces;
 use super::placement::{Placement, Rotation, Scale};
 use super::rendering::Rendering;
-use super::springs::SpringDescription;
 use exact_ccd_sim::{
     AffineProperties, Force, ParticleProperties, RodProperties, Script, Settings, ShellProperties,
     SolidProperties,
@@ -283,6 +282,20 @@ pub(super) enum Selection {
     Vertices(Vec<u32>),
     /// The vertices of a group of the mesh file.
     Group(GroupKey),
+}
+
+/// A spring between two bodies, or a body and a place.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct SpringDescription {
+    /// The names of two bodies, or of one, which a place that never moves holds.
+    pub(super) between: Vec<String>,
+    /// The positions of both ends at the start, or one for both.
+    pub(super) at: Vec<Point>,
+    /// The stiffness, in N/m.
+    pub(super) stiffness: f64,
+    /// The length without forces, in m. If not given, it is that at the start.
+    pub(super) length: Option<f64>,
 }
 
 /// True for a value that is the same as if it were not given.

@@ -1,25 +1,9 @@
-//! Springs as tables of a scene file, `[[spring]]`.
+//! The springs of a scene, from the names of bodies.
 
-use exact_ccd_mesh::Point;
 use exact_ccd_sim::{Spring, SpringEnd};
-use serde::{Deserialize, Serialize};
 
-use super::description::Description;
+use super::description::{Description, SpringDescription};
 use super::field_error::FieldError;
-
-/// A spring between two bodies, or a body and a place.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub(super) struct SpringDescription {
-    /// The names of two bodies, or of one, which a place that never moves holds.
-    pub(super) between: Vec<String>,
-    /// The positions of both ends at the start, or one for both.
-    pub(super) at: Vec<Point>,
-    /// The stiffness, in N/m.
-    pub(super) stiffness: f64,
-    /// The length without forces, in m. If not given, it is that at the start.
-    pub(super) length: Option<f64>,
-}
 
 /// The springs of a scene.
 pub(super) fn springs(description: &Description) -> Result<Vec<Spring>, FieldError> {

@@ -69,7 +69,6 @@ mod statistics;
 mod system;
 #[cfg(test)]
 mod tests;
-mod zeros;
 
 pub use body::{
     AffineProperties, Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties,

@@ -148,7 +148,7 @@ impl<'a, K: Kind> Collision<'a, K> {
     pub(crate) fn determine_time(&self) -> ContactTime {
         self.first.unwrap_or_else(|| {
             let by_filter = |contact: &Contact| contact.first(self.query);
-            self.answer(by_filter, FirstContact::time, |first, _| first)
+            self.answer(by_filter, FirstContact::time, Some, FirstWithin::time)
         })
     }
 
@@ -168,12 +168,8 @@ impl<'a, K: Kind> Collision<'a, K> {
         self.answer(
             |contact| contact.intervals(self.query),
             FirstContact::intervals,
-            |first, exactly| {
-                let filtered = || filter::intervals_within(self.query, self.separation, first);
-                let filtered = environment::is_default().then(filtered).flatten();
-                let anew = || exact::intervals_within(self.query, self.separation);
-                filtered.unwrap_or_else(|| exactly.map_or_else(anew, FirstWithin::intervals))
-            },
+            |first| filter::intervals_within(self.query, self.separation, first),
+            FirstWithin::intervals,
         )
     }
 
@@ -191,14 +187,8 @@ impl<'a, K: Kind> Collision<'a, K> {
                 contact.impact(self.query).or_else(|| starts().then(exactly))
             },
             FirstContact::impact,
-            |first, exactly| {
-                let filtered = || filter::impact_within(self.query, self.separation, first);
-                let filtered = environment::is_default().then(filtered).flatten();
-                let anew = || exact::impact_at(self.query, self.separation, first);
-                let exactly = || exactly.map_or_else(anew, FirstWithin::impact::<K>);
-                // Cannot panic: the filters prove what the exact path defines.
-                filtered.unwrap_or_else(|| exactly().expect("the primitives touch at the first time"))
-            },
+            |first| filter::impact_within(self.query, self.separation, first),
+            FirstWithin::impact::<K>,
         )
     }
 
@@ -218,28 +208,30 @@ impl<'a, K: Kind> Collision<'a, K> {
         DistanceBounds { lower: d, upper: d }
     }
 
-    /// An answer. For contact, by the filters if they determine it, otherwise by the exact path. For a
-    /// separation above 0, from the first time. The filters need the default environment of the
-    /// thread that reads the answer: the query may have been decided on another one.
+    /// An answer: by the filters if they determine it, otherwise by the exact path, for contact and for a
+    /// separation above 0. The filters need the default environment of the thread that reads the answer:
+    /// the query may have been decided on another one.
     fn answer<T>(
         &self,
-        by_filter: impl FnOnce(&Contact) -> Option<T>,
-        exactly: impl FnOnce(&FirstContact<K>) -> T,
-        within: impl FnOnce(ContactTime, Option<&FirstWithin>) -> T,
+        contact_by_filter: impl FnOnce(&Contact) -> Option<T>,
+        contact: impl FnOnce(&FirstContact<K>) -> T,
+        within_by_filter: impl FnOnce(ContactTime) -> Option<T>,
+        within: impl FnOnce(&FirstWithin) -> T,
     ) -> T {
+        let filters = environment::is_default();
+        // Cannot panic: the filters prove contact, or nearness, only where the exact path, which defines
+        // it, finds it.
+        let first_contact = || FirstContact::of(self.query).expect("a proved contact exists");
+        let first_within = || FirstWithin::of(self.query, self.separation).expect("a proved nearness exists");
+        let by_filter = |first| filters.then(|| within_by_filter(first)).flatten();
         match &self.proof {
-            Proof::Exact(first) => exactly(first),
-            Proof::Filter(contact) => {
-                let filtered = environment::is_default().then(|| by_filter(contact)).flatten();
-                filtered.unwrap_or_else(|| {
-                    // Cannot panic: the filters prove contact only where the exact path, which defines
-                    // it, finds one.
-                    let first = FirstContact::of(self.query).expect("a proved contact exists");
-                    exactly(&first)
-                })
+            Proof::Exact(first) => contact(first),
+            Proof::Filter(proved) => {
+                let filtered = filters.then(|| contact_by_filter(proved)).flatten();
+                filtered.unwrap_or_else(|| contact(&first_contact()))
             }
-            Proof::Within(first, _) => within(*first, None),
-            Proof::ExactWithin(first) => within(first.time(), Some(first)),
+            Proof::ExactWithin(first) => by_filter(first.time()).unwrap_or_else(|| within(first)),
+            Proof::Within(first, _) => by_filter(*first).unwrap_or_else(|| within(&first_within())),
         }
     }
 }

@@ -13,7 +13,7 @@ pub struct Separation(NonNegative);
 
 /// A separation is negative, infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("separation {value} is not a finite number of at least 0")]
+#[error("distance {value} is not a finite number of at least 0")]
 pub struct InvalidSeparation {
     /// The separation.
     pub value: f64,

@@ -65,7 +65,7 @@ def _checked(name: str, values: ArrayLike, shape: Shape, kinds: str, expected: s
 
 
 def _fits(actual: tuple[int, ...], shape: Shape) -> bool:
-    return len(actual) == len(shape) and actual[1:] == shape[1:] and shape[:1] in ((None,), actual[:1])
+    return actual == shape or (len(actual) == len(shape) and shape[0] is None and actual[1:] == shape[1:])
 
 
 def _first_row(differs: NDArray[np.bool_]) -> int:

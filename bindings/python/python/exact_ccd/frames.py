@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from os import PathLike, fspath
 from pathlib import Path
@@ -118,7 +119,7 @@ class FileFrames:
         return len(self._places)
 
     def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        for (file, _), frame in zip(self._places, self._read()):
+        for (file, _), frame in zip(self._places, _ahead(self._read())):
             same = np.array_equal(frame.faces, self._first.faces)
             if not same or not np.array_equal(frame.edges, self._first.edges):
                 raise ValueError(f"{file} has other faces or edges than the first frame")
@@ -156,6 +157,15 @@ class FileFrames:
         part = object.__new__(FileFrames)
         part.__dict__.update(self.__dict__, _places=self._places[first : last + 1])
         return part
+
+
+def _ahead(meshes: Iterator[MeshFile]) -> Iterator[MeshFile]:
+    """The same meshes, each read while the one before it is in use."""
+    with ThreadPoolExecutor(max_workers=1) as thread:
+        coming = thread.submit(next, meshes, None)
+        while (mesh := coming.result()) is not None:
+            coming = thread.submit(next, meshes, None)
+            yield mesh
 
 
 def files_in(path: FilePath) -> Sequence[FilePath]:

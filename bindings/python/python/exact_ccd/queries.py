@@ -127,7 +127,7 @@ class Queries:
         else:
             start, end = positions("x0", x0, (None, 3)), positions("x1", x1, (None, 3))
             self._arrays = _NUMBERS[kind], start[None], end[None], indices("vertices", vertices, (None, points))
-        if start.shape != end.shape:
+        if len(start) != len(end):
             raise ValueError(f"x1 has the shape {end.shape}, expected that of x0: {start.shape}")
 
     @property

@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
     """Run a command; its exit status."""
     import ray
 
-    from .ray import audit, answer_dataset
+    from .ray import answer_files, audit
     from .ray.chunks import absolute, to_json
 
     ray.init(address=options.address, log_to_driver=False, logging_level=logging.WARNING)
@@ -55,30 +55,28 @@ def run(options: argparse.Namespace) -> int:
     import ray.data
 
     ray.data.DataContext.get_current().enable_progress_bars = False
-    answered = answer_dataset(
-        ray.data.read_parquet([absolute(file) for file in options.files]),
-        answers=["collides", "toi"],
-        separation=options.min_distance,
-    )
+    answered = answer_files(options.files, answers=["collides", "toi"], separation=options.min_distance)
     if options.output is not None:
         answered.write_parquet(absolute(options.output))
         answered = ray.data.read_parquet(absolute(options.output))
     table: dict[str, Any] = {"queries": 0, "colliding": 0, "wrong": None}
-    for batch in answered.iter_batches(batch_format="pyarrow", batch_size=None):
-        _count(table, batch)
+    for counts in answered.map_batches(_counts, batch_format="pyarrow", batch_size=None).iter_rows():
+        for name, count in counts.items():
+            table[name] = table[name] if count is None else (table[name] or 0) + count
     sys.stdout.write(json.dumps(table) + "\n")
     return 0
 
 
-def _count(table: dict[str, Any], batch: Any) -> None:
-    """Add a batch: its queries, those in contact, and those whose truth differs."""
+def _counts(batch: Any) -> Any:
+    """A row with the number of the queries of a batch, of those in contact, and of those whose truth differs."""
+    import pyarrow as pa
     import pyarrow.compute as pc
 
-    table["queries"] += batch.num_rows
-    table["colliding"] += pc.sum(batch["collides"], min_count=0).as_py()
-    wrong = pc.sum(pc.not_equal(batch["collides"], batch["truth"])).as_py() if "truth" in batch.column_names else None
-    if wrong is not None:
-        table["wrong"] = (table["wrong"] or 0) + wrong
+    wrong = None
+    if "truth" in batch.column_names:
+        wrong = pc.sum(pc.not_equal(batch["collides"], batch["truth"])).as_py()
+    row = {"queries": batch.num_rows, "colliding": pc.sum(batch["collides"], min_count=0).as_py(), "wrong": wrong}
+    return pa.Table.from_pylist([row], pa.schema([(name, pa.int64()) for name in row]))
 
 
 def _message(error: Exception) -> str:

@@ -4,7 +4,7 @@ use exact_ccd::Point;
 use exact_ccd_mesh::{Step, TriangleMesh};
 
 /// The number of sheets above each other.
-const SHEETS: usize = 4;
+pub(crate) const SHEETS: usize = 4;
 /// The distance of neighbouring sheets at the start. All lengths are in units of an edge.
 const GAP: f64 = 0.7;
 /// The distance by which each sheet slides; every other sheet slides in the opposite direction.

@@ -13,7 +13,7 @@ pub(crate) struct Curve {
     pub(crate) points: Vec<Measurement>,
 }
 
-/// A cost that grows with the candidates.
+/// A cost that grows with the mesh.
 #[derive(Clone, Copy)]
 pub(crate) enum Cost {
     Seconds,
@@ -30,17 +30,17 @@ impl Cost {
 }
 
 impl Curve {
-    /// The candidates and the cost of each measurement whose cost is known and can be drawn on a
+    /// The triangles and the cost of each measurement whose cost is known and can be drawn on a
     /// logarithmic scale.
     pub(crate) fn places(&self, cost: Cost) -> impl Iterator<Item = (f64, f64)> {
-        let place = move |point: &Measurement| Some((point.candidates as f64, cost.of(point)?));
+        let place = move |point: &Measurement| Some((point.triangles as f64, cost.of(point)?));
         self.points
             .iter()
             .filter_map(place)
             .filter(|&(_, cost)| cost > 0.0)
     }
 
-    /// The exponent with which a cost grows with the number of candidates, in the decade before the
+    /// The exponent with which a cost grows with the number of triangles, in the decade before the
     /// last and in the last, as far as they have been measured.
     pub(crate) fn slopes(&self, cost: Cost) -> Vec<f64> {
         let places: Vec<_> = self.places(cost).collect();

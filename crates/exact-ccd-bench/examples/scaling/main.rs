@@ -1,13 +1,13 @@
-//! The time and the memory of a whole step as its mesh grows: from 10⁴ candidates to 10⁷.
+//! The time and the memory of a whole step as its mesh grows: from 10⁴ triangles to 10⁷.
 //!
 //! ```sh
 //! cargo run --release -p exact-ccd-bench --example scaling -- [OUT.svg]
-//! cargo run --release -p exact-ccd-bench --example scaling -- --candidates 30000000
+//! cargo run --release -p exact-ccd-bench --example scaling -- --triangles 10000000
 //! ```
 //!
 //! The first command prints a table for each question and draws them, into
-//! docs/performance/scaling.svg by default. The second counts the contacts among that number of
-//! candidates, once, and prints the peak of the memory.
+//! docs/performance/scaling.svg by default. The second counts the contacts of about that number of
+//! triangles, once, and prints the peak of the memory.
 //!
 //! The meshes are sheets of cloth that fall onto each other. Only their size differs, so that the
 //! candidates are in proportion to the vertices. Each question is answered for each mesh in a
@@ -28,7 +28,7 @@ use std::{env, fs};
 
 use exact_ccd_mesh::{Bvh, StepReport};
 
-use crate::cloth::Cloth;
+use crate::cloth::{Cloth, SHEETS};
 use crate::curve::{Curve, PER_DECADE};
 use crate::measurement::{MEASURE, Measurement};
 use crate::memory::{Memory, mebibytes, peak};
@@ -46,10 +46,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             let measurement = Measurement::here(question, side.parse()?);
             println!("{}", serde_json::to_string(&measurement)?);
         }
-        ["--candidates", candidates] => report_once(candidates.parse()?),
+        ["--triangles", triangles] => report_once(triangles.parse()?),
         [] => scale("docs/performance/scaling.svg")?,
         [drawing] if !drawing.starts_with('-') => scale(drawing)?,
-        _ => return Err("expected [OUT.svg] or --candidates COUNT".into()),
+        _ => return Err("expected [OUT.svg] or --triangles COUNT".into()),
     }
     Ok(())
 }
@@ -58,8 +58,7 @@ fn scale(drawing: &str) -> Result<(), Box<dyn Error>> {
     println!("# Scaling, on {} threads\n", rayon::current_num_threads());
     let mut curves = Vec::new();
     for question in Question::ALL {
-        let sides = sizes().map(|candidates| side(candidates, question));
-        let points = sides.map(|side| Measurement::apart(question, side));
+        let points = sizes().map(|triangles| Measurement::apart(question, side(triangles)));
         let curve = Curve {
             question,
             points: points.collect::<Result<_, _>>()?,
@@ -71,20 +70,20 @@ fn scale(drawing: &str) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The approximate numbers of candidates.
+/// The approximate numbers of triangles.
 fn sizes() -> impl Iterator<Item = f64> {
     let [first, last] = DECADES;
     let steps = (last - first) * PER_DECADE as i32;
     (0..=steps).map(move |step| 10f64.powf(f64::from(first) + f64::from(step) / PER_DECADE as f64))
 }
 
-/// The side of a sheet for an approximate number of candidates, which is proportional to its area.
-fn side(candidates: f64, question: Question) -> usize {
-    (candidates / question.candidates_of_cell()).sqrt().round() as usize + 1
+/// The side of a sheet of the cloth that has about this many triangles.
+fn side(triangles: f64) -> usize {
+    (triangles / (2 * SHEETS) as f64).sqrt().round() as usize + 1
 }
 
-fn report_once(candidates: f64) {
-    let cloth = Cloth::new(side(candidates, Question::Report), Question::Report.nearest());
+fn report_once(triangles: f64) {
+    let cloth = Cloth::new(side(triangles), Question::Report.nearest());
     let memory = Memory::now();
     let report = StepReport::new(cloth.step(), &Bvh, &|_| ());
     let mebibytes = |bytes: Option<u64>| or_unknown(bytes.map(mebibytes), 0);

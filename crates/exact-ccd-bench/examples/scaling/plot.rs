@@ -35,7 +35,7 @@ fn draw_panel<'a>(curves: &[Curve], cost: Cost, area: &Area<'a>) -> Drawn<'a> {
     let frame = Frame {
         title: "",
         x: Axis {
-            title: "candidates",
+            title: "triangles",
             label: &power,
         },
         y: Axis { title, label: &label },

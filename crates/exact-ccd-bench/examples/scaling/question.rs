@@ -46,14 +46,6 @@ impl Question {
         }
     }
 
-    /// The approximate number of candidates per cell of the grid, over all sheets.
-    pub(crate) fn candidates_of_cell(self) -> f64 {
-        match self {
-            Self::Report | Self::Earliest => 216.0,
-            Self::Free => 79.5,
-        }
-    }
-
     /// Answers with a detector that has no memory of earlier steps.
     pub(crate) fn answer(self, step: Step<'_>, mut detector: Detector) {
         let [x0, x1] = step.positions();

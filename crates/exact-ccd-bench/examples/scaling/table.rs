@@ -8,14 +8,15 @@ use crate::memory::mebibytes;
 /// A table in Markdown, and the slopes below it.
 pub(crate) fn markdown(curve: &Curve) -> String {
     let mut text = format!("## {}\n\n", curve.question.title());
-    text += "| vertices | candidates | colliding | ms | ns a candidate | MiB | bytes a vertex |\n";
-    text += "|---:|---:|---:|---:|---:|---:|---:|\n";
+    text += "| triangles | primitives | candidates | colliding | ms | ns a candidate | MiB | bytes a primitive |\n";
+    text += "|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     for point in &curve.points {
-        let bytes = point.memory.map(|bytes| bytes as f64 / point.vertices as f64);
+        let bytes = point.memory.map(|bytes| bytes as f64 / point.primitives as f64);
         writeln!(
             text,
-            "| {} | {} | {} | {:.2} | {:.1} | {} | {} |",
-            point.vertices,
+            "| {} | {} | {} | {} | {:.1} | {:.1} | {} | {} |",
+            point.triangles,
+            point.primitives,
             point.candidates,
             point.colliding,
             1e3 * point.seconds,

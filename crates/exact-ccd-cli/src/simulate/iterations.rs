@@ -16,17 +16,35 @@ pub(super) fn watched(simulation: Simulation, bar: &ProgressBar) -> Simulation {
         return simulation;
     }
     let bar = bar.clone();
-    let last = Mutex::new((0, Instant::now()));
+    let last = Mutex::new(Last {
+        step: 0,
+        time: Instant::now(),
+    });
     simulation.with_watch(move |iteration| {
         // A panic of another thread has ended the run.
         let Ok(mut last) = last.lock() else { return };
-        if last.0 != iteration.step {
-            *last = (iteration.step, Instant::now());
-        } else if last.1.elapsed() >= INTERVAL {
+        if last.is_due(iteration.step, Instant::now()) {
             bar.println(line(iteration));
-            last.1 = Instant::now();
         }
     })
+}
+
+/// The time step of the last iteration, and the time of its last line, or of its first iteration if it has no
+/// line.
+struct Last {
+    step: u64,
+    time: Instant,
+}
+
+impl Last {
+    /// Returns true if an iteration of a time step has a line, and takes its place then.
+    fn is_due(&mut self, step: u64, now: Instant) -> bool {
+        let is_due = step == self.step && now.duration_since(self.time) >= INTERVAL;
+        if is_due || step != self.step {
+            *self = Self { step, time: now };
+        }
+        is_due
+    }
 }
 
 /// The line for an iteration.
@@ -53,6 +71,20 @@ fn line(iteration: &Iteration) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Iterations each 0.4 s: the first line comes after three, then each third has one. A time step of less
+    /// than a second has none, and the next one begins anew.
+    #[test]
+    fn lines_are_a_second_apart_within_a_time_step() {
+        let start = Instant::now();
+        let mut last = Last { step: 0, time: start };
+        let steps = [1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3];
+        let due = (0..).zip(steps).filter_map(|(place, step)| {
+            let now = start + Duration::from_millis(400 * place);
+            last.is_due(step, now).then_some(place)
+        });
+        assert_eq!(due.collect::<Vec<_>>(), [3, 6, 13]);
+    }
 
     #[test]
     fn a_line_has_residual_and_contacts() {

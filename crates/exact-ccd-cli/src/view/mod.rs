@@ -19,7 +19,7 @@ use crate::output::replace_file;
 use crate::scene::Scene;
 #[cfg(feature = "queries")]
 pub(crate) use query::{ChosenQuery, QueryView};
-use recording::Recording;
+pub(crate) use recording::Recording;
 use setup::Setup;
 
 /// The options `--view` and `--view-up`.

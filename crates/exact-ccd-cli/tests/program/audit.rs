@@ -58,7 +58,7 @@ fn a_single_frame_is_examined_at_rest() {
     assert_report(
         &folder.run(&["audit", "0.ply"]),
         0,
-        "free of contact\nframes: 1 of 1 examined\n",
+        "free of contact at rest: one frame has no motion\nframes: 1 of 1 examined\n",
     );
     let run = folder.run(&["audit", "1.ply"]);
     // The tip lies in the face. It is also the end of an edge.

@@ -28,7 +28,7 @@ fn primitives_at_the_distance_touch() {
         answer(&run).starts_with(
             "minimum distance: 0.5\n\
              contact at t = 0.25: vertex 4 and face 1 (vertices 2, 1, 3), 0.5 apart\n\
-             candidates: "
+             candidate pairs: "
         ),
         "{run:?}"
     );
@@ -72,7 +72,7 @@ fn pairs_that_start_within_the_distance_are_counted() {
     assert!(run.stdout.contains("contact at t = 0: vertex 4"), "{run:?}");
     assert!(
         run.stdout
-            .contains(&format!("touching at t = 0: {count} pairs\n")),
+            .contains(&format!("pairs that touch at t = 0: {count}\n")),
         "{run:?}"
     );
 }
@@ -142,17 +142,14 @@ fn loose_vertices_and_edges_have_pairs_of_their_own() {
         text.contains("contact at t = 0.5: vertex 4 and edge 0 (vertices 0, 1), 1 apart\n"),
         "{text}"
     );
-    assert!(
-        text.contains(" vertex-edge pairs, 0 vertex-vertex pairs\n"),
-        "{text}"
-    );
+    assert!(text.contains(" vertex-edge, 0 vertex-vertex\n"), "{text}");
     let points = |z: f64| format!("v 0 0 0\nv 0 0 {z}\np 1\np 2\n");
     assert_eq!(
         report(points(3.0), points(-1.0)),
         "minimum distance: 1\n\
          contact at t = 0.5: vertex 0 and vertex 1, 1 apart\n\
-         candidates: 0 vertex-face pairs, 0 edge-edge pairs, 0 vertex-edge pairs, 1 vertex-vertex pairs\n\
-         touching at t = 0: 0 pairs\n"
+         candidate pairs: 0 vertex-face, 0 edge-edge, 0 vertex-edge, 1 vertex-vertex\n\
+         pairs that touch at t = 0: 0\n"
     );
 }
 
@@ -206,9 +203,9 @@ fn an_audit_certifies_the_distance() {
 fn a_distance_that_is_none_is_an_error_with_the_reason() {
     let folder = fall(1.0, 0.5);
     for (d, reason) in [
-        ("-1", "separation -1 is not a finite number of at least 0"),
-        ("inf", "separation inf is not a finite number of at least 0"),
-        ("nan", "separation NaN is not a finite number of at least 0"),
+        ("-1", "distance -1 is not a finite number of at least 0"),
+        ("inf", "distance inf is not a finite number of at least 0"),
+        ("nan", "distance NaN is not a finite number of at least 0"),
         ("1mm", "expected a number"),
     ] {
         for (option, arguments) in [

@@ -80,10 +80,10 @@ fn a_distance_that_is_none_is_an_error_with_the_reason() {
     let folder = Folder::new();
     folder.write("vv.csv", "");
     for (d, reason) in [
-        ("-1", "separation -1 is not a finite number of at least 0"),
-        ("-inf", "separation -inf is not a finite number of at least 0"),
-        ("1e999", "separation inf is not a finite number of at least 0"),
-        ("NaN", "separation NaN is not a finite number of at least 0"),
+        ("-1", "distance -1 is not a finite number of at least 0"),
+        ("-inf", "distance -inf is not a finite number of at least 0"),
+        ("1e999", "distance inf is not a finite number of at least 0"),
+        ("NaN", "distance NaN is not a finite number of at least 0"),
         ("thin", "expected a number"),
     ] {
         let run = folder.run(&["queries", "--kind", "vv", "--min-distance", d, "vv.csv"]);

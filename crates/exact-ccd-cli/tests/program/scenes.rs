@@ -51,7 +51,7 @@ fn pairs_of_files_are_parts_of_one_scene() {
     let run = folder.run(&both);
     assert!(
         run.stdout.starts_with(
-            "read: 6 vertices, 6 edges, 2 faces, 2 parts\npart a: vertices 0 to 2\npart b: vertices 3 to 5\ncontact"
+            "read: 6 vertices, 6 edges, 2 faces, 2 components\npart a: vertices 0 to 2\npart b: vertices 3 to 5\ncontact"
         ),
         "{run:?}"
     );
@@ -239,7 +239,7 @@ fn polygons_are_counted_or_refused() {
     let run = folder.run(&["step", "start.obj", "end.obj"]);
     assert!(
         run.stdout.starts_with(
-            "read: 4 vertices, 5 edges, 2 faces, 1 part; 1 polygon triangulated as a fan from its lowest vertex\n"
+            "read: 4 vertices, 5 edges, 2 faces, 1 component; 1 polygon triangulated as a fan from its lowest vertex\n"
         ),
         "{run:?}"
     );
@@ -278,7 +278,7 @@ fn files_larger_than_allowed_are_refused() {
 fn points_alone_are_an_error_that_says_what_was_read() {
     let folder = Folder::new();
     folder.write("points.obj", "v 0 0 0\nv 1 0 0\n");
-    let error = "points.obj: 2 vertices, 0 edges, 0 faces, 2 points, 2 parts: without a face or an edge, there is \
+    let error = "points.obj: 2 vertices, 0 edges, 0 faces, 2 points, 2 components: without a face or an edge, there is \
                  nothing that can touch; --min-distance D compares points";
     for command in [
         &["step", "points.obj", "points.obj"][..],

@@ -33,7 +33,7 @@ fn split_vertices_are_noted_and_welded_on_request() {
         assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
         assert!(
             run.stdout
-                .starts_with("read: 4 vertices, 5 edges, 2 faces, 1 part\n"),
+                .starts_with("read: 4 vertices, 5 edges, 2 faces, 1 component\n"),
             "{run:?}"
         );
     }

@@ -61,7 +61,7 @@ fn a_rod_through_a_box_is_reported_with_its_first_edge_and_face() {
     let first = format!(
         "intersection at t = 0: edge {edge} (vertices {a}, {b}) and face {face} (vertices {c}, {d}, {e})\n"
     );
-    let count = format!("intersections at t = 0: {} pairs\n", found.len());
+    let count = format!("pairs that intersect at t = 0: {}\n", found.len());
     for (options, rest) in [
         (
             &["--toi"][..],

@@ -91,8 +91,8 @@ fn a_free_step_has_status_0() {
     assert_eq!(
         answer(&run),
         "free of contact\n\
-         candidates: 2 vertex-face pairs, 0 edge-edge pairs\n\
-         touching at t = 0: 0 pairs\n"
+         candidate pairs: 2 vertex-face, 0 edge-edge\n\
+         pairs that touch at t = 0: 0\n"
     );
 }
 
@@ -103,8 +103,8 @@ fn a_step_with_contact_has_status_1_and_names_the_pair() {
     assert_eq!(
         answer(&run),
         "contact at t = 0.3333333333333333: vertex 4 and face 1 (vertices 2, 1, 3)\n\
-         candidates: 8 vertex-face pairs, 5 edge-edge pairs\n\
-         touching at t = 0: 0 pairs\n"
+         candidate pairs: 8 vertex-face, 5 edge-edge\n\
+         pairs that touch at t = 0: 0\n"
     );
 }
 
@@ -211,8 +211,8 @@ fn a_pair_in_contact_at_the_start_is_counted() {
     assert_eq!(
         answer(&run),
         "contact at t = 0: vertex 4 and face 1 (vertices 2, 1, 3)\n\
-         candidates: 4 vertex-face pairs, 3 edge-edge pairs\n\
-         touching at t = 0: 1 pairs\n"
+         candidate pairs: 4 vertex-face, 3 edge-edge\n\
+         pairs that touch at t = 0: 1\n"
     );
 }
 
@@ -221,7 +221,7 @@ fn a_report_begins_with_what_was_read() {
     let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply"]);
     assert!(
         run.stdout
-            .starts_with("read: 7 vertices, 8 edges, 3 faces, 2 parts\nfree of contact\n"),
+            .starts_with("read: 7 vertices, 8 edges, 3 faces, 2 components\nfree of contact\n"),
         "{run:?}"
     );
     let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply", "--json"]);
@@ -229,7 +229,7 @@ fn a_report_begins_with_what_was_read() {
     assert_eq!(
         report["read"],
         json!({
-            "vertices": 7, "edges": 8, "faces": 3, "loose_edges": 0, "loose_vertices": 0, "parts": 2,
+            "vertices": 7, "edges": 8, "faces": 3, "loose_edges": 0, "loose_vertices": 0, "components": 2,
             "polygons": 0, "solids": 0,
         })
     );
@@ -241,7 +241,7 @@ fn json_is_one_line_with_these_keys_in_this_order() {
     assert_eq!(run.status, 1);
     assert_eq!(
         without_seconds(&run),
-        "{\"version\":1,\"command\":\"step\",\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"parts\":2,\
+        "{\"version\":1,\"command\":\"step\",\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"components\":2,\
          \"polygons\":0,\"solids\":0},\"min_distance\":0.0,\"collision_free\":false,\
          \"frames\":2,\"examined\":2,\
          \"intersection\":null,\"toi\":0.3333333333333333,\
@@ -268,7 +268,7 @@ fn json_of_a_free_step_has_nulls() {
     assert_eq!(run.status, 0);
     assert_eq!(
         without_seconds(&run),
-        "{\"version\":1,\"command\":\"step\",\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"parts\":2,\
+        "{\"version\":1,\"command\":\"step\",\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"components\":2,\
          \"polygons\":0,\"solids\":0},\"min_distance\":0.0,\"collision_free\":true,\
          \"frames\":2,\"examined\":2,\
          \"intersection\":null,\"toi\":null,\"contact\":null,\"intersections\":0,\"touching_at_start\":0,\

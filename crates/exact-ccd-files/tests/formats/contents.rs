@@ -184,7 +184,7 @@ fn a_file_without_a_mesh_says_what_it_has() {
     assert!(points.contents.is_only_points());
     assert_eq!(
         points.contents.to_string(),
-        "2 vertices, 0 edges, 0 faces, 2 points, 2 parts"
+        "2 vertices, 0 edges, 0 faces, 2 points, 2 components"
     );
 }
 
@@ -211,7 +211,7 @@ fn contents_count_loose_elements_and_parts() {
     let frame = parse_frame(obj.as_bytes(), Format::Obj).unwrap();
     assert_eq!(
         Contents::of(&frame).to_string(),
-        "6 vertices, 4 edges, 1 face, 1 loose edge, 1 point, 3 parts"
+        "6 vertices, 4 edges, 1 face, 1 loose edge, 1 point, 3 components"
     );
 }
 

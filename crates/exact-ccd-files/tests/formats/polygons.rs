@@ -76,7 +76,7 @@ fn fans_begin_at_the_lowest_vertex_whichever_corner_is_first() {
             );
             assert_eq!(
                 file.contents.to_string(),
-                "7 vertices, 11 edges, 5 faces, 1 part; 2 polygons triangulated, each as a fan from its \
+                "7 vertices, 11 edges, 5 faces, 1 component; 2 polygons triangulated, each as a fan from its \
                  lowest vertex"
             );
         }
@@ -123,7 +123,7 @@ fn hexahedra_read_as_the_sides_that_occur_once() {
     assert_eq!(file.frame.positions.len(), 12);
     assert_eq!(
         file.contents.to_string(),
-        "12 vertices, 30 edges, 20 faces, 1 part; the surface of 2 cells with volume; 10 polygons \
+        "12 vertices, 30 edges, 20 faces, 1 component; the surface of 2 cells with volume; 10 polygons \
          triangulated, each as a fan from its lowest vertex"
     );
     let error = parse_tet_mesh(msh(&[LOWER]).as_bytes()).unwrap_err().to_string();

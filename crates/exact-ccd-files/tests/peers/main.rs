@@ -97,7 +97,7 @@ fn all_tools_write_the_same_motion() {
                 "{shown}"
             );
             match kind.as_str() {
-                "solids" => assert_eq!((contents.faces, contents.parts), (32, 2), "{shown}"),
+                "solids" => assert_eq!((contents.faces, contents.components), (32, 2), "{shown}"),
                 _ => assert_eq!(&found, expected, "{shown}"),
             }
         }

@@ -35,6 +35,7 @@ impl Aabb {
 
     /// The smallest box around two boxes.
     #[must_use]
+    #[inline(always)]
     pub fn union(&self, other: &Self) -> Self {
         // Not f64::min and max: their handling of NaN costs time, and there is no NaN here.
         let lesser = |a: f64, b: f64| if b < a { b } else { a };

@@ -1,13 +1,17 @@
 //! The connectivity of a triangle mesh.
 
+use std::sync::Arc;
+
 /// The connectivity of a mesh: faces, edges and vertices. An edge is *loose* if it is not an edge of a
 /// face, as those of rods; a vertex is loose if it has no edge, as points.
+///
+/// A clone shares the faces and the edges: the frames of a motion have them in memory once.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TriangleMesh {
     vertex_count: usize,
-    faces: Vec<[u32; 3]>,
+    faces: Arc<[[u32; 3]]>,
     /// The edges of the faces, then the loose edges. Each edge occurs once.
-    edges: Vec<[u32; 2]>,
+    edges: Arc<[[u32; 2]]>,
     face_edge_count: usize,
 }
 
@@ -102,8 +106,8 @@ impl TriangleMesh {
         all.append(&mut loose);
         Ok(Self {
             vertex_count,
-            faces,
-            edges: all,
+            faces: faces.into(),
+            edges: all.into(),
             face_edge_count,
         })
     }

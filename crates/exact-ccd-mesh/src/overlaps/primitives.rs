@@ -17,9 +17,9 @@ pub(super) fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanC
         }
     }
     let first_loose = mesh.edges().len() - mesh.loose_edges().len();
-    let mut loose = edges.to_vec();
-    loose.retain(|&edge| edge as usize >= first_loose || lacking.contains(&mesh.edges()[edge as usize]));
-    loose
+    let is_loose =
+        |&edge: &u32| edge as usize >= first_loose || lacking.contains(&mesh.edges()[edge as usize]);
+    edges.iter().copied().filter(is_loose).collect()
 }
 
 /// The indices of the primitives that take part, in the order of the ranks of their first vertices.

@@ -116,13 +116,11 @@ impl<const T: usize> StepBoxes<T> {
         let edges = by_first_vertex(&rank, mesh.edges(), can_collide);
 
         let other_ends = OtherEnds::new(mesh, &edges);
-        let mut loose_vertices = vertices.clone();
-        loose_vertices.retain(|&vertex| other_ends.is_loose(vertex));
+        let loose_vertices = among(&vertices, |vertex| other_ends.is_loose(vertex));
         let loose_edges = loose_edges(mesh, &edges, can_collide);
         let mut ends = Vec::new();
         if !loose_edges.is_empty() {
-            ends.clone_from(&vertices);
-            ends.retain(|&vertex| other_ends.is_end(mesh, vertex));
+            ends = among(&vertices, |vertex| other_ends.is_end(mesh, vertex));
             self.other_ends = other_ends;
         }
 
@@ -319,6 +317,15 @@ impl<const T: usize> StepBoxes<T> {
                 .collect_into_vec(moving),
         }
     }
+}
+
+/// Those of some vertices, in their order.
+fn among(vertices: &[u32], is_chosen: impl Fn(u32) -> bool) -> Vec<u32> {
+    vertices
+        .iter()
+        .copied()
+        .filter(|&vertex| is_chosen(vertex))
+        .collect()
 }
 
 #[inline(always)]

@@ -3,7 +3,6 @@
 use std::ops::ControlFlow;
 
 use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex, environment};
-use rayon::prelude::*;
 
 use super::margin::Margin;
 use super::options::{BoxKind, CandidateError, CandidateOptions};
@@ -34,37 +33,28 @@ pub(crate) fn stream(
     Ok(match options.boxes {
         BoxKind::Swept => {
             let path = |a, b| [Aabb::of(a).union(&Aabb::of(b))];
-            Overlaps::<1>::new(step, can_collide, margin, path).visit(broad_phase, receiver)
+            Overlaps::new(step, can_collide, margin, path).visit(broad_phase, receiver)
         }
         BoxKind::Moving => {
             let ends = |a, b| [Aabb::of(a), Aabb::of(b)];
-            Overlaps::<2>::new(step, can_collide, margin, ends).visit(broad_phase, receiver)
+            Overlaps::new(step, can_collide, margin, ends).visit(broad_phase, receiver)
         }
     })
 }
 
-/// The boxes of all primitives in single precision, for the broad phase, and those of the vertices in double
-/// precision: the box of a primitive is around those of its vertices, and larger by its margin.
-struct Overlaps<'a, const T: usize> {
+/// The boxes of all primitives in single precision, for the broad phase, and the function of the boxes of
+/// vertices in double precision: the box of a primitive is around those of its vertices, and larger by its
+/// margin.
+struct Overlaps<'a, const T: usize, F> {
     step: Step<'a>,
     can_collide: &'a CanCollide,
     boxes: StepBoxes<T>,
-    vertices: Vec<[Aabb; T]>,
+    of_vertex: F,
     margin: Margin,
 }
 
-impl<'a, const T: usize> Overlaps<'a, T> {
-    fn new(
-        step: Step<'a>,
-        can_collide: &'a CanCollide,
-        margin: Margin,
-        of_vertex: impl Fn(Point, Point) -> [Aabb; T] + Sync,
-    ) -> Self {
-        let [x0, x1] = step.positions();
-        let ends = x0.par_iter().zip(x1);
-        let vertices = ends
-            .map(|(&a, &b)| of_vertex(a, b).map(|aabb| aabb.inflated(lacking())))
-            .collect();
+impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T, F> {
+    fn new(step: Step<'a>, can_collide: &'a CanCollide, margin: Margin, of_vertex: F) -> Self {
         let mut boxes = StepBoxes::default();
         boxes.end(&margin);
         boxes.place::<VertexFace>(&step, can_collide, 1.0);
@@ -75,7 +65,7 @@ impl<'a, const T: usize> Overlaps<'a, T> {
             step,
             can_collide,
             boxes,
-            vertices,
+            of_vertex,
             margin,
         }
     }
@@ -99,26 +89,40 @@ impl<'a, const T: usize> Overlaps<'a, T> {
 
     /// The pairs that can collide and whose boxes meet in double precision.
     fn among<K: Searched>(&self, pairs: &[[u32; 2]]) -> Vec<[u32; 2]> {
-        let (all_can_collide, lacking) = (self.can_collide.is_all(), lacking());
-        let around = |vertices: &[u32]| -> [Aabb; T] {
-            let margin = self.margin.of(vertices);
-            core::array::from_fn(|time| {
-                let boxes = vertices
-                    .iter()
-                    .map(|&vertex| &self.vertices[vertex as usize][time]);
-                let union = boxes.fold(Aabb::EMPTY, |all, aabb| all.union(aabb));
-                union.inflated(lacking).inflated(margin)
-            })
+        let all_can_collide = self.can_collide.is_all();
+        let lacking = lacking();
+        let meet_with_margins = |a: &[u32], b: &[u32]| {
+            let [of_a, of_b] = [a, b].map(|vertices| self.around(vertices, lacking));
+            let larger = |around: [Aabb; T], vertices: &[u32]| {
+                let margin = self.margin.of(vertices);
+                around.map(|aabb| aabb.inflated(lacking).inflated(margin))
+            };
+            // Boxes that meet still meet if they are larger.
+            meet(&of_a, &of_b) || meet(&larger(of_a, a), &larger(of_b, b))
         };
         let is_candidate = |ids: &&[u32; 2]| {
             K::vertices(self.step.mesh(), **ids).is_some_and(|vertices| {
                 let (a, b) = vertices.as_ref().split_at(K::FIRST);
                 K::are_apart(&vertices)
-                    && meet(&around(a), &around(b))
+                    && meet_with_margins(a, b)
                     && (all_can_collide || self.can_collide.allows(a, b))
             })
         };
         pairs.iter().filter(is_candidate).copied().collect()
+    }
+
+    /// The box around a primitive.
+    #[inline(always)]
+    fn around(&self, vertices: &[u32], lacking: f64) -> [Aabb; T] {
+        let [x0, x1] = self.step.positions();
+        let mut around = [Aabb::EMPTY; T];
+        for &vertex in vertices {
+            let places = (self.of_vertex)(x0[vertex as usize], x1[vertex as usize]);
+            for (all, aabb) in around.iter_mut().zip(places) {
+                *all = all.union(&aabb.inflated(lacking));
+            }
+        }
+        around
     }
 }
 

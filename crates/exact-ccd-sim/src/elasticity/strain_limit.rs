@@ -37,6 +37,15 @@ pub(crate) struct StrainLimit {
     young: f64,
 }
 
+/// The difference of the squares λ of both stretches, relative to the larger one, up to which the quotient of
+/// the differences of s and λ counts as the mean of both derivatives.
+///
+/// A difference Δ loses digits in the quotient: its relative error is some 4 u λ/Δ, with u = 2⁻⁵³. That of
+/// the mean is Δ² s‴/(12 s′), which is Δ²/(2 γ²) near the limit, where s grows as 1/γ with the distance γ of
+/// λ from it. For the least limit, 1e-6, γ is 1e-6 at half of it: both errors are then about 5e-7 at Δ =
+/// 1e-9 λ. For larger limits that of the mean is smaller.
+const NEARLY_EQUAL: f64 = 1e-9;
+
 /// The principal stresses s(λ) at the squares λ of both stretches.
 pub(crate) struct Principal {
     pub(crate) stresses: Vector2<f64>,
@@ -78,8 +87,7 @@ impl StrainLimit {
     pub(crate) fn principal(&self, squares: &Vector2<f64>) -> Principal {
         let [[s, ds], [t, dt]] = [squares.x, squares.y].map(|square| self.derivatives(square));
         let difference = squares.x - squares.y;
-        // The quotient of nearly equal numbers is the mean of the derivatives, up to the second order.
-        let quotient = if difference > 1e-7 * squares.x {
+        let quotient = if difference > NEARLY_EQUAL * squares.x {
             (s - t) / difference
         } else {
             0.5 * (ds + dt)

@@ -156,19 +156,13 @@ impl<'a> Dirichlet<'a> {
         }
     }
 
-    /// The displacements from these positions to the targets: zero for all coordinates without a target, and
-    /// if the next step does not move the bodies.
+    /// The displacements by which the next step moves the held coordinates from these positions.
     pub(crate) fn displacements(&self, points: &[Point]) -> Vec<Vector3<f64>> {
-        let mut ends = points.to_vec();
         if self.is_prescribed() {
-            self.motions
-                .iter()
-                .for_each(|motion| motion.set(&mut ends, self.paths, 1.0));
+            self.to_targets(points)
+        } else {
+            vec![Vector3::zeros(); points.len()]
         }
-        let pairs = ends.iter().zip(points);
-        pairs
-            .map(|(end, point)| Vector3::from(*end) - Vector3::from(*point))
-            .collect()
     }
 
     /// Moves the fractions of some motions, by their places, by a part of the rest.
@@ -201,12 +195,19 @@ impl<'a> Dirichlet<'a> {
 
     /// The greatest distance of a vertex from its target, in m.
     pub(crate) fn lag(&self, points: &[Point]) -> f64 {
-        let mut ends = points.to_vec();
-        self.motions
-            .iter()
-            .for_each(|motion| motion.set(&mut ends, self.paths, 1.0));
-        let pairs = ends.iter().zip(points);
-        let lags = pairs.map(|(end, point)| (Vector3::from(*end) - Vector3::from(*point)).norm());
+        let lags = self.to_targets(points).into_iter().map(|lag| lag.norm());
         lags.fold(0.0, f64::max)
+    }
+
+    /// The displacements from these positions to the targets: zero for all coordinates without a target.
+    fn to_targets(&self, points: &[Point]) -> Vec<Vector3<f64>> {
+        let mut ends = points.to_vec();
+        for motion in &self.motions {
+            motion.set(&mut ends, self.paths, 1.0);
+        }
+        let pairs = ends.iter().zip(points);
+        pairs
+            .map(|(end, point)| Vector3::from(*end) - Vector3::from(*point))
+            .collect()
     }
 }

@@ -6,7 +6,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::dirichlet::Dirichlet;
-use super::paths::{Paths, Stretch};
+use super::paths::{Acting, Paths};
 use crate::elasticity::{Chain, Twist, angle_about, transported};
 use crate::scripted::Axes;
 
@@ -56,15 +56,15 @@ impl<'a> HeldChains<'a> {
     /// these. It is measured about the direction of the edge, relative to a frame that turns with this
     /// direction by the least rotation, and less than half a turn for each end.
     fn turned(&self, chain: &Chain, fraction: f64) -> f64 {
-        let during = |stretch: Stretch| {
+        let during = |acting: Acting| {
             let carried = |vertex: u32, apart: Vector3<f64>| {
-                let carried = self.paths.carried(vertex as usize, apart, fraction, stretch);
+                let carried = self.paths.carried(vertex as usize, apart, fraction, acting);
                 carried.map(Vector3::from)
             };
             let [first, last] = chain.ends().map(|edge| turn_of(edge, &carried));
             last - first
         };
-        during(Stretch::Earlier) + during(Stretch::Later)
+        during(Acting::Earlier) + during(Acting::Later)
     }
 }
 

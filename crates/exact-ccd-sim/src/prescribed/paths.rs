@@ -64,23 +64,23 @@ impl<'a> Paths<'a> {
         self.system.scripts[vertex].position(&origins, moment, self.time(vertex, fraction))
     }
 
-    /// The positions of a point apart from the origin of a vertex, at the start and at the end of one of two
-    /// stretches: the earlier scripts act until others begin, and these act from then to the fraction.
+    /// The positions of a point apart from the origin of a vertex, at the start and at the end of the time in
+    /// which scripts act: the earlier ones until others begin, and these from then to the fraction.
     pub(super) fn carried(
         &self,
         vertex: usize,
         apart: Vector3<f64>,
         fraction: f64,
-        stretch: Stretch,
+        acting: Acting,
     ) -> [Point; 2] {
         let scripts = &self.system.scripts[vertex];
         let beginnings = scripts.beginning(self.times.moments).into_iter().flatten();
         let [first, last] = [0.0, fraction].map(|fraction| self.time(vertex, fraction));
         let begin = beginnings.fold(first, f64::max).min(last);
         let [before, moment] = self.times.moments;
-        let (origins, moment, times) = match stretch {
-            Stretch::Earlier => (&self.state.origins, before, [first, begin]),
-            Stretch::Later => (&self.origins, moment, [begin, last]),
+        let (origins, moment, times) = match acting {
+            Acting::Earlier => (&self.state.origins, before, [first, begin]),
+            Acting::Later => (&self.origins, moment, [begin, last]),
         };
         let origins = origins_of(self.system, origins, vertex);
         let origins = origins.map(|origin| (Vector3::from(origin) + apart).into());
@@ -107,7 +107,7 @@ impl<'a> Paths<'a> {
 
 /// The scripts that act in a part of a time step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Stretch {
+pub(super) enum Acting {
     /// Those that began before the part.
     Earlier,
     /// Those that began last before its end.

@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Point;
 
-use super::start::BodyPrimitive;
+use super::primitive::BodyPrimitive;
 use crate::range::OutOfRange;
 use crate::system::Designation;
 

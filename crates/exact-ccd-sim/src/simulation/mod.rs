@@ -3,6 +3,7 @@
 mod contacts;
 mod error;
 mod minimise;
+mod primitive;
 mod problem;
 mod record;
 mod resume;
@@ -30,7 +31,7 @@ use crate::system::{Fingerprint, System};
 
 pub use contacts::Contact;
 pub use error::SimulationError;
-pub use start::{BodyPrimitive, Primitive};
+pub use primitive::{BodyPrimitive, Primitive};
 pub use warning::Warning;
 
 /// The motion of a system under elasticity, gravity, contact and friction.

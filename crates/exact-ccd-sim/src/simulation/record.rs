@@ -38,7 +38,6 @@ impl Problem<'_> {
     }
 
     fn energies(&self, now: &Iterate<'_>, twists: &[Twist], velocities: &[Point]) -> Energies {
-        let potential = self.newton.potential(now.stiffness, twists);
         let (positions, duration) = (&now.positions, self.scheme.duration);
         let masses = || self.simulation.system.masses.iter();
         // The incremental potential is the energy times duration².
@@ -51,7 +50,8 @@ impl Problem<'_> {
                 .zip(velocities)
                 .map(|(m, v)| 0.5 * m * Vector3::from(*v).norm_squared())
                 .sum(),
-            elastic: potential.elasticity(1.0).value(positions) + Form::of(twists, 1.0).value(positions),
+            elastic: Form::elastic(&self.simulation.system, 1.0).value(positions)
+                + Form::of(twists, 1.0).value(positions),
             barrier: scale * Form::of(now.collisions.as_slice(), now.stiffness).value(positions),
             // Slips are velocities times the effective time step, which is shorter than the time step for
             // BDF2.

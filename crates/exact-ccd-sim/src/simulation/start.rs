@@ -1,87 +1,15 @@
 //! The check that a simulation starts without intersections.
 
-use std::fmt;
-
 use exact_ccd::Options;
 use exact_ccd_mesh::{Audit, Pair, Point, Step, TriangleMesh, Violation};
 
-use super::SimulationError;
+use super::error::SimulationError;
+use super::primitive::{BodyPrimitive, Primitive};
 use crate::contact::Barrier;
 use crate::range::{FINITE, OutOfRange};
 use crate::settings::Formulation;
 use crate::state::State;
-use crate::system::{Designation, System};
-
-/// A primitive of a surface, by its vertices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Primitive {
-    /// A vertex.
-    Vertex(u32),
-    /// An edge.
-    Edge([u32; 2]),
-    /// A face.
-    Face([u32; 3]),
-}
-
-impl Primitive {
-    /// Its vertices.
-    #[must_use]
-    pub fn vertices(&self) -> &[u32] {
-        match self {
-            Self::Vertex(vertex) => std::slice::from_ref(vertex),
-            Self::Edge(edge) => edge,
-            Self::Face(face) => face,
-        }
-    }
-
-    /// The primitive with its vertex indices mapped by a function.
-    #[must_use]
-    pub fn map(self, number: impl Fn(u32) -> u32) -> Self {
-        match self {
-            Self::Vertex(vertex) => Self::Vertex(number(vertex)),
-            Self::Edge(edge) => Self::Edge(edge.map(number)),
-            Self::Face(face) => Self::Face(face.map(number)),
-        }
-    }
-}
-
-impl fmt::Display for Primitive {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Vertex(vertex) => write!(f, "vertex {vertex}"),
-            Self::Edge(edge) => write!(f, "edge {edge:?}"),
-            Self::Face(face) => write!(f, "face {face:?}"),
-        }
-    }
-}
-
-/// A primitive of a body.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct BodyPrimitive {
-    /// The primitive, with the vertex indices of the body.
-    pub primitive: Primitive,
-    /// The body.
-    pub body: Designation,
-}
-
-impl BodyPrimitive {
-    /// A primitive with the vertex indices of a system.
-    fn new(system: &System, primitive: Primitive) -> Self {
-        // A primitive has a vertex, and each vertex belongs to a body.
-        let body = system.bodies.of(primitive.vertices()[0]);
-        let first = system.body_vertices()[body].start;
-        Self {
-            primitive: primitive.map(|vertex| vertex - first),
-            body: system.designation(body),
-        }
-    }
-}
-
-impl fmt::Display for BodyPrimitive {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} of {}", self.primitive, self.body)
-    }
-}
+use crate::system::System;
 
 /// Checks that no two primitives intersect or touch, including those of two obstacles. An [`Audit`] of the
 /// recorded motion starts with the same check. Then checks that all pairs except those of two obstacles are

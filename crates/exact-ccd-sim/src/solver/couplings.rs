@@ -68,14 +68,12 @@ impl Couplings {
         twists: &[Twist],
         unknowns: &Unknowns,
     ) -> &'a Self {
-        let same = last.take().filter(|last| last.is_of(twists, unknowns));
+        let is_same = |last: &Self| {
+            let chains = last.chains.iter().map(Vec::as_slice);
+            last.unknowns == *unknowns && chains.eq(twists.iter().map(Energy::vertices))
+        };
+        let same = last.take().filter(is_same);
         last.insert(same.unwrap_or_else(|| Self::new(system, twists, unknowns)))
-    }
-
-    /// Returns true if these are the couplings of the system with these twisted chains and unknowns.
-    pub(super) fn is_of(&self, twists: &[Twist], unknowns: &Unknowns) -> bool {
-        let chains = self.chains.iter().map(Vec::as_slice);
-        self.unknowns == *unknowns && chains.eq(twists.iter().map(Energy::vertices))
     }
 }
 

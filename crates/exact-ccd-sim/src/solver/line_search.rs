@@ -5,6 +5,7 @@ use std::time::Instant;
 use exact_ccd_mesh::{Candidates, Point, Step};
 use nalgebra::Vector3;
 
+use super::direction::{Direction, FARTHEST, SLACK, dot};
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
 use super::vertex_steps::VertexSteps;
@@ -13,40 +14,8 @@ use crate::settings::LineSearch;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 
-/// The largest step size relative to the free part of a step. The barrier is infinite at contact.
-pub(super) const SLACK: f64 = 0.9;
-
 /// The number of halvings after which the line search fails.
 const HALVINGS: usize = 60;
-
-/// The largest displacement of a vertex in one iteration, relative to the extent of the scene. A larger one
-/// would sweep over too many pairs, and is far from the minimum.
-pub(super) const FARTHEST: f64 = 0.25;
-
-/// The Newton direction at an iterate.
-pub(super) struct Direction<'a> {
-    /// The displacement of each vertex.
-    pub(super) displacements: &'a [Vector3<f64>],
-    /// The largest component of a displacement.
-    pub(super) size: f64,
-    /// The gradient of the potential.
-    pub(super) gradient: &'a [Vector3<f64>],
-    /// Twice the decrease of the potential that the quadratic model predicts for the whole direction.
-    pub(super) decrease: f64,
-}
-
-impl Direction<'_> {
-    /// The slope of the potential along displacements.
-    pub(super) fn slope(&self, displacements: &[Vector3<f64>]) -> f64 {
-        dot(self.gradient, displacements)
-    }
-
-    /// The length of displacements, relative to that of the direction.
-    pub(super) fn share(&self, displacements: &[Vector3<f64>]) -> f64 {
-        let square = |vectors| dot(vectors, vectors);
-        (square(displacements) / square(self.displacements)).sqrt()
-    }
-}
 
 /// A step that is free of contact and decreases the potential.
 pub(super) struct Taken {
@@ -54,10 +23,6 @@ pub(super) struct Taken {
     pub(super) collisions: Collisions,
     /// The length of the step, relative to that of the Newton direction.
     pub(super) size: f64,
-}
-
-fn dot(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a.dot(b)).sum()
 }
 
 impl Newton<'_> {
@@ -102,7 +67,8 @@ impl Newton<'_> {
         let before = potential.value(&now.positions, now.collisions.as_slice());
         for _ in 0..HALVINGS {
             let clock = Instant::now();
-            let mut positions = step.at(part);
+            let along = step.at(part);
+            let mut positions = along.clone();
             self.system.carriers.carry(&mut positions);
             // If the step is rounded to nothing, so are all shorter ones.
             if size > 0.0 && positions == now.positions {
@@ -121,7 +87,7 @@ impl Newton<'_> {
                 // A full step is taken only if all of it is free.
                 let free = part >= 1.0
                     || Step::new(surface, &now.positions, &positions)
-                        .is_ok_and(|step| self.is_free_again(&candidates, step));
+                        .is_ok_and(|step| self.is_free_again(&candidates, step, &along));
                 statistics.seconds.ccd += clock.elapsed().as_secs_f64();
                 if free {
                     let taken = Taken {
@@ -183,10 +149,18 @@ impl Newton<'_> {
         free && self.system.geometry.first_grounded(step.positions()[1]).is_none()
     }
 
-    /// Returns true if a part of a step is free of contact. `candidates` are those of the whole step. Carried
-    /// vertices are rounded in another way than those of a part, so that they have candidates of their own.
-    fn is_free_again(&self, candidates: &Candidates, part: Step<'_>) -> bool {
-        if self.system.carriers.is_empty() {
+    /// Returns true if a part of a step is free of contact. `candidates` are those of the whole step, and
+    /// `along` are its positions at the end of the part.
+    ///
+    /// Carried vertices are rounded in another way. Where two primitives touch, each coordinate of their
+    /// closest points then differs by at most the sum of both deviations more than along the step.
+    /// `candidates` have all pairs within the activation distance: they suffice if each deviation is at most
+    /// half of it. The test for a quarter leaves room for the rounding of the difference.
+    fn is_free_again(&self, candidates: &Candidates, part: Step<'_>, along: &[Point]) -> bool {
+        let [_, end] = part.positions();
+        let coordinates = end.as_flattened().iter().zip(along.as_flattened());
+        let deviation = coordinates.fold(0.0_f64, |largest, (a, b)| largest.max((a - b).abs()));
+        if deviation <= 0.25 * self.barrier.activation_distance() {
             self.is_free(candidates, part)
         } else {
             self.is_free(&self.system.geometry.near(part, &self.barrier), part)

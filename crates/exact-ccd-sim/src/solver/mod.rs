@@ -1,6 +1,7 @@
 //! The minimisation of the incremental potential of one time step, by projected Newton.
 
 mod couplings;
+mod direction;
 mod form;
 mod line_search;
 mod linear;

@@ -7,7 +7,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::couplings::Couplings;
-use super::line_search::Direction;
+use super::direction::Direction;
 use super::linear::LinearSolver;
 use super::potential::{Potential, Terms};
 use super::unknowns::Unknowns;

@@ -29,9 +29,9 @@ pub(crate) struct Potential<'a> {
     pub(crate) twists: &'a [Twist],
 }
 
-impl<'a> Potential<'a> {
+impl Potential<'_> {
     /// All terms.
-    pub(super) fn forms<'b>(&'b self, collisions: &'b [Collision]) -> [Form<'b>; 6] {
+    pub(super) fn forms<'a>(&'a self, collisions: &'a [Collision]) -> [Form<'a>; 6] {
         let Terms {
             duration,
             inertia,
@@ -41,18 +41,13 @@ impl<'a> Potential<'a> {
         let squared = duration * duration;
         [
             Form::of(inertia, 1.0),
-            self.elasticity(squared),
+            Form::elastic(self.system, squared),
             Form::of(self.twists, squared),
             Form::of(collisions, self.stiffness),
             Form::of(friction, 1.0),
             // They act on the vertices of elastic elements.
             Form::of(dampers, 1.0),
         ]
-    }
-
-    /// The elastic energy Ψ in J, times a factor.
-    pub(crate) fn elasticity(&self, factor: f64) -> Form<'a> {
-        Form::elastic(self.system, factor)
     }
 
     /// The value. Infinite if a neo-Hookean element is inverted.

@@ -5,7 +5,7 @@ use std::time::Instant;
 use exact_ccd_mesh::{MinDistance, Step};
 use nalgebra::Vector3;
 
-use super::line_search::{FARTHEST, SLACK};
+use super::direction::{FARTHEST, SLACK};
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
 use super::vertex_steps::VertexSteps;

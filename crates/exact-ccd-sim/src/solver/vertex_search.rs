@@ -14,7 +14,8 @@ use std::time::Instant;
 use exact_ccd_mesh::{Point, Step};
 use nalgebra::Vector3;
 
-use super::line_search::{Direction, Taken};
+use super::direction::Direction;
+use super::line_search::Taken;
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
 use crate::statistics::Statistics;

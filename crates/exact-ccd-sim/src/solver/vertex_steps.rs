@@ -3,7 +3,7 @@
 use exact_ccd_mesh::{Detector, FreeStepOptions, Point, Step};
 use nalgebra::Vector3;
 
-use super::line_search::SLACK;
+use super::direction::SLACK;
 use crate::system::System;
 
 /// Finds the part of a step that each vertex can take, in successive steps of one system.

@@ -1,15 +1,13 @@
 //! The bodies of a system by their places.
 
-use std::collections::BTreeSet;
 use std::ops::Range;
 
-use exact_ccd_mesh::Point;
+use exact_ccd_mesh::{Aabb, Point};
+use nalgebra::Vector3;
 
-use super::fingerprint::Fingerprint;
-use super::{Designation, System, diagonal};
-use crate::body::Body;
-use crate::contact::Collision;
-use crate::energy::Energy;
+use super::designation::Designation;
+use crate::body::{Body, BodyKind};
+use crate::digest::Hash;
 
 /// The bodies of a system, without their meshes.
 #[derive(Clone, Debug)]
@@ -19,17 +17,18 @@ pub(crate) struct Bodies {
     pub(super) kinds: Vec<&'static str>,
     /// The vertices of each body.
     pub(crate) ranges: Vec<Range<u32>>,
-    /// The hash of the materials, for the fingerprint.
+    /// The hash of the materials and offsets, for the fingerprint.
     pub(super) materials: String,
 }
 
 impl Bodies {
     pub(super) fn new(bodies: &[Body]) -> Self {
+        let materials: Vec<(&BodyKind, f64)> = bodies.iter().map(|body| (&body.kind, body.offset)).collect();
         Self {
             names: bodies.iter().map(|body| body.name.clone()).collect(),
             kinds: bodies.iter().map(|body| body.kind.name()).collect(),
-            ranges: System::ranges(bodies),
-            materials: Fingerprint::materials(bodies),
+            ranges: ranges(bodies),
+            materials: Hash::of(&materials),
         }
     }
 
@@ -52,76 +51,23 @@ impl Bodies {
     }
 }
 
-impl System {
-    /// The body or half space with this place in [`System::names`], in messages.
-    #[must_use]
-    pub fn designation(&self, place: usize) -> Designation {
-        match place.checked_sub(self.bodies.ranges.len()) {
-            None => self.bodies.designation(place),
-            Some(place) => self.geometry.designation(place),
-        }
-    }
+/// The range of vertices of each body, in the order of the bodies.
+pub(super) fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
+    let mut end = 0;
+    let range = |body: &Body| {
+        let start = end;
+        end += body.vertex_count() as u32;
+        start..end
+    };
+    bodies.iter().map(range).collect()
+}
 
-    /// The name of each body, or `body-N` for the Nth body if it has none.
-    #[must_use]
-    pub fn body_names(&self) -> Vec<String> {
-        let numbered = self.bodies.names.iter().enumerate();
-        let name = |(number, name): (usize, &String)| match name.as_str() {
-            "" => format!("body-{number}"),
-            name => name.to_owned(),
-        };
-        numbered.map(name).collect()
-    }
-
-    /// The kind of each body: see [`BodyKind::name`](crate::BodyKind::name).
-    #[must_use]
-    pub fn body_kinds(&self) -> &[&'static str] {
-        &self.bodies.kinds
-    }
-
-    /// The vertices of each body.
-    #[must_use]
-    pub fn body_vertices(&self) -> &[Range<u32>] {
-        &self.bodies.ranges
-    }
-
-    /// The body of a vertex, by its place in the list of bodies.
-    #[must_use]
-    pub fn body_of(&self, vertex: u32) -> usize {
-        self.bodies.of(vertex)
-    }
-
-    /// The bodies of a collision, by their places in the list of all bodies, followed by the half spaces.
-    pub(crate) fn bodies_of(&self, collision: &Collision) -> [usize; 2] {
-        // The vertices of the first primitive precede those of the second. A half space has none.
-        let vertices = collision.vertices();
-        let second = match collision.half_space() {
-            Some(half_space) => self.bodies.ranges.len() + half_space as usize,
-            None => self.body_of(vertices[vertices.len() - 1]),
-        };
-        [self.body_of(vertices[0]), second]
-    }
-
-    /// The names of all bodies, followed by those of the half spaces. Empty for no name.
-    #[must_use]
-    pub fn names(&self) -> Vec<&str> {
-        let half_spaces = self.half_spaces().iter().map(|half_space| &half_space.name);
-        self.bodies
-            .names
-            .iter()
-            .chain(half_spaces)
-            .map(String::as_str)
-            .collect()
-    }
-
-    /// All names, quoted, for messages.
-    pub(crate) fn known_names(&self) -> String {
-        let names = self.names();
-        let given: BTreeSet<String> = names
-            .iter()
-            .filter(|name| !name.is_empty())
-            .map(|name| format!("`{name}`"))
-            .collect();
-        given.into_iter().collect::<Vec<_>>().join(", ")
+/// The diagonal of the bounding box of points. 0 without points.
+pub(super) fn diagonal(points: impl Iterator<Item = Point>) -> f64 {
+    let bounds: Aabb = points.collect();
+    if bounds.lower[0] <= bounds.upper[0] {
+        (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
+    } else {
+        0.0
     }
 }

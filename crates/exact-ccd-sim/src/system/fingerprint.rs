@@ -5,8 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::System;
 use crate::body::{
-    AffineProperties, Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties,
-    SolidProperties,
+    AffineProperties, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties, SolidProperties,
 };
 use crate::digest::{Digest, Hash};
 use crate::half_space::HalfSpace;
@@ -40,7 +39,7 @@ pub struct Fingerprint {
 }
 
 impl Fingerprint {
-    pub(super) fn of(system: &System) -> Self {
+    fn of(system: &System) -> Self {
         Self {
             version: VERSION,
             positions: Hash::of(&system.start),
@@ -52,12 +51,6 @@ impl Fingerprint {
             loads: Hash::of(&system.loads),
             springs: Hash::of(&system.elastic.springs),
         }
-    }
-
-    /// The hash of the materials and offsets of bodies.
-    pub(super) fn materials(bodies: &[Body]) -> String {
-        let materials: Vec<(&BodyKind, f64)> = bodies.iter().map(|body| (&body.kind, body.offset)).collect();
-        Hash::of(&materials)
     }
 
     /// Returns true if the hashes have the same definition, so that they can be compared.
@@ -79,6 +72,14 @@ impl Fingerprint {
         ];
         let different = parts.into_iter().find(|(_, a, b)| a != b);
         different.map(|(name, ..)| name)
+    }
+}
+
+impl System {
+    /// The fingerprint of the system. The run time is proportional to the size of the system.
+    #[must_use]
+    pub fn fingerprint(&self) -> Fingerprint {
+        Fingerprint::of(self)
     }
 }
 

@@ -9,7 +9,7 @@ use exact_ccd_mesh::{
 };
 
 use super::SystemError;
-use super::obstacles::{pairs, parts};
+use super::obstacles::{contact_parts, obstacle_pairs};
 use crate::contact::{Barrier, Surface, Weights};
 use crate::half_space::HalfSpace;
 use crate::scripted::Coordinates;
@@ -80,13 +80,13 @@ impl Geometry {
         let vertices: Vec<u32> = all.filter(|&vertex| on_surface[vertex as usize]).collect();
         let is_grounded = |&vertex: &u32| !is_obstacle[vertex as usize];
         let is_fixed = |(&is_obstacle, scripts): (&bool, &Coordinates)| is_obstacle && scripts.are_fixed();
-        let parts = parts(bodies, &is_obstacle, scripts);
+        let parts = contact_parts(bodies, &is_obstacle, scripts);
         Ok(Self {
             min_distance: min_distance(&offsets)?,
             compact: compact(&mesh, &vertices)?,
             weights: Weights::new(&mesh, rest, &parts),
             grounded: vertices.iter().copied().filter(is_grounded).collect(),
-            obstacle_pairs: pairs(parts),
+            obstacle_pairs: obstacle_pairs(parts),
             fixed: is_obstacle.iter().zip(scripts).map(is_fixed).collect(),
             can_collide: CanCollide::not_two_obstacles(is_obstacle).among(on_surface),
             half_spaces: Vec::new(),

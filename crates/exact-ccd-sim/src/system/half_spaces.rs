@@ -16,7 +16,7 @@ impl System {
         self.geometry.half_spaces = half_spaces;
         for (number, half_space) in self.geometry.half_spaces.iter().enumerate() {
             half_space.check(number).map_err(|error| SystemError::HalfSpace {
-                half_space: self.geometry.designation(number),
+                half_space: self.geometry.half_space_designation(number),
                 source: OutOfRange {
                     field: error.what,
                     found: format!("{:?}", error.value),
@@ -43,7 +43,7 @@ impl System {
 
 impl Geometry {
     /// The half space at a place, in messages.
-    pub(super) fn designation(&self, place: usize) -> Designation {
+    pub(super) fn half_space_designation(&self, place: usize) -> Designation {
         let half_space = self.half_spaces.get(place);
         Designation::of_half_space(place, half_space.map_or("", |half_space| &half_space.name))
     }

@@ -12,6 +12,7 @@ mod half_spaces;
 mod loads;
 mod masses;
 mod materials;
+mod names;
 mod obstacles;
 mod parts;
 mod selection;
@@ -20,8 +21,7 @@ mod springs;
 
 use std::ops::Range;
 
-use exact_ccd_mesh::{Aabb, Frame, MinDistance, Point, PositionsError, TriangleMesh};
-use nalgebra::Vector3;
+use exact_ccd_mesh::{Frame, MinDistance, Point, PositionsError, TriangleMesh};
 
 use crate::body::Body;
 use crate::carriers::Carriers;
@@ -29,7 +29,7 @@ use crate::contact::{Barrier, Collisions, Surface};
 use crate::load::Load;
 use crate::scripted::{Coordinates, Scripted};
 use crate::settings::Formulation;
-use bodies::Bodies;
+use bodies::{Bodies, diagonal};
 use elastic::Elastic;
 use geometry::Geometry;
 use parts::Parts;
@@ -96,19 +96,6 @@ impl System {
             size: if size > 0.0 { size } else { extent },
             extent,
         })
-    }
-
-    /// The range of vertices of each body, in the order of the bodies. The last four of an affine body are
-    /// its nodes.
-    #[must_use]
-    pub fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
-        let mut end = 0;
-        let range = |body: &Body| {
-            let start = end;
-            end += body.vertex_count() as u32;
-            start..end
-        };
-        bodies.iter().map(range).collect()
     }
 
     /// The distance within which two primitives touch: the sum of their offsets.
@@ -210,12 +197,6 @@ impl System {
         &self.masses
     }
 
-    /// The fingerprint of the system. The run time is proportional to the size of the system.
-    #[must_use]
-    pub fn fingerprint(&self) -> Fingerprint {
-        Fingerprint::of(self)
-    }
-
     /// The diagonal of the bounding box of all bodies with mass at the start, in m: the unit of relative
     /// lengths, as in *Incremental Potential Contact*. If that box is a point, or no body has mass, it is
     /// [`System::extent`].
@@ -228,15 +209,5 @@ impl System {
     #[must_use]
     pub fn extent(&self) -> f64 {
         self.extent
-    }
-}
-
-/// The diagonal of the bounding box of points. 0 without points.
-fn diagonal(points: impl Iterator<Item = Point>) -> f64 {
-    let bounds: Aabb = points.collect();
-    if bounds.lower[0] <= bounds.upper[0] {
-        (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
-    } else {
-        0.0
     }
 }

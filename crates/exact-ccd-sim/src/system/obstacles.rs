@@ -8,7 +8,11 @@ use crate::contact::Part;
 use crate::scripted::Coordinates;
 
 /// The part in contact of each vertex of some bodies.
-pub(super) fn parts(bodies: &[Range<u32>], is_obstacle: &[bool], scripts: &[Coordinates]) -> Vec<Part> {
+pub(super) fn contact_parts(
+    bodies: &[Range<u32>],
+    is_obstacle: &[bool],
+    scripts: &[Coordinates],
+) -> Vec<Part> {
     let part = |(number, range): (u32, &Range<u32>)| {
         let vertices = range.start as usize..range.end as usize;
         let scripts = &scripts[vertices.clone()];
@@ -30,7 +34,7 @@ pub(super) fn parts(bodies: &[Range<u32>], is_obstacle: &[bool], scripts: &[Coor
 
 /// The pairs of obstacles of different motions, and those within obstacles that do not move as a whole.
 /// `None` if there are none.
-pub(super) fn pairs(parts: Vec<Part>) -> Option<CanCollide> {
+pub(super) fn obstacle_pairs(parts: Vec<Part>) -> Option<CanCollide> {
     let are_together = |a: Part, b: Part| a == b && a != Part::DeformingObstacle;
     let obstacles = || parts.iter().filter(|part| **part != Part::Body);
     let first = *obstacles().next()?;

@@ -1,7 +1,7 @@
 //! Elastic energies of shells.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{Matrix3, Matrix6, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector2, Vector3};
 
 use super::differences::{Points, at, check, curvature, random_points, random_rotation};
 use super::elasticity::MODULI;
@@ -67,6 +67,34 @@ fn the_derivatives_of_limited_membranes_match_differences() {
             .value(&at_limit.map(|point| point.map(|x| 0.999 * x)))
             .is_finite()
     );
+}
+
+/// The quotient of the differences of s and λ is the mean of s′ between both: by a rule of Gauss with three
+/// points, which is exact for polynomials of fifth degree.
+#[test]
+fn the_quotient_of_limited_stresses_is_a_mean_of_slopes() {
+    let nodes = [-0.6_f64.sqrt(), 0.0, 0.6_f64.sqrt()].map(|node| 0.5 * (1.0 + node));
+    let weights = [5.0, 8.0, 5.0].map(|weight| weight / 18.0);
+    for limit in [1e-6, 1e-4, 0.05, 0.5] {
+        let law = StrainLimit::new(limit, 1.5);
+        let larger = (1.0 + 0.5 * limit) * (1.0 + 0.5 * limit);
+        // Relative differences of λ, up to a fifth of that from the state without strain.
+        let differences = (-16..0).map(|exponent| 10_f64.powf(f64::from(exponent)));
+        for difference in differences.filter(|difference| *difference < 0.2 * limit) {
+            let smaller = larger * (1.0 - difference);
+            let slope = |square: f64| law.principal(&Vector2::repeat(square)).slopes.x;
+            let means = nodes.iter().zip(weights);
+            let expected: f64 = means
+                .map(|(node, weight)| weight * slope(smaller + node * (larger - smaller)))
+                .sum();
+            let found = law.principal(&Vector2::new(larger, smaller)).quotient;
+            let error = (found - expected).abs();
+            assert!(
+                error < 2e-6 * expected,
+                "{limit} {difference}: {error} of {expected}"
+            );
+        }
+    }
 }
 
 /// F has the columns x_b − x_a and x_c − x_a for a triangle of two unit sides: the blocks of b and c are the

@@ -73,8 +73,10 @@ impl<'a, K: Kind> Queries<'a, K> {
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), NonFiniteQuery> {
         let Options { separation, until } = options.into();
-        let indices = consecutive::<K>();
-        let mut rows = Vec::with_capacity(4 * CHUNK);
+        // The tables of a whole chunk would take longer than a few queries.
+        let most = CHUNK.min(self.points.len());
+        let indices = consecutive::<K>(most);
+        let mut rows = Vec::with_capacity(4 * most);
         for (chunk, points) in self.points.chunks(CHUNK).enumerate() {
             rows.clear();
             for [start, end] in points {
@@ -107,10 +109,10 @@ impl<'a, K: Kind> Queries<'a, K> {
     }
 }
 
-/// The vertices of queries without common ones.
-fn consecutive<K: Kind>() -> [K::Vertices; CHUNK] {
+/// The vertices of some queries without common ones.
+fn consecutive<K: Kind>(count: usize) -> Vec<K::Vertices> {
     let mut next = 0..;
-    core::array::from_fn(|_| {
+    let vertices = || {
         let mut vertices = K::Vertices::default();
         vertices
             .as_mut()
@@ -118,7 +120,8 @@ fn consecutive<K: Kind>() -> [K::Vertices; CHUNK] {
             .zip(&mut next)
             .for_each(|(vertex, index)| *vertex = index);
         vertices
-    })
+    };
+    core::iter::repeat_with(vertices).take(count).collect()
 }
 
 #[cold]

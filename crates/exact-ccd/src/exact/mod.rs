@@ -34,8 +34,8 @@ mod split;
 
 pub(crate) use dyadic::{parts, to_integers};
 pub(crate) use first_contact::FirstContact;
+pub(crate) use nearness::FirstWithin;
 pub use nearness::distance_at;
-pub(crate) use nearness::{FirstWithin, impact_at, intervals_within};
 #[cfg(test)]
 pub(crate) use polynomial::Polynomial;
 #[cfg(test)]

@@ -64,17 +64,6 @@ impl Split {
         floor
     }
 
-    /// The ratios a 2ᵏ : 1 next to this one with a of at most 64 bits, or this one at an end.
-    pub(super) fn neighbours(&self) -> [Self; 2] {
-        if self.is_end() {
-            return [self.clone(), self.clone()];
-        }
-        let shift = 64 + self.left.bit_len() as isize - self.elapsed.bit_len() as isize;
-        let quotient = shifted(&self.elapsed, shift) / &self.left;
-        let next = &quotient + IBig::ONE;
-        [quotient, next].map(|a| Self::ratio(a, self.exponent - shift))
-    }
-
     /// Returns true if the time is 0 or 1.
     pub(super) fn is_end(&self) -> bool {
         self.elapsed.is_zero() || self.left.is_zero()

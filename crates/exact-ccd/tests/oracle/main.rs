@@ -102,22 +102,23 @@ fn a_vertex_slides_over_a_face() {
     assert_within(VertexFace, &at(-2.0), &at(6.0), 0.0, &[slides]);
 }
 
-/// The ends of the first edge, at x = −1 and x = 1, have the heights 4 t − 1 and 3 − 4 t. The second edge is
-/// at x = 2 t − 1. There, the first edge has the height 1 − 2 (2 t − 1)², which is 0 at t = 1/2 ± √(1/8).
+/// Two edges at t = 0 and t = 1. The ends of the first one, at x = −1 and x = 1, have the heights z + 4 t − 2
+/// and z + 2 − 4 t. The second one is at x = 2 t − 1. There, the first edge has the height z − 2 (2 t − 1)².
+fn turning(z: f64) -> [[Point; 4]; 2] {
+    [(z - 2.0, z + 2.0, -1.0), (z + 2.0, z - 2.0, 1.0)].map(|(left, right, x)| {
+        [
+            [-1.0, 0.0, left],
+            [1.0, 0.0, right],
+            [x, -1.0, 0.0],
+            [x, 1.0, 0.0],
+        ]
+    })
+}
+
+/// The height 1 − 2 (2 t − 1)² is 0 at t = 1/2 ± √(1/8).
 #[test]
 fn edges_touch_twice() {
-    let start = [
-        [-1.0, 0.0, -1.0],
-        [1.0, 0.0, 3.0],
-        [-1.0, -1.0, 0.0],
-        [-1.0, 1.0, 0.0],
-    ];
-    let end = [
-        [-1.0, 0.0, 3.0],
-        [1.0, 0.0, -1.0],
-        [1.0, -1.0, 0.0],
-        [1.0, 1.0, 0.0],
-    ];
+    let [start, end] = turning(1.0);
     let times = [0.146_446_609_406_726_2, 0.853_553_390_593_273_7].map(|t| [just_above(t); 2]);
     assert_within(EdgeEdge, &start, &end, 0.0, &times);
 }
@@ -127,18 +128,7 @@ fn edges_touch_twice() {
 #[test]
 fn edges_touch_at_the_ends_of_the_step() {
     let raised = |points: [Point; 4], z: f64| points.map(|p| [p[0], p[1], p[2] + z * (1.0 - p[1] * p[1])]);
-    let start = [
-        [-1.0, 0.0, -1.0],
-        [1.0, 0.0, 3.0],
-        [-1.0, -1.0, 0.0],
-        [-1.0, 1.0, 0.0],
-    ];
-    let end = [
-        [-1.0, 0.0, 3.0],
-        [1.0, 0.0, -1.0],
-        [1.0, -1.0, 0.0],
-        [1.0, 1.0, 0.0],
-    ];
+    let [start, end] = turning(1.0);
     let ends = [[exactly(0.0); 2], [exactly(1.0); 2]];
     assert_within(EdgeEdge, &raised(start, 1.0), &raised(end, 1.0), 0.0, &ends);
     assert_within(EdgeEdge, &raised(start, 1.5), &raised(end, 1.5), 0.0, &[]);
@@ -165,18 +155,7 @@ fn contact_next_to_the_end() {
 /// Both times of contact are within one f64 of each other: t = 1/2 ± 2⁻⁵³⁷.
 #[test]
 fn two_contacts_between_adjacent_numbers() {
-    let start = [
-        [-1.0, 0.0, -2.0],
-        [1.0, 0.0, 2.0],
-        [-1.0, -1.0, 0.0],
-        [-1.0, 1.0, 0.0],
-    ];
-    let end = [
-        [-1.0, 0.0, 2.0],
-        [1.0, 0.0, -2.0],
-        [1.0, -1.0, 0.0],
-        [1.0, 1.0, 0.0],
-    ];
+    let [start, end] = turning(0.0);
     // The height is −2 (2 t − 1)² + δ for b at the height −δ.
     let lowered = |points: [Point; 4], z: f64| {
         let [a, b, c, d] = points;

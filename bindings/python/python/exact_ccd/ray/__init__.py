@@ -4,12 +4,12 @@
 machine; ``ray.init`` with an address, or the variable ``RAY_ADDRESS``, connects to a cluster, all machines of
 which need this package.
 
-- :func:`answer_dataset` answers for the queries of a ``ray.data.Dataset``.
+- :func:`answer_files` answers for the queries in Parquet files.
 - :func:`audit` certifies a recording, in chunks of frames.
 - The program ``exact-ccd-ray`` does both with files.
 """
 
 from .audits import audit
-from .datasets import answer_dataset
+from .queries import answer_files
 
-__all__ = ["audit", "answer_dataset"]
+__all__ = ["answer_files", "audit"]

@@ -1,6 +1,7 @@
 //! The sums over all elements, against finite differences and dense matrices.
 
 mod fixture;
+mod iterative;
 
 use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};

@@ -16,14 +16,17 @@ use crate::point::Point;
 type PointPair = ([f64; 2], Option<Point>);
 
 /// The closest points at the first instant within d.
-pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: &Instant) -> Option<Impact> {
+pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: &Instant) -> Impact {
     let time = first.round();
     // In a bracket narrower than the resolution of the ratios, approximations prove nearly all of
     // their signs.
     let instant = Narrowing::new(first.clone());
     instant.narrow_to(80);
     let within = features.iter().filter(|feature| feature.is_within(&instant));
-    let closest = within.min_by(|one, other| one.compare(other, &instant))?;
+    // Cannot panic: at each time some features have the closest points of the primitives, which are
+    // within d at this one.
+    let closest = within.min_by(|one, other| one.compare(other, &instant));
+    let closest = closest.expect("some features are within the separation at the first time");
     let (parameters, normal) = match closest.pair {
         Pair::Vertices(difference, parameters) => {
             (parameters, instant.direction(approach.difference(difference)))
@@ -31,11 +34,11 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
         Pair::VertexEdge(side) => vertex_edge(approach, side, &instant),
         Pair::Inner => inner::<K>(approach, closest, &instant),
     };
-    Some(Impact {
+    Impact {
         time,
         parameters,
         normal,
-    })
+    }
 }
 
 /// With x from the edge's start to the vertex: the closest point is at s = (e · x) / (e · e), the

@@ -62,20 +62,14 @@ impl FirstWithin {
     }
 
     /// The closest points at the first time.
-    pub(crate) fn impact<K: Kind>(&self) -> Option<Impact> {
-        let first = if self.time.is_exact() {
-            Instant::At(Split::from_unit(self.time.lower()))
-        } else {
-            first_ones(&self.features, &self.crossings).reduce(Instant::earlier)?
-        };
+    pub(crate) fn impact<K: Kind>(&self) -> Impact {
+        let exact = self.time.is_exact();
+        let exact = exact.then(|| Instant::At(Split::from_unit(self.time.lower())));
+        let earliest = || first_ones(&self.features, &self.crossings).reduce(Instant::earlier);
+        // Cannot panic: the first time is a root of an excess unless it is a number.
+        let first = exact.or_else(earliest).expect("a first time");
         closest::impact::<K>(&self.approach, &self.features, &first)
     }
-}
-
-/// All times at which the primitives are within d.
-pub(crate) fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
-    let features = Approach::new(query, d).features::<K>();
-    intervals(&features, &crossings(&features))
 }
 
 fn intervals(features: &[Feature], crossings: &[Crossings]) -> Intervals {

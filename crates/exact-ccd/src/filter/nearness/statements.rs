@@ -9,7 +9,7 @@ use super::scaled::Scaled;
 use super::snapshot::Headed;
 use super::starts_within;
 use crate::distance::{DistanceBounds, Separation};
-use crate::exact;
+use crate::exact::{self, FirstWithin};
 use crate::filter::hull::Hull;
 use crate::kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 use crate::point::Point;
@@ -138,8 +138,9 @@ fn answers<K: Kind>() {
     for_all::<K>(24, |query, hull, scaled, d| {
         let separation = Separation::new(d).expect("positive and finite");
         let crossings = Crossings::new(query, scaled);
-        let truth = exact::FirstWithin::of(query, separation).map(|first| first.time());
-        let expects = |first| assert_eq!(first, truth, "{query:?} {d}");
+        let truth = FirstWithin::of(query, separation);
+        let time = truth.as_ref().map(FirstWithin::time);
+        let expects = |first| assert_eq!(first, time, "{query:?} {d}");
         if compare(query, 0.0, d) == Ordering::Greater {
             if let Some(first) = crossings.first_between::<K>([0.0, 1.0]) {
                 expects(first);
@@ -149,20 +150,17 @@ fn answers<K: Kind>() {
                 expects(Some(first));
             }
         }
-        let Some(first) = truth else { return };
+        let Some(truth) = truth else { return };
+        let first = truth.time();
         if let Some(intervals) = crossings.intervals::<K>(first) {
-            assert_eq!(
-                intervals,
-                exact::intervals_within(query, separation),
-                "{query:?} {d}"
-            );
+            assert_eq!(intervals, truth.intervals(), "{query:?} {d}");
             proved[1] += 1;
         }
         if let Some(found) = crossings
             .approach::<K>(first)
             .and_then(|approach| approach.impact::<K>(first))
         {
-            let exactly = exact::impact_at(query, separation, first).expect("a first time");
+            let exactly = truth.impact::<K>();
             let differences = found.parameters.into_iter().zip(exactly.parameters);
             let normals = found
                 .normal
