@@ -98,8 +98,7 @@ fn direction(bytes: &mut Bytes<'_>, size: usize) -> Result<Point, Failure> {
 /// For numbers that are none of the format, and at the end.
 pub fn contact(bytes: &mut Bytes<'_>) -> Result<(Kind, [u32; 2], Proof), Failure> {
     // The last kind is not one of contact.
-    let kind = Kind::ALL[..4].get(usize::from(bytes.byte()?)).copied();
-    let Some(kind) = kind else {
+    let Some(&kind) = Kind::ALL[..4].get(usize::from(bytes.byte()?)) else {
         return unreadable("the kind of a contact is none of 0 to 3");
     };
     let ids = [bytes.number()?, bytes.number()?];

@@ -45,10 +45,10 @@ pub fn check(
     certificate: &[u8],
     frames: impl IntoIterator<Item = Result<Frame, Failure>>,
 ) -> Result<Proved, Failure> {
-    let mut bytes = Bytes(certificate);
-    if bytes.take(MAGIC.len())? != MAGIC {
+    let Some(rest) = certificate.strip_prefix(MAGIC) else {
         return unreadable("the first line of the certificate is not `exact-ccd certificate 1`");
-    }
+    };
+    let mut bytes = Bytes(rest);
     let distance = f64::from_le_bytes(bytes.array()?);
     let mut frames = frames.into_iter();
     let mut last = frames.next().unwrap_or_else(|| unreadable("there are no frames"))?;
@@ -58,22 +58,19 @@ pub fn check(
         if last.mesh != next.mesh || next.mesh.vertex_count as usize != next.positions.len() {
             return unreadable(format!("frames {} and {} are not of one mesh", steps.len(), steps.len() + 1));
         }
+        if let ([], Some(Step { contact, .. })) = (bytes.0, steps.last()) {
+            let (end, step) = (if contact.is_some() { "contact in" } else { "end of" }, steps.len() - 1);
+            return refused(format!("the certificate ends with the {end} step {step}, before all frames"));
+        }
         let motion = Motion::new(&last.positions, &next.positions, distance)?;
         let step = check_step(&mut bytes, &last.mesh, &motion);
-        steps.push(step.map_err(|failure| in_step(failure, steps.len()))?);
+        steps.push(step.map_err(|failure| failure.at(format_args!("step {}", steps.len())))?);
         last = next;
     }
     if !bytes.0.is_empty() || steps.is_empty() {
-        return refused("the certificate is about another number of frames");
+        return refused("the certificate has more steps than these frames, or none");
     }
     Ok(Proved { distance, steps })
-}
-
-fn in_step(failure: Failure, step: usize) -> Failure {
-    match failure {
-        Failure::Unreadable(reason) => Failure::Unreadable(format!("step {step}: {reason}")),
-        Failure::Refused(reason) => Failure::Refused(format!("step {step}: {reason}")),
-    }
 }
 
 fn check_step(bytes: &mut Bytes<'_>, mesh: &Mesh, motion: &Motion) -> Result<Step, Failure> {
@@ -120,8 +117,9 @@ fn check_table(
         needed.len() <= count
     });
     if needed.len() != count {
-        let [a, b] = kind.names();
-        return refused(format!("{count} pairs of kind {a} and {b} have a proof, but not as many need one"));
+        let ([a, b], more) = (kind.names(), if needed.len() > count { "more" } else { "fewer" });
+        let numbers = format!("{more} pairs of {a} and {b} need a proof than the {count} of the certificate");
+        return refused(format!("{numbers}: are these its meshes, in its order?"));
     }
     needed.sort_unstable();
     let mut last = None;
@@ -156,7 +154,7 @@ impl fmt::Display for Proved {
         };
         for (number, Step { head, contact, pairs }) in self.steps.iter().enumerate() {
             let next = number + 1;
-            writeln!(f, "step from frame {number} to frame {next}, {pairs} pairs next to each other:")?;
+            writeln!(f, "step from frame {number} to frame {next} (pairs next to each other: {pairs}):")?;
             if head.rest {
                 writeln!(f, "  No edge pierces a face at t = 0.")?;
             }

@@ -111,11 +111,8 @@ impl Moving {
                 // a + u e = c + v f, so u e × f = w × f and v e × f = w × e.
                 let [u, v] = [cross(&w, &f), cross(&w, &e)];
                 let coplanarity = dot(&normal, &w);
-                Some((
-                    normal.clone(),
-                    coplanarity,
-                    vec![difference(&normal, &u), difference(&normal, &v), u, v],
-                ))
+                let sides = vec![difference(&normal, &u), difference(&normal, &v), u, v];
+                Some((normal, coplanarity, sides))
             }
             _ => None,
         }

@@ -11,6 +11,16 @@ pub enum Failure {
     Refused(String),
 }
 
+impl Failure {
+    /// The same failure, with the place of its reason: a file, a step or a row.
+    pub fn at(self, place: impl fmt::Display) -> Self {
+        match self {
+            Self::Unreadable(reason) => Self::Unreadable(format!("{place}: {reason}")),
+            Self::Refused(reason) => Self::Refused(format!("{place}: {reason}")),
+        }
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

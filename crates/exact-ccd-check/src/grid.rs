@@ -38,12 +38,8 @@ impl Grid {
         };
         let small = |x: &IBig| i64::try_from(rounded(x)).unwrap_or(i64::MAX);
         let distance = -rounded(&-(&motion.distance << power));
-        Self {
-            at: exact.map(|points| {
-                points.iter().map(|point| [0, 1, 2].map(|axis: usize| small(&point[axis]))).collect()
-            }),
-            distance: i64::try_from(distance).unwrap_or(i64::MAX).min(1 << 62),
-        }
+        let at = exact.map(|points| points.iter().map(|point| point.each_ref().map(small)).collect());
+        Self { at, distance: i64::try_from(distance).unwrap_or(i64::MAX).min(1 << 62) }
     }
 
     /// Returns true if the grid proves that the first primitive of a pair is beyond the second along a

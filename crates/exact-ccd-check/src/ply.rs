@@ -48,7 +48,7 @@ pub fn read(file: &[u8]) -> Result<Frame, Failure> {
         let Some(columns) = names.iter().map(column).collect::<Option<Vec<_>>>() else {
             return unreadable(format!("the element `{element}` lacks one of the properties {names:?}"));
         };
-        for _ in 0..rows {
+        let mut read_row = || {
             let row = properties.iter().map(|property| values(&mut bytes, encoding, property));
             let row = row.collect::<Result<Vec<_>, _>>()?;
             let values: Vec<f64> = columns.iter().flat_map(|&column| row[column].iter().copied()).collect();
@@ -57,6 +57,11 @@ pub fn read(file: &[u8]) -> Result<Frame, Failure> {
                 ("edge", &[a, b]) => edges.push([index(a)?, index(b)?]),
                 (_, corners) => faces.extend(triangles(corners)?),
             }
+            Ok(())
+        };
+        for number in 1..=rows {
+            read_row()
+                .map_err(|failure: Failure| failure.at(format_args!("{element} {number} of {rows}")))?;
         }
     }
     if !bytes.0.trim_ascii_start().is_empty() {
@@ -136,7 +141,7 @@ fn value(bytes: &mut Bytes<'_>, encoding: Encoding, kind: &str) -> Result<f64, F
         let word = std::str::from_utf8(&rest[..length]).unwrap_or_default();
         let is_valid = is_real || word.parse::<i64>().is_ok();
         let number = word.parse().ok().filter(|_| is_valid);
-        return number.map_or_else(|| unreadable(format!("`{word}` is not a number")), Ok);
+        return number.map_or_else(|| unreadable(format!("a number is expected, not `{word}`")), Ok);
     };
     let mut number = [0; 8];
     number[..size].copy_from_slice(bytes.take(size)?);

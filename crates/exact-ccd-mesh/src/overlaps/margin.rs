@@ -92,8 +92,49 @@ fn sum<F: Format>(a: F, b: F) -> F {
 
 #[cfg(test)]
 mod tests {
-    use super::{half, sum, summand};
+    use exact_ccd::{Separation, Thickness};
+
+    use super::{Margin, half, sum, summand};
     use crate::broad_phase::small::{Environment, Small};
+    use crate::mesh::TriangleMesh;
+    use crate::pairs::MinDistance;
+
+    /// The margins of a mesh of a face and a loose edge, whose last vertex belongs to neither.
+    #[test]
+    fn margins_of_primitives_cover_their_distances_and_little_more() {
+        let mesh = TriangleMesh::with_edges(6, vec![[0, 1, 2]], &[[3, 4]]).expect("the indices are in range");
+        let primitives: [&[u32]; 4] = [&[0, 1, 2], &[3, 4], &[4], &[5]];
+        let thicknesses = [0.1, 0.3, 0.2, 0.5, 0.7, 0.9];
+        let distances = [
+            MinDistance::default(),
+            MinDistance::uniform(Separation::new(0.1).expect("it is not negative")),
+            MinDistance::thickness(Thickness::new(&thicknesses).expect("none is negative")),
+        ];
+        for (min_distance, uniform) in distances.into_iter().zip([Some(0.0), Some(0.05), None]) {
+            for common in [0.0, 0.01] {
+                let margin = Margin::new(min_distance.clone(), common);
+                let is_tight = |margin: f64, least: f64| (least..=least * (1.0 + 1e-14)).contains(&margin);
+                assert_eq!(margin.uniform().is_some(), uniform.is_some());
+                assert!(
+                    margin
+                        .uniform()
+                        .is_none_or(|m| is_tight(m, uniform.unwrap() + common))
+                );
+                for a in primitives {
+                    for b in primitives {
+                        let d = min_distance.separations().between(a, b).get();
+                        assert!(
+                            is_tight(margin.of(a) + margin.of(b), d + 2.0 * common),
+                            "{a:?} {b:?}"
+                        );
+                    }
+                }
+                let [face, edge] = [primitives[0], primitives[1]].map(|vertices| margin.of(vertices));
+                let largest = [face, face, face, edge, edge, margin.of(&[5])];
+                assert_eq!(margin.largest(&mesh), largest);
+            }
+        }
+    }
 
     #[test]
     fn margins_of_all_small_numbers_are_large_enough() {

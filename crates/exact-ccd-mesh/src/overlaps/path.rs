@@ -56,13 +56,14 @@ mod tests {
     use crate::mesh::TriangleMesh;
     use crate::steps::Step;
 
-    /// Points of which some move by a few units in the last place, and others far.
+    /// Points of any size, of which some move by a few units in the last place, and others far.
     fn points(rng: &mut Rng) -> Vec<[Point; 2]> {
         let coordinates = |rng: &mut Rng| {
             let size = 10_f64.powi(rng.i32(-12..1));
+            let scale = [-1030.0, -20.0, 0.0, 500.0].map(f64::exp2)[rng.usize(..4)];
             let start = [0, 1, 2].map(|_| 2.0 * rng.f64() - 1.0);
             let end = start.map(|x| x + size * (2.0 * rng.f64() - 1.0));
-            [start, end]
+            [start, end].map(|point| point.map(|x| scale * x))
         };
         (0..64).map(|_| coordinates(rng)).collect()
     }

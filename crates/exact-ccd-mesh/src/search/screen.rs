@@ -97,13 +97,14 @@ mod tests {
     use crate::pairs::{CanCollide, MinDistance, PairKind};
     use crate::steps::Step;
 
-    /// Points whose distances, and displacements, are a few units in the last place; and the displacements.
-    fn near(rng: &mut Rng) -> [Vec<Point>; 2] {
-        let unit = f64::EPSILON * [1.0, 16.0, 256.0][rng.usize(..3)];
-        let corner = [0, 1, 2].map(|_| 1.0 + rng.f64());
+    /// Points whose distances, and displacements, are a few units in the last place; and the displacements. The
+    /// coordinates are one to two scales.
+    fn near(rng: &mut Rng, scale: f64) -> [Vec<Point>; 2] {
+        let unit = scale * f64::EPSILON * [1.0, 16.0, 256.0][rng.usize(..3)];
+        let corner = [0, 1, 2].map(|_| scale * (1.0 + rng.f64()));
         let x0: Vec<Point> = (0..4)
             .map(|_| {
-                let size = [unit, unit, 0.1][rng.usize(..3)];
+                let size = [unit, unit, 0.1 * scale][rng.usize(..3)];
                 corner.map(|x| x + size * (4.0 * rng.f64() - 2.0))
             })
             .collect();
@@ -115,15 +116,16 @@ mod tests {
     }
 
     /// Counts the pairs that are held back.
-    fn held_back<K: PairKind>(mesh: &TriangleMesh, ids: [u32; 2]) -> usize {
+    fn held_back<K: PairKind>(mesh: &TriangleMesh, ids: [u32; 2], scale: f64) -> usize {
         let mut rng = Rng::with_seed(7);
         let mut screen = Screen::new();
         let mut count = 0;
-        for _ in 0..20_000 {
-            let [x0, direction] = near(&mut rng);
+        for _ in 0..10_000 {
+            let [x0, direction] = near(&mut rng, scale);
             let x1 = advance(&x0, &direction, 1.0);
             let step = Step::new(mesh, &x0, &x1).expect("all positions are finite");
-            let d = Separation::new([0.0, 4.0 * f64::EPSILON, 0.01][rng.usize(..3)]).expect("not negative");
+            let d = scale * [0.0, 4.0 * f64::EPSILON, 0.01][rng.usize(..3)];
+            let d = Separation::new(d).expect("not negative");
             let until = [1.0, rng.f64()][rng.usize(..2)];
             screen.place(&step, until, &MinDistance::from(d));
             if !screen.passing::<K>(mesh, &CanCollide::all(), &[ids]).is_empty() {
@@ -150,12 +152,14 @@ mod tests {
         let face = TriangleMesh::new(4, vec![[1, 2, 3]]).expect("the indices are in range");
         let edges = TriangleMesh::with_edges(4, Vec::new(), &[[0, 1], [2, 3]]).expect("so are these");
         let points = TriangleMesh::new(4, Vec::new()).expect("there are no faces");
-        for count in [
-            held_back::<VertexFace>(&face, [0, 0]),
-            held_back::<EdgeEdge>(&edges, [0, 1]),
-            held_back::<VertexVertex>(&points, [0, 1]),
-        ] {
-            assert!((100..19_000).contains(&count), "{count}");
+        for scale in [-1000.0, -40.0, 0.0, 40.0].map(f64::exp2) {
+            for count in [
+                held_back::<VertexFace>(&face, [0, 0], scale),
+                held_back::<EdgeEdge>(&edges, [0, 1], scale),
+                held_back::<VertexVertex>(&points, [0, 1], scale),
+            ] {
+                assert!((50..9_500).contains(&count), "{count} at {scale}");
+            }
         }
     }
 }

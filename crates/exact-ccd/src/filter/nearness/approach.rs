@@ -44,10 +44,6 @@ pub(super) struct Approach {
 impl Approach {
     /// The closest points from the time of a snapshot on, for a time of this width; `None` if they are not
     /// certain.
-    ///
-    /// A component of a corner moves by at most 2 w in a width w, and that of F at fixed parameters too.
-    /// Parameters that are off by δ change a component of the velocity, each of which is at most 2, by at
-    /// most 4 δ; it results from five velocities, each rounded, and four operations, on terms of at most 10.
     pub(super) fn new<K: Kind>(
         now: &Snapshot<DoubleDouble>,
         moving: &Moving<DoubleDouble>,
@@ -55,12 +51,12 @@ impl Approach {
     ) -> Option<Self> {
         let corner = |i: usize| Near {
             value: now.corner(i),
-            error: 2.0 * width + 2.0 * UNIT,
+            error: error_of_corner(width),
         };
         let x = now.precise_point();
         let x = Near {
             value: x,
-            error: 2.0 * width + 2.0 * UNIT * extent(x) + 64.0 * ROUNDOFF,
+            error: error_of_point(width, extent(x)),
         };
         let (of_parameters, direction) = match now.closest {
             Closest::Corner(own) => {
@@ -92,7 +88,7 @@ impl Approach {
         };
         let velocity = Near {
             value: moving.velocity(now.closest),
-            error: 8.0 * of_parameters + 64.0 * UNIT,
+            error: error_of_velocity(of_parameters),
         };
         Some(Self {
             closest: now.closest,
@@ -132,6 +128,24 @@ impl Approach {
     }
 }
 
+/// The error of a component of a corner at all times of a width w, in which it moves by at most 2 w: it is at
+/// most 1, off by 8 ε, and rounded once.
+pub(super) fn error_of_corner(width: f64) -> f64 {
+    2.0 * width + margin(1) * UNIT
+}
+
+/// The same of F at fixed parameters, given the sum m of the magnitudes of its components: it is off by 53 ε.
+pub(super) fn error_of_point(width: f64, m: f64) -> f64 {
+    2.0 * width + margin(1) * UNIT * m + 64.0 * ROUNDOFF
+}
+
+/// The error of a component of the velocity of F. Each one of a corner is at most 2, so that two parameters that
+/// are off by δ change it by at most 8 δ. Its terms are at most 10 together, with n = 5 roundings, of which one is
+/// that of the velocity of a corner.
+pub(super) fn error_of_velocity(of_parameters: f64) -> f64 {
+    8.0 * of_parameters + 64.0 * UNIT
+}
+
 /// Returns true if a corner certainly is behind the closest point: x* · (c − x*) > 0.
 fn is_behind(corner: &Near, closest: &Near) -> bool {
     let [value, error] = product(closest, &corner.minus(closest));
@@ -147,7 +161,7 @@ pub(super) struct Near {
 
 impl Near {
     /// The difference: one more rounding.
-    fn minus(&self, other: &Self) -> Self {
+    pub(super) fn minus(&self, other: &Self) -> Self {
         let value = minus(self.value, other.value);
         Self {
             value,
@@ -170,7 +184,7 @@ impl Near {
     }
 
     /// The cross product; the error of a component is at most that of a scalar product.
-    fn cross(&self, other: &Self) -> Self {
+    pub(super) fn cross(&self, other: &Self) -> Self {
         Self {
             value: cross(self.value, other.value),
             error: product(self, other)[1],
@@ -216,9 +230,10 @@ impl Step {
     }
 }
 
-/// The quotient of two numbers with errors, if the least denominator is positive.
-fn quotient([r, of_r]: [f64; 2], [s, of_s]: [f64; 2], least: f64) -> Option<Step> {
-    let value = r / s;
+/// The quotient of two numbers with errors, if the denominator certainly is positive. The least denominator is
+/// less by twice its error, for the roundings of that.
+pub(super) fn quotient([r, of_r]: [f64; 2], [s, of_s]: [f64; 2]) -> Option<Step> {
+    let (value, least) = (r / s, s - 2.0 * of_s);
     let error = error_of_quotient(value, of_r, of_s, least);
     (least > 0.0).then_some(Step { value, error })
 }
@@ -236,55 +251,38 @@ pub(super) fn error_of_quotient<T: Lanes>(value: T, of_r: T, of_s: T, least: T) 
 /// −(e · x) / (e · e), if e certainly is not zero.
 fn along(e: &Near, x: &Near) -> Option<Step> {
     let [residual, of_residual] = product(e, x);
-    let [square, of_square] = product(e, e);
-    quotient([-residual, of_residual], [square, of_square], square - of_square)
+    quotient([-residual, of_residual], product(e, e))
 }
-
-/// The error of [`minor`] by its roundings.
-pub(super) const OF_MINOR: f64 = margin(2) * UNIT;
 
 /// a b − c d.
 pub(super) fn minor<T: Lanes>([a, b]: [T; 2], [c, d]: [T; 2]) -> T {
     a * b - c * d
 }
 
-/// The steps along a and b to the foot of the perpendicular, if these certainly are not parallel.
-///
-/// By Cramer's rule, for [aa, ab; ab, bb] δ = −[ax, bx]. The determinant results from two more roundings
-/// of terms that add up to aa bb + ab² ≤ 2 aa bb: the first is relative to each term, the last to the
-/// result, so that both together are at most u (aa bb + ab² + det) = 2 u aa bb. So do the numerators, of
-/// their terms. The least determinant is less by twice its error, for the roundings of that.
+/// a b − c d of numbers with errors, and its error: that of each factor times the most that the other one can
+/// be, and n = 2 roundings.
+pub(super) fn minor_within(ab: [[f64; 2]; 2], cd: [[f64; 2]; 2]) -> [f64; 2] {
+    let values = |factors: [[f64; 2]; 2]| factors.map(|[value, _]| value);
+    let error = |[[a, of_a], [b, of_b]]: [[f64; 2]; 2]| {
+        of_a * b.abs() + (a.abs() + of_a) * of_b + margin(2) * UNIT * (a * b).abs()
+    };
+    [minor(values(ab), values(cd)), error(ab) + error(cd)]
+}
+
+/// The steps along a and b to the foot of the perpendicular, if these certainly are not parallel: by Cramer's
+/// rule, for [aa, ab; ab, bb] δ = −[ax, bx].
 fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
-    let [aa, of_aa] = product(a, a);
-    let [bb, of_bb] = product(b, b);
-    let [ab, of_ab] = product(a, b);
-    let [ax, of_ax] = product(a, x);
-    let [bx, of_bx] = product(b, x);
-    let [most_aa, most_bb, most_ab] = [aa + of_aa, bb + of_bb, ab.abs() + of_ab];
-    let of_determinant =
-        of_aa * most_bb + of_bb * most_aa + 2.0 * of_ab * most_ab + OF_MINOR * most_aa * most_bb;
-    let determinant = minor([aa, bb], [ab, ab]);
-    let least = determinant - 2.0 * of_determinant;
-    let over = |numerator: [f64; 2]| quotient(numerator, [determinant, of_determinant], least);
-    let [size_of_ax, size_of_bx] = [ax.abs(), bx.abs()];
-    let of_u = most_ab * of_bx
-        + of_ab * size_of_bx
-        + most_bb * of_ax
-        + of_bb * size_of_ax
-        + OF_MINOR * (most_ab * size_of_bx + most_bb * size_of_ax);
-    let of_v = most_ab * of_ax
-        + of_ab * size_of_ax
-        + most_aa * of_bx
-        + of_aa * size_of_bx
-        + OF_MINOR * (most_ab * size_of_ax + most_aa * size_of_bx);
+    let [aa, bb, ab] = [(a, a), (b, b), (a, b)].map(|(p, q)| product(p, q));
+    let [ax, bx] = [a, b].map(|side| product(side, x));
+    let determinant = minor_within([aa, bb], [ab, ab]);
     Some([
-        over([minor([ab, bx], [bb, ax]), of_u])?,
-        over([minor([ab, ax], [aa, bx]), of_v])?,
+        quotient(minor_within([ab, bx], [bb, ax]), determinant)?,
+        quotient(minor_within([ab, ax], [aa, bx]), determinant)?,
     ])
 }
 
 /// `Some` if all distances of the parameters from the ends of their range certainly are positive.
-fn is_inside<const N: usize>(distances: [f64; N], error: f64) -> Option<()> {
+pub(super) fn is_inside<const N: usize>(distances: [f64; N], error: f64) -> Option<()> {
     let least = 2.0 * error + 8.0 * UNIT;
     distances.iter().all(|&distance| distance > least).then_some(())
 }

@@ -1,9 +1,13 @@
 //! The bounds of a distance above 0, by the numbers of [`proof`](crate::filter::proof).
 
 use super::advance::Advancement;
-use super::approach::{Near, OF_MINOR, Step, error_of_quotient, minor, product};
+use super::approach::{
+    Approach, Near, Step, error_of_corner, error_of_point, error_of_quotient, error_of_velocity, is_inside,
+    minor, minor_within, product, quotient,
+};
 use super::beside_contact::least_volume;
 use super::closest::Closest;
+use super::crossing::Crossings;
 use super::largest_square;
 use super::scaled::Scaled;
 use super::snapshot::{
@@ -18,9 +22,10 @@ use crate::filter::proof::{
     Precise, Script, Symbol, assert_bound, assert_counts, opposite_points, power, symbols,
 };
 use crate::filter::roundoff::UNIT;
-use crate::filter::vector::dot;
-use crate::kind::{EdgeEdge, Kind, Tables, VertexFace};
+use crate::filter::vector::{cross, dot};
+use crate::kind::{EdgeEdge, Kind, Tables, VertexFace, VertexVertex};
 use crate::query::Query;
+use crate::time::ContactTime;
 
 #[test]
 fn turning_directions() {
@@ -87,8 +92,10 @@ fn scalar_products_of_vectors_with_errors() {
     };
     assert_eq!(symbol.roundings, 3);
     let [a0, b0] = [vectors[0], vectors[1]].map(|[x, y, _]| [x, y].map(Symbol::exactly));
-    assert_eq!(minor(a0, b0).roundings, 2);
-    assert_eq!(OF_MINOR / UNIT, power(2));
+    let symbol = minor(a0, b0);
+    assert_eq!(symbol.roundings, 2);
+    let [p, q] = [a0, b0].map(|pair| pair.map(|x| [x.value, 0.0]));
+    assert_bound(minor_within(p, q)[1], symbol.permanent, 2);
     let moved = a.plus(
         &b,
         Step {
@@ -98,8 +105,152 @@ fn scalar_products_of_vectors_with_errors() {
     );
     assert_bound(moved.error, a.extent() + 0.5 * b.extent(), 3);
     let [value, error] = product(&a, &b);
-    assert_eq!(value, symbol.value);
+    assert_eq!(value, dot(vectors[0], vectors[1]));
     assert_bound(error, 2.0 * a.extent() * b.extent(), 3);
+    // The rounding of a difference: that of 1 + u is u.
+    let [one, small] = [1.0, -UNIT].map(|x| Near {
+        value: [x, 0.0, 0.0],
+        error: 0.0,
+    });
+    let difference = one.minus(&small);
+    assert_eq!((difference.value[0], difference.error), (1.0, UNIT));
+}
+
+/// The ends of what a number can be.
+fn ends([value, error]: [f64; 2]) -> [f64; 2] {
+    [value - error, value + error]
+}
+
+/// The corners of what a vector can be.
+fn box_corners(near: &Near) -> impl Iterator<Item = [f64; 3]> + Clone {
+    let sides = near.value.map(|x| ends([x, near.error]));
+    (0..8_usize).map(move |corner| [0, 1, 2].map(|axis: usize| sides[axis][corner >> axis & 1]))
+}
+
+/// Asserts that an error bounds the differences of some numbers from a value, with a factor of at least `least`.
+#[track_caller]
+fn assert_covers(values: impl Iterator<Item = f64>, [value, error]: [f64; 2], least: f64) {
+    let far = values.fold(0.0, |far: f64, x| far.max((x - value).abs()));
+    assert!(error >= least * far, "{error} for {far}");
+}
+
+/// Numbers and errors in multiples of 1 / 8, so that all products are exact; or all numbers but one are exact.
+fn numbers_with_errors<const N: usize>(count: usize) -> impl Iterator<Item = [[f64; 2]; N]> {
+    let mut random = fastrand::Rng::with_seed(1);
+    (0..count).map(move |_| {
+        let only = random.usize(..2 * N);
+        core::array::from_fn(|i| {
+            let error = if only == i || only >= N {
+                f64::from(random.i32(0..=8))
+            } else {
+                0.0
+            };
+            [f64::from(random.i32(-8..=8)), error].map(|x| x / 8.0)
+        })
+    })
+}
+
+/// Each bound is compared with the values at all ends of large errors, where the functions are farthest from
+/// the value between. What is doubled for the roundings of the bound is at least twice as large.
+#[test]
+fn errors_of_numbers_and_vectors() {
+    for [a, b, c, d] in numbers_with_errors(2000) {
+        let both = |[p, q]: [[f64; 2]; 2]| {
+            let [p, q] = [p, q].map(ends);
+            p.into_iter()
+                .flat_map(move |p| q.into_iter().map(move |q| [p, q]))
+        };
+        let minors = || both([a, b]).flat_map(|ab| both([c, d]).map(move |cd| minor(ab, cd)));
+        assert_covers(minors(), minor_within([a, b], [c, d]), 1.0);
+        if let Some(Step { value, error }) = quotient(a, b) {
+            assert!(ends(b)[0] > 0.0);
+            // The quotients are rounded themselves.
+            assert_covers(both([a, b]).map(|[r, s]| r / s), [value, error], 2.0 - 1e-9);
+        }
+    }
+    // The least denominator is less by twice its error.
+    assert!(quotient([1.0, 0.0], [1.0, 0.5]).is_none());
+    for [x, y, z, u, v, w, s] in numbers_with_errors(2000) {
+        // Some vectors have one component only.
+        let is_thin = z[1] == 0.0;
+        let near = |[x, y, z]: [[f64; 2]; 3]| Near {
+            value: [
+                x[0],
+                if is_thin { 0.0 } else { y[0] },
+                if is_thin { 0.0 } else { z[0] },
+            ],
+            error: x[1],
+        };
+        let [a, b] = [near([x, y, z]), near([u, v, w])];
+        let pairs = || box_corners(&a).flat_map(|p| box_corners(&b).map(move |q| [p, q]));
+        let extents = box_corners(&a).map(|p| p.into_iter().map(f64::abs).sum());
+        assert_eq!(extents.fold(0.0, f64::max), a.extent());
+        assert_covers(pairs().map(|[p, q]| dot(p, q)), product(&a, &b), 2.0);
+        let (difference, crossed) = (a.minus(&b), a.cross(&b));
+        let step = Step {
+            value: s[0],
+            error: s[1],
+        };
+        let moved = a.plus(&b, step);
+        for axis in 0..3 {
+            let bound = |near: &Near| [near.value[axis], near.error];
+            assert_covers(pairs().map(|[p, q]| p[axis] - q[axis]), bound(&difference), 1.0);
+            assert_covers(pairs().map(|[p, q]| cross(p, q)[axis]), bound(&crossed), 2.0);
+            let places = pairs().flat_map(|[p, q]| ends(s).map(|s| p[axis] + s * q[axis]));
+            assert_covers(places, bound(&moved), 1.0);
+        }
+    }
+}
+
+#[test]
+fn errors_of_closest_points() {
+    // A component of a corner, of at most 1, moves by 2 w at most.
+    let of_corner = error_of_corner(0.0) / (UNIT + 8.0 * ROUNDOFF);
+    assert!((1.125..2.3).contains(&of_corner), "{of_corner}");
+    assert_eq!(error_of_corner(0.25) - error_of_corner(0.0), 0.5);
+    for m in [0.0, 1.0, 1e9] {
+        let of_point = error_of_point(0.0, m) / (UNIT * m + 53.0 * ROUNDOFF);
+        assert!((1.125..2.3).contains(&of_point), "{of_point} for {m}");
+        assert_eq!(error_of_point(0.25, m), 0.5 + error_of_point(0.0, m));
+    }
+    // The largest velocities: 2 and −2 at corners, so that F has 2 − 4 u − 4 v.
+    let inner = EdgeEdge::FEATURES.inner.unwrap();
+    let velocity = [2.0, -2.0, -2.0, -2.0].map(|x| [x; 3]);
+    let delta = 0.125;
+    let at = |s: f64| Closest::Inner(inner, [s; 2]).point(&velocity)[0];
+    assert_eq!(
+        error_of_velocity(delta) - error_of_velocity(0.0),
+        (at(0.5) - at(0.5 + delta)).abs()
+    );
+    let rounded = velocity.map(|corner| corner.map(|x| Precise::<false>(Symbol::exactly(x).rounded())));
+    // Parameters of which a product is rounded.
+    let [Precise(x), ..] = Closest::Inner(inner, [1.0 - UNIT; 2]).point(&rounded);
+    assert_eq!((x.roundings, x.permanent.round()), (5, 10.0));
+    assert_eq!(error_of_velocity(0.0), 64.0 * UNIT, "more than 5 · 10 u");
+}
+
+#[test]
+fn parameters_and_directions_next_to_their_limits() {
+    // Inside by more than twice the error, and 8 u for the roundings of the distance and of the bound.
+    let is_inside = |error: f64| is_inside([0.75, 0.5], error).is_some();
+    assert_eq!(
+        [0.25, 0.25 - 4.0 * UNIT, 0.25 - 5.0 * UNIT].map(is_inside),
+        [false, false, true]
+    );
+    // The direction of points at rest is off by 2 w. Four times that has to be within 2⁻³³ of it.
+    let points = [[0.75, 0.0, 0.0], [0.0; 3]];
+    let query = Query::<VertexVertex>::new(points, points).unwrap();
+    let scaled = Scaled::new(&Hull::new::<VertexVertex>(&query.four()), 0.5).unwrap();
+    let crossings = Crossings::new(&query, &scaled);
+    let now = crossings.precise.at::<VertexVertex>(0.0);
+    let is_accurate = |factor: f64| {
+        let width = factor * 0.75 * (-36.0_f64).exp2();
+        let approach = Approach::new::<VertexVertex>(&now, &crossings.precise, width).unwrap();
+        approach
+            .impact::<VertexVertex>(ContactTime::exactly(0.0))
+            .is_some()
+    };
+    assert_eq!([0.999, 1.001].map(is_accurate), [true, false]);
 }
 
 #[test]
