@@ -97,8 +97,8 @@ mod tests {
     use crate::pairs::{CanCollide, MinDistance, PairKind};
     use crate::steps::Step;
 
-    /// Points whose distances, and displacements, are a few units in the last place; and the displacements. The
-    /// coordinates are one to two scales.
+    /// Points whose distances, and displacements, are a few units in the last place; and the displacements.
+    /// The coordinates are one to two scales.
     fn near(rng: &mut Rng, scale: f64) -> [Vec<Point>; 2] {
         let unit = scale * f64::EPSILON * [1.0, 16.0, 256.0][rng.usize(..3)];
         let corner = [0, 1, 2].map(|_| scale * (1.0 + rng.f64()));

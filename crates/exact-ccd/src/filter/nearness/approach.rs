@@ -139,9 +139,9 @@ pub(super) fn error_of_point(width: f64, m: f64) -> f64 {
     2.0 * width + margin(1) * UNIT * m + 64.0 * ROUNDOFF
 }
 
-/// The error of a component of the velocity of F. Each one of a corner is at most 2, so that two parameters that
-/// are off by δ change it by at most 8 δ. Its terms are at most 10 together, with n = 5 roundings, of which one is
-/// that of the velocity of a corner.
+/// The error of a component of the velocity of F. Each one of a corner is at most 2, so that two parameters
+/// that are off by δ change it by at most 8 δ. Its terms are at most 10 together, with n = 5 roundings, of
+/// which one is that of the velocity of a corner.
 pub(super) fn error_of_velocity(of_parameters: f64) -> f64 {
     8.0 * of_parameters + 64.0 * UNIT
 }
@@ -230,8 +230,8 @@ impl Step {
     }
 }
 
-/// The quotient of two numbers with errors, if the denominator certainly is positive. The least denominator is
-/// less by twice its error, for the roundings of that.
+/// The quotient of two numbers with errors, if the denominator certainly is positive. The least denominator
+/// is less by twice its error, for the roundings of that.
 pub(super) fn quotient([r, of_r]: [f64; 2], [s, of_s]: [f64; 2]) -> Option<Step> {
     let (value, least) = (r / s, s - 2.0 * of_s);
     let error = error_of_quotient(value, of_r, of_s, least);

@@ -127,14 +127,16 @@ fn box_corners(near: &Near) -> impl Iterator<Item = [f64; 3]> + Clone {
     (0..8_usize).map(move |corner| [0, 1, 2].map(|axis: usize| sides[axis][corner >> axis & 1]))
 }
 
-/// Asserts that an error bounds the differences of some numbers from a value, with a factor of at least `least`.
+/// Asserts that an error bounds the differences of some numbers from a value, with a factor of at least
+/// `least`.
 #[track_caller]
 fn assert_covers(values: impl Iterator<Item = f64>, [value, error]: [f64; 2], least: f64) {
     let far = values.fold(0.0, |far: f64, x| far.max((x - value).abs()));
     assert!(error >= least * far, "{error} for {far}");
 }
 
-/// Numbers and errors in multiples of 1 / 8, so that all products are exact; or all numbers but one are exact.
+/// Numbers and errors in multiples of 1 / 8, so that all products are exact; or all numbers but one are
+/// exact.
 fn numbers_with_errors<const N: usize>(count: usize) -> impl Iterator<Item = [[f64; 2]; N]> {
     let mut random = fastrand::Rng::with_seed(1);
     (0..count).map(move |_| {
