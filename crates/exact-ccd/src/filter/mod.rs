@@ -28,6 +28,8 @@ mod precise_cubic;
 mod proof;
 mod roundoff;
 mod screening;
+#[cfg(test)]
+mod statements;
 mod vector;
 mod wide;
 mod window;

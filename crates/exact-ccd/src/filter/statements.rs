@@ -1,0 +1,143 @@
+//! Statements of the integers of fixed width and of motion in a plane, compared with the definition.
+
+use core::array::from_fn;
+use core::cmp::Ordering;
+
+use dashu_ratio::RBig;
+
+use super::fixed_width;
+use super::planar::Planar;
+use crate::exact::FirstContact;
+use crate::interval::Intervals;
+use crate::kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
+use crate::point::Point;
+use crate::query::Query;
+
+/// Times at which the sign of the cubic is compared: multiples of 2⁻¹⁰, where it often vanishes, and others.
+const TIMES: [f64; 7] = [0.125, 0.25, 1.0 / 3.0, 0.5, 0.6, 0.75, 1023.0 / 1024.0];
+
+/// Small integers: many contacts are degenerate, parallel or tangent. In three of four queries the axes have
+/// units of their own. One half has a coordinate that is a little beside an integer, at most 2⁻²⁰: where the
+/// difference has many digits, integers of 64 bits do not suffice. `flat` is the number of axes on which a
+/// coordinate is the same for all points.
+fn queries<K: Kind>(count: usize, flat: usize) -> impl Iterator<Item = Query<K>> {
+    let mut random = fastrand::Rng::with_seed(2);
+    (0..count).map(move |index| {
+        let first = random.usize(0..3);
+        let is_flat: [bool; 3] = from_fn(|axis| (axis + first) % 3 < flat);
+        let units = [(); 3].map(|()| match index % 4 {
+            0 => 1.0,
+            _ => libm::ldexp(1.0, random.i32(-90..90)),
+        });
+        let mut points = [(); 2].map(|()| {
+            let mut points = K::Points::default();
+            points.as_mut().fill_with(|| -> Point {
+                from_fn(|axis| {
+                    if is_flat[axis] {
+                        1.0
+                    } else {
+                        f64::from(random.i32(-3..=3))
+                    }
+                })
+            });
+            points
+        });
+        if index % 2 == 0 {
+            let points = points[random.usize(0..2)].as_mut();
+            let point = random.usize(0..points.len());
+            let axis = random.usize(0..3);
+            if !is_flat[axis] {
+                points[point][axis] += libm::ldexp(1.0, -random.i32(20..80));
+            }
+        }
+        for point in points.iter_mut().flat_map(AsMut::as_mut) {
+            *point = from_fn(|axis| point[axis] * units[axis]);
+        }
+        let [start, end] = points;
+        Query::new(start, end).expect("the numbers are finite")
+    })
+}
+
+/// The sign of the coplanarity cubic at a time, in rational numbers.
+fn sign_at<K: Kind>(query: &Query<K>, t: f64) -> Ordering {
+    let rational = |x: f64| RBig::try_from(x).expect("a finite number");
+    let four = query.four();
+    let [w, a, b]: [[RBig; 3]; 3] = K::SPAN.map(|(i, j)| {
+        from_fn(|axis| {
+            let [start, end] =
+                [0, 1].map(|end: usize| rational(four[end][i][axis]) - rational(four[end][j][axis]));
+            &start + rational(t) * (end - &start)
+        })
+    });
+    let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    let volume = &w[0] * minor(1, 2) + &w[1] * minor(2, 0) + &w[2] * minor(0, 1);
+    volume.cmp(&RBig::ZERO)
+}
+
+/// All times of contact by the definition.
+fn intervals<K: Kind>(query: &Query<K>) -> Intervals {
+    FirstContact::of(query).map_or_else(Intervals::default, |contact| contact.intervals())
+}
+
+/// Decisions, first times, all times and signs in integers of fixed width.
+fn integers<K: Kind>() -> [usize; 4] {
+    let mut known = [0; 4];
+    for query in queries::<K>(1500, 0).chain(queries::<K>(500, 1)) {
+        let truth = FirstContact::of(&query);
+        if let Some(moment) = fixed_width::first_moment(&query) {
+            assert_eq!(moment.is_some(), truth.is_some(), "{query:?}");
+            known[usize::from(moment.is_some())] += 1;
+        }
+        if let Some(time) = fixed_width::first(&query) {
+            assert_eq!(Some(time), truth.as_ref().map(FirstContact::time), "{query:?}");
+            known[2] += 1;
+        }
+        if let Some(moments) = fixed_width::moments(&query) {
+            assert_eq!(moments, intervals(&query), "{query:?}");
+        }
+        for t in TIMES {
+            if let Some(sign) = fixed_width::sign_at(&query, t) {
+                assert_eq!(sign, sign_at(&query, t), "{query:?} {t}");
+                known[3] += 1;
+            }
+        }
+    }
+    known
+}
+
+#[test]
+fn integers_of_fixed_width_have_the_answers_of_the_definition() {
+    for known in [integers::<VertexFace>(), integers::<EdgeEdge>()] {
+        assert!(known.iter().all(|&count| count > 20), "{known:?}");
+    }
+    // Few of these are in contact.
+    integers::<VertexEdge>();
+    integers::<VertexVertex>();
+}
+
+/// The intervals of contact in a plane across an axis, and the first contact.
+fn planes<K: Kind>() {
+    let mut known = [0; 2];
+    for query in queries::<K>(2000, 1) {
+        let planar = Planar::new(&query).expect("an axis is flat");
+        if let Some(stretches) = planar.stretches() {
+            assert_eq!(
+                !stretches.is_empty(),
+                FirstContact::of(&query).is_some(),
+                "{query:?}"
+            );
+            known[0] += 1;
+        }
+        if let Some(found) = planar.intervals() {
+            assert_eq!(found, intervals(&query), "{query:?}");
+            known[1] += usize::from(found.count() != Some(0));
+        }
+    }
+    assert!(known.iter().all(|&count| count > 20), "{known:?}");
+}
+
+#[test]
+fn motion_in_a_plane_has_the_intervals_of_the_definition() {
+    planes::<VertexFace>();
+    planes::<EdgeEdge>();
+}
