@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use exact_ccd::{Ccd, Exact, Options, TimeGuarantee};
-use exact_ccd_mesh::{Candidates, MinDistance, Step, Tolerance, bisect};
+use exact_ccd_mesh::{Candidates, MinDistance, Pair, Step, Tolerance, bisect};
 
 /// The bound on each Newton step, by a method of continuous collision detection.
 ///
@@ -111,6 +111,32 @@ impl StepFilter {
     #[must_use]
     pub fn free_part(&self, candidates: &Candidates, step: Step<'_>, min_distance: &MinDistance) -> f64 {
         self.observe(candidates, step);
+        self.part(candidates, step, min_distance)
+    }
+
+    /// A pair for which no part of a step is free, found by halving the list of all pairs. `None` if the
+    /// method rejects every part for several pairs only.
+    pub(crate) fn blocking_pair(
+        &self,
+        candidates: &Candidates,
+        step: Step<'_>,
+        min_distance: &MinDistance,
+    ) -> Option<Pair> {
+        let is_blocked = |pairs: &[Pair]| {
+            let candidates = pairs.iter().copied().collect();
+            self.part(&candidates, step, min_distance) <= 0.0
+        };
+        let mut pairs: Vec<Pair> = candidates.pairs().collect();
+        while pairs.len() > 1 {
+            let last = pairs.split_off(pairs.len() / 2);
+            if !is_blocked(&pairs) {
+                pairs = last;
+            }
+        }
+        is_blocked(&pairs).then(|| pairs.pop()).flatten()
+    }
+
+    fn part(&self, candidates: &Candidates, step: Step<'_>, min_distance: &MinDistance) -> f64 {
         if let Search::Bisection = self.search {
             return self.bisect(candidates, step, min_distance);
         }

@@ -161,21 +161,21 @@ pub enum SimulationError {
     #[error(
         "step {step}: the CCD method `{filter}` rejects a Newton step of any length{}, \
          expected a positive step size; the method `exact` has no false positives",
-        with_nearest(nearest.as_deref())
+        because_of(pair.as_deref())
     )]
     Blocked {
         /// The number of the step.
         step: u64,
         /// The name of the CCD method.
         filter: String,
-        /// The two bodies whose surfaces are nearest to each other, twice the same for parts of one body.
-        /// `None` if none are within the contact distance.
-        nearest: Option<Box<[Designation; 2]>>,
+        /// Two primitives for which the method rejects every length. `None` if it accepts each pair alone, or
+        /// if a half space is in the way.
+        pair: Option<Box<[BodyPrimitive; 2]>>,
     },
 }
 
-/// The nearest bodies, as a part of a sentence.
-fn with_nearest(bodies: Option<&[Designation; 2]>) -> String {
-    let named = bodies.map(|bodies| format!(", with {} nearest", Designation::both(bodies)));
+/// The rejected primitives, as a part of a sentence.
+fn because_of(pair: Option<&[BodyPrimitive; 2]>) -> String {
+    let named = pair.map(|[a, b]| format!(" because of {a} and {b}"));
     named.unwrap_or_default()
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use exact_ccd_mesh::{Pair, TriangleMesh};
+
 use crate::system::{Designation, System};
 
 /// A primitive of a surface, by its vertices.
@@ -23,6 +25,18 @@ impl Primitive {
             Self::Vertex(vertex) => std::slice::from_ref(vertex),
             Self::Edge(edge) => edge,
             Self::Face(face) => face,
+        }
+    }
+
+    /// The two primitives of a pair of a mesh.
+    pub(super) fn of_pair(mesh: &TriangleMesh, pair: Pair) -> [Self; 2] {
+        let edge = |edge: u32| Self::Edge(mesh.edges()[edge as usize]);
+        let vertex = Self::Vertex;
+        match pair {
+            Pair::VertexFace { vertex: v, face } => [vertex(v), Self::Face(mesh.faces()[face as usize])],
+            Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
+            Pair::VertexEdge { vertex: v, edge: e } => [vertex(v), edge(e)],
+            Pair::VertexVertex { a, b } => [vertex(a), vertex(b)],
         }
     }
 
@@ -66,6 +80,21 @@ impl BodyPrimitive {
             primitive: primitive.map(|vertex| vertex - first),
             body: system.designation(body),
         }
+    }
+
+    /// The primitives of a pair of the surface of a system.
+    pub(crate) fn of_pair(system: &System, pair: Pair) -> Box<[Self; 2]> {
+        Self::both(system, Primitive::of_pair(&system.geometry.mesh, pair))
+    }
+
+    /// Two primitives with the vertex indices of a system, in the order of their bodies.
+    pub(super) fn both(system: &System, primitives: [Primitive; 2]) -> Box<[Self; 2]> {
+        let [a, b] = primitives.map(|primitive| Self::new(system, primitive));
+        Box::new(if b.body.place() < a.body.place() {
+            [b, a]
+        } else {
+            [a, b]
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! The check that a simulation starts without intersections.
 
 use exact_ccd::Options;
-use exact_ccd_mesh::{Audit, Pair, Point, Step, TriangleMesh, Violation};
+use exact_ccd_mesh::{Audit, Point, Step, TriangleMesh, Violation};
 
 use super::error::SimulationError;
 use super::primitive::{BodyPrimitive, Primitive};
@@ -37,7 +37,7 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
     if let Some(violation) = violation {
         let primitives = primitives(system, &mesh, &violation);
         let near = at(state, primitives[0]);
-        let primitives = of_bodies(system, primitives);
+        let primitives = BodyPrimitive::both(system, primitives);
         return Err(SimulationError::Start { primitives, near });
     }
     let positions = &state.positions;
@@ -46,22 +46,12 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
     let Some(contact) = near.collision(step, Options::within(system.geometry.min_distance.clone())) else {
         return Ok(());
     };
-    let primitives = of_pair(&system.geometry.mesh, contact.pair);
+    let primitives = Primitive::of_pair(&system.geometry.mesh, contact.pair);
     let [a, b] = primitives.each_ref().map(Primitive::vertices);
     Err(SimulationError::Close {
         thickness: system.contact_surface(Formulation::Sum).thickness(a, b),
         near: at(state, primitives[0]),
-        primitives: of_bodies(system, primitives),
-    })
-}
-
-/// Two primitives with the names of their bodies, in the order of the bodies.
-fn of_bodies(system: &System, primitives: [Primitive; 2]) -> Box<[BodyPrimitive; 2]> {
-    let [a, b] = primitives.map(|primitive| BodyPrimitive::new(system, primitive));
-    Box::new(if b.body.place() < a.body.place() {
-        [b, a]
-    } else {
-        [a, b]
+        primitives: BodyPrimitive::both(system, primitives),
     })
 }
 
@@ -77,19 +67,7 @@ fn primitives(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [P
             Primitive::Edge(mesh.edges()[intersection.edge as usize]),
             Primitive::Face(mesh.faces()[intersection.face as usize]),
         ],
-        Violation::Contact { contact, .. } => of_pair(mesh, contact.pair),
+        Violation::Contact { contact, .. } => Primitive::of_pair(mesh, contact.pair),
     };
     primitives.map(|primitive| primitive.map(|vertex| system.geometry.vertices[vertex as usize]))
-}
-
-/// The two primitives of a pair of a mesh.
-fn of_pair(mesh: &TriangleMesh, pair: Pair) -> [Primitive; 2] {
-    let edge = |edge: u32| Primitive::Edge(mesh.edges()[edge as usize]);
-    let vertex = Primitive::Vertex;
-    match pair {
-        Pair::VertexFace { vertex: v, face } => [vertex(v), Primitive::Face(mesh.faces()[face as usize])],
-        Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
-        Pair::VertexEdge { vertex: v, edge: e } => [vertex(v), edge(e)],
-        Pair::VertexVertex { a, b } => [vertex(a), vertex(b)],
-    }
 }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use exact_ccd_mesh::{Candidates, Point, Step};
+use exact_ccd_mesh::{Candidates, Pair, Point, Step};
 use nalgebra::Vector3;
 
 use super::direction::{Direction, FARTHEST, SLACK, dot};
@@ -11,7 +11,7 @@ use super::potential::Potential;
 use super::vertex_steps::VertexSteps;
 use crate::contact::Collisions;
 use crate::settings::LineSearch;
-use crate::simulation::SimulationError;
+use crate::simulation::{BodyPrimitive, SimulationError};
 use crate::statistics::Statistics;
 
 /// The number of halvings after which the line search fails.
@@ -42,7 +42,7 @@ impl Newton<'_> {
         let end = self.displaced(&now.positions, direction.displacements, longest);
         let surface = &self.system.geometry.mesh;
         // A direction that is not finite is rejected like one into a contact.
-        let rejected = |_| self.blocked(now);
+        let rejected = |_| self.blocked(None);
         let step = Step::new(surface, &now.positions, &end).map_err(rejected)?;
         let candidates = self.system.geometry.near(step, &self.barrier);
         let free = self
@@ -50,7 +50,8 @@ impl Newton<'_> {
             .free_part(&candidates, step, &self.system.geometry.min_distance);
         let free = free.min(self.system.geometry.free_of_half_spaces(step));
         if free <= 0.0 {
-            return Err(self.blocked(now));
+            let min_distance = &self.system.geometry.min_distance;
+            return Err(self.blocked(self.filter.blocking_pair(&candidates, step, min_distance)));
         }
         let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         // Held coordinates rest, so that no vertex has to be pinned.
@@ -105,14 +106,12 @@ impl Newton<'_> {
         Ok(false)
     }
 
-    /// The error that the filter rejects every step from an iterate.
-    fn blocked(&self, now: &Iterate<'_>) -> SimulationError {
-        let formulation = self.settings.formulation;
-        let nearest = self.system.nearest(formulation, &now.positions, self.barrier);
+    /// The error that every step is rejected, because of a pair.
+    fn blocked(&self, pair: Option<Pair>) -> SimulationError {
         SimulationError::Blocked {
             step: self.times.step,
             filter: self.filter.name().to_owned(),
-            nearest: nearest.map(|(_, bodies)| Box::new(bodies)),
+            pair: pair.map(|pair| BodyPrimitive::of_pair(self.system, pair)),
         }
     }
 

@@ -151,8 +151,8 @@ fn a_blocked_step_is_repeated_in_parts() {
     let (result, attempts, [before, after]) = blocked_step(usize::MAX);
     assert_eq!(
         result.unwrap_err().to_string(),
-        "step 1: the CCD method `stuck` rejects a Newton step of any length, with body[0] and body[1] nearest, \
-         expected a positive step size; the method `exact` has no false positives"
+        "step 1: the CCD method `stuck` rejects a Newton step of any length because of vertex 0 of \
+         body[0] and face [0, 3, 1] of body[1], expected a positive step size; the method `exact` has no false positives"
     );
     assert_eq!((attempts, before), (4, after));
 }
