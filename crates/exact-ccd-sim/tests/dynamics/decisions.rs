@@ -89,6 +89,20 @@ fn no_scripted_step_is_taken_without_a_decision() {
 /// A method that finds contact in everything while the flag is true, and is exact otherwise.
 struct Stuck(Arc<AtomicBool>);
 
+/// A method that finds contact of all points with this coordinate, and is exact otherwise.
+struct Picky(f64);
+
+impl<K: Kind> Decide<K> for Picky {
+    fn collides(&self, query: &Query<K>) -> bool {
+        let mut points = query.points()[0].as_ref().iter().flatten();
+        points.any(|&coordinate| coordinate == self.0) || query.collides(CONTACT)
+    }
+
+    fn time_of_impact(&self, _: &Query<K>) -> Option<f64> {
+        None
+    }
+}
+
 impl<K: Kind> Decide<K> for Stuck {
     fn collides(&self, query: &Query<K>) -> bool {
         self.0.load(Ordering::Relaxed) || query.collides(CONTACT)
@@ -102,6 +116,20 @@ impl<K: Kind> Decide<K> for Stuck {
 impl Ccd for Stuck {
     fn name(&self) -> &'static str {
         "stuck"
+    }
+
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: true,
+            time: TimeGuarantee::Absent,
+        }
+    }
+}
+
+impl Ccd for Picky {
+    fn name(&self) -> &'static str {
+        "picky"
     }
 
     fn guarantees(&self) -> Guarantees {
@@ -151,8 +179,34 @@ fn a_blocked_step_is_repeated_in_parts() {
     let (result, attempts, [before, after]) = blocked_step(usize::MAX);
     assert_eq!(
         result.unwrap_err().to_string(),
-        "step 1: the CCD method `stuck` rejects a Newton step of any length because of vertex 0 of \
-         body[0] and face [0, 3, 1] of body[1], expected a positive step size; the method `exact` has no false positives"
+        "step 1: the CCD method `stuck` rejects a Newton step of any length because of vertex 0 \
+         of body[0] and face [0, 3, 1] of body[1], expected a positive step size; the method `exact` has no false positives"
     );
     assert_eq!((attempts, before), (4, after));
+}
+
+/// The error names a pair that the method rejects, and not the nearest one.
+#[test]
+fn a_blocked_step_names_the_rejected_pair() {
+    let cube = |x: f64, height: f64| {
+        shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|at| [at[0] + x, at[1] + height, at[2] + 0.2])
+    };
+    let bodies = [
+        cube(0.3, 5e-4),
+        cube(2.0, 6e-4),
+        shapes::floor([1, 1], [3.3, 1.2]),
+    ];
+    let system = System::new(&bodies, &[]).unwrap();
+    let starts = system.start().to_vec();
+    let first = system.body_vertices()[1].start;
+    let filter = StepFilter::new("picky", Arc::new(Picky(2.0)));
+    let simulation = Simulation::new(system, Settings::default()).unwrap();
+    let error = simulation.with_filter(filter).unwrap().step().unwrap_err();
+    let SimulationError::Blocked { pair: Some(pair), .. } = error else {
+        panic!("{error}")
+    };
+    assert_eq!([pair[0].body.place(), pair[1].body.place()], [1, 2]);
+    let vertices = pair[0].primitive.vertices().iter();
+    let mut positions = vertices.map(|&vertex| starts[(first + vertex) as usize]);
+    assert!(positions.any(|position| position[0] == 2.0), "{pair:?}");
 }

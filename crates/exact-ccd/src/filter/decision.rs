@@ -1,4 +1,4 @@
-//! What the filters prove.
+//! The statements that filters prove.
 
 use super::contact::Contact;
 use crate::stage::Stage;
