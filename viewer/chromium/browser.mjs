@@ -10,7 +10,7 @@ export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 
 const BROWSER = process.env["CHROMIUM"] ?? "/usr/bin/chromium";
 const TARGET = process.env["CARGO_TARGET_DIR"] ?? `${ROOT}target`;
-const PROGRAM = process.env["EXACT_CCD"] ?? `${TARGET}/debug/exact-ccd`;
+const PROGRAM = process.env["EXACT_CCD"] ?? `${TARGET}/release/exact-ccd`;
 
 /** The page that scripts/build-web makes. */
 export const WEB_PAGE = process.env["WEB_PAGE"] ?? `${TARGET}/web/exact-ccd.html`;

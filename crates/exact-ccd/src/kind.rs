@@ -9,7 +9,7 @@ use core::fmt::Debug;
 use core::ops::Deref;
 
 use crate::answers;
-use crate::batch::Batch;
+use crate::batch::{self, Batch, Instructions};
 use crate::collision::Collision;
 use crate::distance::DistanceBounds;
 use crate::impact::Impact;
@@ -112,7 +112,7 @@ pub trait Kind: Tables + Copy {
     // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
     // crates that call them do not compile it again.
     #[doc(hidden)]
-    fn run(batch: Batch<'_, Self>);
+    fn run(batch: Batch<'_, Self>, instructions: Instructions);
     #[doc(hidden)]
     fn collides(query: &Query<Self>, options: Options) -> bool;
     #[doc(hidden)]
@@ -176,8 +176,8 @@ macro_rules! kind {
             }
 
             #[inline(never)]
-            fn run(batch: Batch<'_, Self>) {
-                batch.run();
+            fn run(batch: Batch<'_, Self>, instructions: Instructions) {
+                batch::run(batch, instructions);
             }
 
             #[inline(never)]

@@ -186,10 +186,10 @@ def _write(page: Page, file: FilePath, detector: Detector, report: AuditReport) 
     if violation is None:
         lines.insert(0, "free of contact")
     elif violation.contact is not None:
-        page.add_contacts(detector, every=False)
+        page.add_contacts(detector._native, every=False)
         lines.insert(0, f"step {violation.frame}: {line(violation.contact)}")
     elif violation.intersection is not None:
-        page.add_intersections(detector)
+        page.add_intersections(detector._native)
         edge, face = violation.intersection
         lines.insert(0, f"frame {violation.frame}: edge {edge} meets face {face}")
     elif violation.half_space is not None:

@@ -390,9 +390,9 @@ class Detector(Searcher):
         if view is not None:
             page = Page("Step", self._mesh)
             page.add_frame("t = 0", start[0])
-            page.add_intersections(self)
+            page.add_intersections(self._native)
             page.add_frame("t = 1", end[0])
-            page.add_contacts(self, every=True)
+            page.add_contacts(self._native, every=True)
             answer = "free of contact" if report.earliest is None else line(report.earliest)
             page.write(view, [answer, f"pairs in contact: {sum(colliding)}, at t = 0: {sum(touching)}"])
         return report

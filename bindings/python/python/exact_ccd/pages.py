@@ -14,7 +14,6 @@ from ._arrays import Floats, floats
 from .contacts import Contact
 
 if TYPE_CHECKING:
-    from .detectors import Detector
     from .meshes import Mesh
 
 
@@ -36,15 +35,15 @@ class Page:
         # A copy: the caller may reuse the array.
         self._last = [*self._last[-1:], frame.copy()]
 
-    def add_intersections(self, detector: Detector) -> None:
+    def add_intersections(self, detector: _native.Detector) -> None:
         """Add the edges and faces that meet in the last frame."""
         if self._native is not None:
-            detector._native.show_intersections(self._native, self._last[-1][None])
+            detector.show_intersections(self._native, self._last[-1][None])
 
-    def add_contacts(self, detector: Detector, every: bool) -> None:
+    def add_contacts(self, detector: _native.Detector, every: bool) -> None:
         """Add the contacts between the last two frames: every one, or the earliest."""
         if self._native is not None:
-            detector._native.show_contacts(self._native, self._last[0][None], self._last[-1][None], every)
+            detector.show_contacts(self._native, self._last[0][None], self._last[-1][None], every)
 
     def write(self, file: Union[str, PathLike[str]], summary: Iterable[str]) -> None:
         """Write the page, with lines about the answer; it has no frames then."""

@@ -9,8 +9,8 @@ use bytes::Bytes;
 use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{ChunkReader, Length};
 
+use super::counted_file::CountedFile;
 use super::format::FILE_METADATA;
-use super::guard::GuardedFile;
 use super::thrift::{STRUCT, Thrift};
 
 /// The most levels of groups within groups.
@@ -22,7 +22,7 @@ const END: u64 = 8;
 ///
 /// # Errors
 /// If the file cannot be read, or its metadata are not as stated above.
-pub(super) fn metadata(file: &GuardedFile) -> Result<Bytes> {
+pub(super) fn metadata(file: &CountedFile) -> Result<Bytes> {
     let wrong = |problem: &str| Err(ParquetError::General(problem.to_owned()));
     let Some(start) = file.len().checked_sub(END) else {
         return wrong("the file is too short for metadata");

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use parquet::data_type::{BoolType, ByteArrayType, DoubleType, Int64Type};
 use parquet::file::metadata::{ParquetMetaData, RowGroupMetaData};
 
-use super::guard::GuardedFile;
+use super::counted_file::CountedFile;
 use super::leaf::{Column, Leaf};
 use super::problem::ColumnProblem;
 use super::row::Row;
@@ -57,7 +57,7 @@ impl Leaves {
 impl Group {
     /// The columns of a row group of queries with this number of coordinates.
     pub(super) fn open(
-        file: &Arc<GuardedFile>,
+        file: &Arc<CountedFile>,
         group: &RowGroupMetaData,
         leaves: &Leaves,
         coordinates: usize,

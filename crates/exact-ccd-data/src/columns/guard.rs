@@ -4,18 +4,16 @@
 //! checked against the size of the file, and the metadata and the headers of pages are refused in a form that
 //! the library may read otherwise than the check.
 
-use std::fs::File;
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use bytes::Bytes;
-use exact_ccd_files::{Budget, Fault};
 use parquet::basic::Encoding;
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::errors::{ParquetError, Result};
-use parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaData, RowGroupMetaData};
+use parquet::file::metadata::{ParquetMetaData, RowGroupMetaData};
 use parquet::file::reader::{ChunkReader, Length};
 
+use super::counted_file::{CountedFile, too_large};
 use super::header::HeaderReader;
 
 /// Checks the numbers that the metadata announce.
@@ -23,7 +21,7 @@ use super::header::HeaderReader;
 /// # Errors
 /// If the columns overlap, so that the same bytes are read several times, or the queries, which have this
 /// number of coordinates, are far larger than the file.
-pub(super) fn check_size(file: &GuardedFile, metadata: &ParquetMetaData, coordinates: usize) -> Result<()> {
+pub(super) fn check_size(file: &CountedFile, metadata: &ParquetMetaData, coordinates: usize) -> Result<()> {
     let limit = file.budget().limit();
     let rows = metadata.file_metadata().num_rows().unsigned_abs();
     let bytes = rows.saturating_mul((coordinates * size_of::<f64>()) as u64);
@@ -40,10 +38,6 @@ pub(super) fn check_size(file: &GuardedFile, metadata: &ParquetMetaData, coordin
     Ok(())
 }
 
-fn too_large(fault: Fault) -> ParquetError {
-    ParquetError::General(fault.to_string())
-}
-
 /// Calls the library. A panic becomes an error.
 ///
 /// The hook of the process stays as it is: it belongs to the program, which may print or log the panic. The
@@ -53,46 +47,7 @@ pub(super) fn catch<T>(call: impl FnOnce() -> Result<T>) -> Result<T> {
     answer.unwrap_or_else(|_| Err(ParquetError::General("its metadata contradict each other".into())))
 }
 
-/// The bytes of a file, without pages that are too large. All bytes that are read, and the pages that they
-/// expand to, are counted.
-#[derive(Clone)]
-pub(super) struct GuardedFile {
-    file: Arc<File>,
-    budget: Arc<Mutex<Budget>>,
-}
-
-impl GuardedFile {
-    pub(super) fn new(file: File) -> Result<Self> {
-        let budget = Budget::new(u64::MAX);
-        budget.add_file(Length::len(&file)).map_err(too_large)?;
-        Ok(Self {
-            file: Arc::new(file),
-            budget: Arc::new(Mutex::new(budget)),
-        })
-    }
-
-    /// The account of the reading.
-    pub(super) fn budget(&self) -> MutexGuard<'_, Budget> {
-        self.budget.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Returns true if a column chunk lies in the file.
-    pub(super) fn holds(&self, chunk: &ColumnChunkMetaData) -> bool {
-        let start = chunk.dictionary_page_offset().unwrap_or(chunk.data_page_offset());
-        let [start, length] = [start, chunk.compressed_size()].map(u64::try_from);
-        start.is_ok_and(|start| {
-            length.is_ok_and(|length| start.checked_add(length).is_some_and(|end| end <= self.len()))
-        })
-    }
-}
-
-impl Length for GuardedFile {
-    fn len(&self) -> u64 {
-        self.file.len()
-    }
-}
-
-impl ChunkReader for GuardedFile {
+impl ChunkReader for CountedFile {
     type T = HeaderReader;
 
     /// The library reads the header of a page with this, and nothing else.
@@ -101,16 +56,7 @@ impl ChunkReader for GuardedFile {
     }
 
     fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes> {
-        if start
-            .checked_add(length as u64)
-            .is_none_or(|end| end > self.len())
-        {
-            return Err(ParquetError::EOF(
-                "the file is too short for what it announces".into(),
-            ));
-        }
-        self.budget().step(length as u64);
-        self.file.get_bytes(start, length)
+        self.bytes(start, length)
     }
 }
 
@@ -118,14 +64,14 @@ impl ChunkReader for GuardedFile {
 /// before its use.
 pub(super) struct GuardedPages<P> {
     pages: P,
-    file: GuardedFile,
+    file: CountedFile,
     /// The largest number of values that can follow.
     left: usize,
     has_dictionary: bool,
 }
 
 impl<P: PageReader> GuardedPages<P> {
-    pub(super) fn new(file: GuardedFile, pages: P, values: usize) -> Self {
+    pub(super) fn new(file: CountedFile, pages: P, values: usize) -> Self {
         Self {
             pages,
             file,

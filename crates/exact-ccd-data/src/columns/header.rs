@@ -5,10 +5,10 @@ use std::io::{self, Read};
 use bytes::Bytes;
 use bytes::buf::{Buf, Reader};
 use parquet::errors::{ParquetError, Result};
-use parquet::file::reader::{ChunkReader, Length};
+use parquet::file::reader::Length;
 
+use super::counted_file::CountedFile;
 use super::format::PAGE_HEADER;
-use super::guard::GuardedFile;
 use super::thrift::{STRUCT, Thrift};
 
 /// The bytes in which a header is expected, as powers of two. Usual headers have less than a hundred bytes,
@@ -20,13 +20,13 @@ const LENGTHS: [u32; 5] = [9, 12, 15, 18, 21];
 ///
 /// The header is read and checked with its first byte: the library asks for some headers that it never reads.
 pub(super) struct HeaderReader {
-    file: GuardedFile,
+    file: CountedFile,
     start: u64,
     header: Option<Reader<Bytes>>,
 }
 
 impl HeaderReader {
-    pub(super) fn new(file: GuardedFile, start: u64) -> Self {
+    pub(super) fn new(file: CountedFile, start: u64) -> Self {
         Self {
             file,
             start,
@@ -39,7 +39,7 @@ impl HeaderReader {
         let left = self.file.len().saturating_sub(self.start);
         for power in LENGTHS {
             let length = left.min(1 << power);
-            let bytes = self.file.get_bytes(self.start, length as usize)?;
+            let bytes = self.file.bytes(self.start, length as usize)?;
             let Some((length, size)) = header(&bytes) else {
                 continue;
             };

@@ -9,7 +9,8 @@ use parquet::file::metadata::RowGroupMetaData;
 use parquet::file::serialized_reader::SerializedPageReader;
 use parquet::schema::types::ColumnDescriptor;
 
-use super::guard::{GuardedFile, GuardedPages, catch};
+use super::counted_file::CountedFile;
+use super::guard::{GuardedPages, catch};
 use super::problem::ColumnProblem;
 
 /// The place and the name of a column.
@@ -68,7 +69,7 @@ pub(super) struct Column<T: DataType> {
 impl<T: DataType> Column<T> {
     /// The column of a row group with this number of rows and at most this number of values in each.
     pub(super) fn open(
-        file: &Arc<GuardedFile>,
+        file: &Arc<CountedFile>,
         group: &RowGroupMetaData,
         leaf: Leaf,
         rows: usize,

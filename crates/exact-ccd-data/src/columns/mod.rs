@@ -4,6 +4,7 @@
 //! entries of one dictionary: half the bytes on most data sets. Compression is gzip: every reader
 //! of Parquet supports it, it needs no C library, and its checksum detects damaged data.
 
+mod counted_file;
 mod footer;
 mod format;
 mod group;

@@ -9,8 +9,9 @@ use std::vec;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
 
+use super::counted_file::CountedFile;
 use super::group::{Group, Leaves};
-use super::guard::{GuardedFile, catch, check_size};
+use super::guard::{catch, check_size};
 use super::problem::ColumnProblem;
 use super::{coordinates, footer};
 use crate::error::DataError;
@@ -27,7 +28,7 @@ const BATCH: usize = 1024;
 /// compressed with gzip or snappy.
 pub struct ColumnReader<K: QueryKind> {
     path: PathBuf,
-    file: Arc<GuardedFile>,
+    file: Arc<CountedFile>,
     metadata: ParquetMetaData,
     leaves: Leaves,
     /// The number of the row group to be opened next.
@@ -48,7 +49,7 @@ impl<K: QueryKind> ColumnReader<K> {
     pub fn open(path: &Path) -> Result<Self, DataError> {
         let file = File::open(path).map_err(|source| DataError::io(path, source))?;
         let wrong = |error: ParquetError| DataError::columns(path, ColumnProblem::from(error));
-        let file = Arc::new(GuardedFile::new(file).map_err(wrong)?);
+        let file = Arc::new(CountedFile::new(file).map_err(wrong)?);
         let metadata = footer::metadata(&file).map_err(wrong)?;
         let metadata = catch(|| ParquetMetaDataReader::decode_metadata(&metadata)).map_err(wrong)?;
         check_size(&file, &metadata, coordinates::<K>()).map_err(wrong)?;

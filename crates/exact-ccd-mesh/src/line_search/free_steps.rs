@@ -3,7 +3,8 @@
 use exact_ccd::{Options, Point};
 
 use super::error::LineSearchError;
-use super::free_step::{FreeStepOptions, certified};
+use super::free_step::certified;
+use super::options::FreeStepOptions;
 use super::sizes::Sizes;
 use super::watched::Watch;
 use crate::broad_phase::BroadPhase;

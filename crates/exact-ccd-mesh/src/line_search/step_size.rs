@@ -5,7 +5,7 @@ use exact_ccd::{Ccd, Point};
 use super::advance::advance;
 use super::bisection::{Tolerance, bisect};
 use super::error::LineSearchError;
-use super::free_step::FreeStepOptions;
+use super::options::FreeStepOptions;
 use crate::broad_phase::Bvh;
 use crate::mesh::{TriangleMesh, check_positions};
 use crate::search::{Candidates, Detector};

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::error::LineSearchError;
-use super::free_step::FreeStepOptions;
+use super::options::FreeStepOptions;
 use crate::mesh::TriangleMesh;
 use crate::pairs::PairKind;
 use crate::search::{Collect, NarrowPhase};

@@ -3,8 +3,8 @@
 use alloc::vec::Vec;
 
 use super::CHUNK;
+use super::queries::{Batch, Found, Passed};
 use super::row::Row;
-use super::run::{Batch, Found, Passed};
 use super::vectors::Instructions;
 use crate::collision::Collision;
 use crate::kind::Kind;
@@ -93,14 +93,14 @@ impl<'a, K: Kind> Queries<'a, K> {
             };
             let sound = &indices[..error.map_or(points.len(), |error| error.query - first)];
             let found: Found<'_, K> = &mut |index, collision| found(first + index, collision);
-            K::run(Batch {
-                instructions: self.instructions,
+            let batch = Batch {
                 rows: &rows,
                 queries: sound,
                 separations: separation.into(),
                 until,
                 passed: Passed::Colliding(found),
-            });
+            };
+            K::run(batch, self.instructions);
             if let Some(error) = error {
                 return Err(error);
             }

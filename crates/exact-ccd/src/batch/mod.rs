@@ -33,6 +33,7 @@
 //! ```
 
 mod array;
+mod queries;
 mod row;
 mod run;
 mod trajectories;
@@ -49,7 +50,8 @@ mod trajectories;
 )]
 mod vectors;
 
-pub(crate) use run::Batch;
+pub(crate) use queries::Batch;
+pub(crate) use run::run;
 
 pub use array::{NonFiniteQuery, Queries};
 pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange};

@@ -1,97 +1,32 @@
 //! A batch of one kind: in vectors, or query by query.
 
-use super::row::Row;
+use super::queries::{Batch, Found, Passed};
 use super::vectors::{self, Instructions};
-use crate::collision::Collision;
 use crate::environment;
 use crate::kind::Kind;
-use crate::query::Query;
-use crate::thickness::Separations;
 
-/// The callback for collisions. Behind a pointer: contacts are few, and the vector code is compiled
-/// only once for all callbacks.
-pub(super) type Found<'f, K> = &'f mut dyn for<'a> FnMut(usize, Collision<'a, K>);
-
-/// The queries that are passed on, in order.
-pub(super) enum Passed<'f, K: Kind> {
-    /// Each that collides.
-    Colliding(Found<'f, K>),
-    /// Each that the first filters do not prove to stay beyond its separation, by its index.
-    Unsettled(&'f mut dyn FnMut(usize)),
-}
-
-/// A batch of one kind: queries of rows, of which those are passed on that first touch at a time not above
-/// `until`, or may do so. All indices of rows exist.
-#[expect(
-    unnameable_types,
-    reason = "an argument of a hidden function of a sealed trait"
-)]
-pub struct Batch<'a, K: Kind> {
-    pub(super) instructions: Instructions,
-    pub(super) rows: &'a [Row],
-    pub(super) queries: &'a [K::Vertices],
-    pub(super) separations: Separations<'a>,
-    pub(super) until: f64,
-    pub(super) passed: Passed<'a, K>,
-}
-
-impl<K: Kind> Batch<'_, K> {
-    pub(crate) fn run(self) {
-        let Self { until, passed, .. } = self;
-        match passed {
-            Passed::Unsettled(_) => Batch { passed, ..self }.run_all(),
-            Passed::Colliding(found) => {
-                let found: Found<'_, K> = &mut |index, collision| {
-                    if let Some(collision) = collision.until(until) {
-                        found(index, collision);
-                    }
-                };
-                let passed = Passed::Colliding(found);
-                Batch { passed, ..self }.run_all();
-            }
-        }
-    }
-
-    /// The same without the limit of times.
-    fn run_all(self) {
-        if environment::is_default() {
-            vectors::run(self);
-        } else {
-            self.one_by_one();
-        }
-    }
-
-    /// The same for single queries.
-    pub(super) fn one_by_one(self) {
-        match self.passed {
-            Passed::Unsettled(unsettled) => (0..self.queries.len()).for_each(unsettled),
-            Passed::Colliding(found) => {
-                for (index, vertices) in self.queries.iter().enumerate() {
-                    let (a, b) = vertices.as_ref().split_at(K::FIRST);
-                    let query: Query<K> = query_of(self.rows, vertices);
-                    if let Some(collision) = query.collision(self.separations.between(a, b)) {
-                        found(index, collision);
-                    }
+/// Passes the queries of a batch on, in order, by vectors of some instructions.
+pub(crate) fn run<K: Kind>(batch: Batch<'_, K>, instructions: Instructions) {
+    let Batch { until, passed, .. } = batch;
+    match passed {
+        Passed::Unsettled(_) => run_all(Batch { passed, ..batch }, instructions),
+        Passed::Colliding(found) => {
+            let found: Found<'_, K> = &mut |index, collision| {
+                if let Some(collision) = collision.until(until) {
+                    found(index, collision);
                 }
-            }
+            };
+            let passed = Passed::Colliding(found);
+            run_all(Batch { passed, ..batch }, instructions);
         }
     }
 }
 
-/// The rows of x₀ … x₃.
-#[inline(always)]
-pub(super) fn rows_of<'a, K: Kind>(rows: &'a [Row], vertices: &K::Vertices) -> [&'a Row; 4] {
-    K::LAYOUT.map(|i| &rows[vertices.as_ref()[i] as usize])
-}
-
-/// The query of vertices whose rows exist, with finite coordinates.
-pub(super) fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K> {
-    let mut points = [K::Points::default(); 2];
-    for (i, &vertex) in vertices.as_ref().iter().enumerate() {
-        let ends = rows[vertex as usize].points();
-        for (points, end) in points.iter_mut().zip(ends) {
-            points.as_mut()[i] = end;
-        }
+/// The same without the limit of times.
+fn run_all<K: Kind>(batch: Batch<'_, K>, instructions: Instructions) {
+    if environment::is_default() {
+        vectors::run(batch, instructions);
+    } else {
+        batch.one_by_one();
     }
-    Query::from_finite(points)
 }

@@ -1,6 +1,6 @@
 //! Batches on processors without vectors: query by query, with the same answers.
 
-use super::run::Batch;
+use super::queries::Batch;
 use crate::kind::Kind;
 
 /// A set of vector instructions of this processor: the empty one.
@@ -23,6 +23,6 @@ impl Instructions {
 }
 
 /// Passes the queries of a batch on, in order.
-pub(super) fn run<K: Kind>(batch: Batch<'_, K>) {
+pub(super) fn run<K: Kind>(batch: Batch<'_, K>, Instructions: Instructions) {
     batch.one_by_one();
 }

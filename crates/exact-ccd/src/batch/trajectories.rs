@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
+use super::queries::{Batch, Passed, query_of};
 use super::row::Row;
-use super::run::{Batch, Passed, query_of};
 use super::vectors::Instructions;
 use crate::axis::Axis;
 use crate::collision::Collision;
@@ -174,14 +174,14 @@ impl Trajectories {
         if let Separations::Thickness(thickness) = separation {
             check::<K>(queries, thickness.vertex_count())?;
         }
-        K::run(Batch {
-            instructions: self.instructions,
+        let batch = Batch {
             rows: &self.rows,
             queries,
             separations: separation,
             until,
             passed,
-        });
+        };
+        K::run(batch, self.instructions);
         Ok(())
     }
 

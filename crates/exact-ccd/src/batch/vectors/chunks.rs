@@ -4,8 +4,8 @@ use core::ops::Range;
 
 use super::planes::LANES;
 use crate::batch::CHUNK;
+use crate::batch::queries::rows_of;
 use crate::batch::row::Row;
-use crate::batch::run::rows_of;
 use crate::kind::Kind;
 
 /// Calls a function with the indices of each chunk of queries.

@@ -7,7 +7,7 @@ use super::chunks::{Unsettled, for_each_chunk};
 use super::gaps::Gaps;
 use super::planes::{LANES, screen, transposed};
 use super::rows;
-use crate::batch::run::{Batch, Found, Passed, query_of, rows_of};
+use crate::batch::queries::{Batch, Found, Passed, query_of, rows_of};
 use crate::collision::Collision;
 use crate::distance::Separation;
 use crate::filter::{Decision, Gap, Hull, LEAST_UNTIL, decide_between, decide_near_plane, free_until};

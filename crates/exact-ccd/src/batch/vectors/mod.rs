@@ -12,7 +12,7 @@ pub use instructions::Instructions;
 
 use instructions::dispatch;
 
-use super::run::{Batch, Passed};
+use super::queries::{Batch, Passed};
 use crate::filter::Touching;
 use crate::kind::Kind;
 use examine::examine;
@@ -20,8 +20,8 @@ use gaps::Separated;
 
 /// Passes the queries of a batch on, in order; those that collide after `until` may be left out. The
 /// environment of the thread is the default one.
-pub(super) fn run<K: Kind>(batch: Batch<'_, K>) {
-    let level = batch.instructions.level();
+pub(super) fn run<K: Kind>(batch: Batch<'_, K>, instructions: Instructions) {
+    let level = instructions.level();
     // Unsettled queries are passed on by the code for distances above 0, which is right for 0 too. The copy
     // for contact passes on what collides alone.
     if batch.separations.is_contact() && matches!(batch.passed, Passed::Colliding(_)) {

@@ -26,16 +26,16 @@ mod turning;
 
 pub(crate) use advance::free_until;
 
+use super::decision::{Decision, Proved};
 use super::hull::Hull;
 use super::number::Lanes;
 use super::roundoff::{UNIT, margin};
-use super::screening::{self, Decision, Proved};
 use super::vector::dot;
 use crate::distance::Separation;
 use crate::impact::Impact;
 use crate::interval::Intervals;
 use crate::kind::Kind;
-use crate::options::{CONTACT, Options};
+use crate::options::Options;
 use crate::point::Point;
 use crate::query::Query;
 use crate::stage::Stage;
@@ -59,25 +59,18 @@ pub(super) fn decide<K: Kind>(query: &Query<K>, hull: &Hull<f64>, options: &Opti
     let until = options.until.clamp(LEAST_UNTIL, 1.0);
     let free = free_until::<K, f64>(hull, options.separation.get(), until);
     if free < until {
-        decide_by_hull(query, hull, options.separation, [free, until])
+        decide_after(query, hull, options.separation, [free, until])
     } else {
         Decision::Free(Stage::Advancement)
     }
 }
 
-/// Decides a query of a batch whose primitives are known to be beyond d before the first of two times. A
-/// collision after the second time, which is above 0, may be left out. If some vertices of the batch have the
-/// thickness 0, d can be 0: then the stages of contact decide.
-pub(crate) fn decide_between<K: Kind>(query: &Query<K>, d: Separation, times: [f64; 2]) -> Decision {
-    if d.is_zero() {
-        return screening::decide(query, &CONTACT);
-    }
-    decide_by_hull(query, &Hull::new::<K>(&query.four()), d, times)
-}
-
+/// The same for primitives that are known to be beyond d before the first of two times. A collision after the
+/// second time, which is above 0, may be left out.
+///
 /// Few candidates get here; apart, so that the stages above stay small.
 #[inline(never)]
-fn decide_by_hull<K: Kind>(
+pub(super) fn decide_after<K: Kind>(
     query: &Query<K>,
     hull: &Hull<f64>,
     d: Separation,

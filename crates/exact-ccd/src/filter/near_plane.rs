@@ -1,0 +1,80 @@
+//! The last stages of contact: for primitives near a common plane.
+
+use super::alongside;
+use super::coincident::coincidence;
+use super::contact::{Contact, Unknown};
+use super::cubic::{Cubic, Root};
+use super::decision::{Decision, Proved};
+use super::fixed_width;
+use super::hull::Hull;
+use super::planar::Planar;
+use super::position::{self, Position};
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::stage::Stage;
+
+/// The last stages of contact until a time, for a query in range that the stages before have not settled. A
+/// contact that is later may be found or not.
+///
+/// Few candidates get here. It is not inlined, so that the stages above stay small.
+#[inline(never)]
+pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Decision {
+    if (0.0..1.0).contains(&until)
+        && let Some(decision) = decide_until(query, cubic, until)
+    {
+        return decision;
+    }
+    if let Some(roots) = cubic.roots() {
+        return match Contact::at_roots(query, roots) {
+            Ok(Some(contact)) => Decision::Collision(Proved::Contact(contact)),
+            Ok(None) => Decision::Free(Stage::Roots),
+            Err(Unknown) => decide_in_integers(query),
+        };
+    }
+    if let Some(coincidence) = coincidence(query, cubic) {
+        return Decision::Collision(Proved::Contact(Contact::Coincident(coincidence)));
+    }
+    let hull = Hull::new::<K>(&query.four());
+    if alongside::separates(query, &hull) {
+        return Decision::Free(Stage::Direction);
+    }
+    match Planar::new(query).and_then(|planar| planar.stretches()) {
+        Some(stretches) => match stretches.into_iter().next() {
+            Some([beginning, _]) => Decision::Collision(Proved::Contact(Contact::Sliding(beginning))),
+            None => Decision::Free(Stage::Planar),
+        },
+        None => match decide_in_integers(query) {
+            Decision::Unknown if hull.some_direction_separates() => Decision::Free(Stage::Direction),
+            decision => decision,
+        },
+    }
+}
+
+/// The decision if the primitives certainly are not coplanar before a time, by the cubic there, which is
+/// computed in integers where its sign is not certain.
+///
+/// In a search for the earliest contact, many pairs may touch at almost the same time, or at the same one.
+fn decide_until<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Option<Decision> {
+    let [before, at_end] = cubic.signs_until(until)?;
+    let (before, at_end) = (before?, at_end.or_else(|| fixed_width::sign_at(query, until))?);
+    if at_end == before {
+        return Some(Decision::Free(Stage::Roots));
+    }
+    if at_end.is_ne() {
+        return None;
+    }
+    let root = Root::exactly(until, before);
+    Some(match position::at(query, &root)? {
+        Position::Inside => Decision::Collision(Proved::Contact(Contact::At(root))),
+        Position::Outside => Decision::Free(Stage::Roots),
+    })
+}
+
+/// The stage of integers of fixed width.
+fn decide_in_integers<K: Kind>(query: &Query<K>) -> Decision {
+    match fixed_width::first_moment(query) {
+        Some(Some(moment)) => Decision::Collision(Proved::Contact(Contact::AtMoment(moment))),
+        Some(None) => Decision::Free(Stage::FixedWidth),
+        None => Decision::Unknown,
+    }
+}
