@@ -196,18 +196,20 @@ fn print_decisions(rows: &[Row]) {
 fn print_times(rows: &[Row]) {
     println!("\nCandidates that come within d, in ns: the first time, all intervals, the impact.\n");
     println!(
-        "| scene, kind, d | first mean | median | worst | worst without exact | intervals mean | impact mean |"
+        "| scene, kind, d | first mean | median | worst | worst without exact | intervals mean | median | impact mean | median |"
     );
-    println!("|---|{}", "---:|".repeat(6));
+    println!("|---|{}", "---:|".repeat(8));
     for Row { name, measured, .. } in rows {
         println!(
-            "| {name} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} |",
+            "| {name} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} |",
             mean(&measured.first),
             quantile(&measured.first, 0.5),
             quantile(&measured.first, 1.0),
             quantile(&measured.first_filtered, 1.0),
             mean(&measured.intervals),
+            quantile(&measured.intervals, 0.5),
             mean(&measured.impacts),
+            quantile(&measured.impacts, 0.5),
         );
     }
 }

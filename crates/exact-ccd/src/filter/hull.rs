@@ -159,8 +159,9 @@ impl Hull<f64> {
             } else {
                 0.0
             };
-            let points = || self.corners[i].into_iter().zip(self.corners[j]);
-            are_beyond(least, points().map(|(x, y)| x - y)) || are_beyond(least, points().map(|(x, y)| x + y))
+            let [x, y] = [&self.corners[i], &self.corners[j]];
+            are_beyond(least, |corner| x[corner] - y[corner])
+                || are_beyond(least, |corner| x[corner] + y[corner])
         })
     }
 
@@ -196,11 +197,12 @@ impl Hull<f64> {
 
 /// Returns true if all values are above a limit, or all below its opposite. The first one says which.
 #[inline]
-fn are_beyond(least: f64, mut values: impl Iterator<Item = f64>) -> bool {
-    match values.next() {
-        Some(first) if first > least => values.all(|value| value > least),
-        Some(first) if first < -least => values.all(|value| value < -least),
-        _ => false,
+fn are_beyond(least: f64, value: impl Fn(usize) -> f64) -> bool {
+    let first = value(0);
+    if first > least {
+        (1..8).all(|corner| value(corner) > least)
+    } else {
+        first < -least && (1..8).all(|corner| value(corner) < -least)
     }
 }
 

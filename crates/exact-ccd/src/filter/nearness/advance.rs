@@ -1,6 +1,8 @@
 //! Advancement: stretches of time, from the left, in which a direction, constant or turning, keeps the
 //! primitives farther than d apart. For one query, or for many side by side.
 
+use arrayvec::ArrayVec;
+
 use super::nearest::nearest;
 use super::scaled::Scaled;
 use super::turning::{Heading, limit};
@@ -17,9 +19,19 @@ pub(crate) fn free_until<K: Kind, T: Lanes>(hull: &Hull<T>, d: T, until: f64) ->
     /// A proof is tried in stretches that are longer than this fraction of the time until which it is tried.
     const SHORTEST: f64 = 1.0 / 64.0;
     let advancement = Advancement::new([hull.corners(0), hull.corners(1)], d, hull.reaches());
-    let [zero, half, whole] = [0.0, 0.5 * until, until].map(|t| d.splat(t));
-    let to = T::select(hull.is_out_of_range(Within(d)), zero, whole);
-    advancement.free_until::<K>(zero, to, half, d.splat(SHORTEST * until))
+    let free = advancement.free_until::<K>([0.0, until], SHORTEST * until);
+    T::select(hull.is_out_of_range(Within(d)), d.splat(0.0), free)
+}
+
+/// The most ends of stretches that wait: a stretch is halved at most 13 times, from the whole of it.
+const MOST_AHEAD: usize = 16;
+
+/// An end of a stretch.
+struct Stop<T: Lanes> {
+    time: f64,
+    heading: Heading<T>,
+    /// True where the distance is certainly above d at this time.
+    is_beyond: T::Mask,
 }
 
 /// The corners of F at t = 0 and at t = 1, and d with all errors.
@@ -38,8 +50,7 @@ impl Advancement<f64> {
     /// The time before which the distance is certainly above d, from one time to at most a later one,
     /// in stretches of at least a 4096th of the time between them.
     pub(super) fn free_after<K: Kind>(&self, from: f64, to: f64) -> f64 {
-        let length = to - from;
-        self.free_until::<K>(from, to, length, length / 8192.0)
+        self.free_until::<K>([from, to], (to - from) / 8192.0)
     }
 }
 
@@ -56,29 +67,55 @@ impl<T: Lanes> Advancement<T> {
     /// The direction at the beginning mostly suffices for all of it: g · x is linear in t for a constant g,
     /// so that it is above d |g| at all times if it is at both ends. Otherwise directions turn.
     ///
-    /// A stretch has the length `first` at first. The next one is twice as long if the directions at
-    /// its ends prove it free; otherwise it begins at the same time, and is half as long. All
-    /// are longer than `shortest`, unless other lanes need more. There is none if the distance may be d
-    /// from the beginning.
+    /// The first stretch is all of the time. A stretch that the directions at its ends do not prove free is
+    /// halved, if both halves are longer than `shortest`, so that a direction is computed once for each time.
+    /// All lanes have the same times. A lane waits while a stretch is halved that is proved for it.
     #[inline(always)]
-    pub(super) fn free_until<K: Kind>(&self, from: T, to: T, first: T, shortest: T) -> T {
+    pub(super) fn free_until<K: Kind>(&self, [from, to]: [f64; 2], shortest: f64) -> T {
         let corners = K::FEATURES.vertices.len();
-        let mut now = self.at::<K>(from);
-        let is_beyond = now.is_beyond(corners, self.limit);
-        let is_free = is_beyond & now.is_beyond_at(&self.corners(to), corners, self.limit);
-        let mut time = T::select(is_free, to, from);
-        let mut length = T::select(is_beyond, first, first.splat(0.0));
-        while T::any(to.gt(time) & length.gt(shortest)) {
-            let end = (time + length).min(to);
-            let then = self.at::<K>(end);
-            let is_beyond = then.is_beyond(corners, self.limit);
-            let across = now.is_beyond_across(&then, corners, self.limit);
-            let is_free = is_beyond & across & end.gt(time);
-            time = T::select(is_free, end, time);
-            now = Heading::select(is_free, &then, &now);
-            length = length * T::select(is_free, length.splat(2.0), length.splat(0.5));
+        let limit = self.limit;
+        let [start, end] = [from, to].map(|time| limit.splat(time));
+        let mut now = self.stop::<K>(from);
+        let is_free = now.is_beyond & now.heading.is_beyond_at(&self.corners(end), corners, limit);
+        let mut time = T::select(is_free, end, start);
+        // The lanes of which all time until now is proved.
+        let mut proved = now.is_beyond;
+        let mut ahead = ArrayVec::<Stop<T>, MOST_AHEAD>::new();
+        if T::any(proved & !is_free) {
+            ahead.push(self.stop::<K>(to));
+        }
+        while let Some(then) = ahead.last() {
+            let waits = proved & !time.gt(limit.splat(now.time));
+            let across = now.heading.is_beyond_across(&then.heading, corners, limit);
+            let is_free = waits & then.is_beyond & across;
+            time = T::select(is_free, limit.splat(then.time), time);
+            let is_left = waits & !is_free;
+            if T::any(is_left) {
+                let (middle, half) = (0.5 * (now.time + then.time), 0.5 * (then.time - now.time));
+                if half > shortest && middle > now.time && middle < then.time && !ahead.is_full() {
+                    ahead.push(self.stop::<K>(middle));
+                    continue;
+                }
+                proved = proved & !is_left;
+                if !T::any(proved & end.gt(time)) {
+                    break;
+                }
+            }
+            if let Some(then) = ahead.pop() {
+                now = then;
+            }
         }
         time
+    }
+
+    #[inline(always)]
+    fn stop<K: Kind>(&self, time: f64) -> Stop<T> {
+        let heading = self.at::<K>(self.limit.splat(time));
+        Stop {
+            time,
+            is_beyond: heading.is_beyond(K::FEATURES.vertices.len(), self.limit),
+            heading,
+        }
     }
 
     #[inline(always)]

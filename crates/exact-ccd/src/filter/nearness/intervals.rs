@@ -54,7 +54,7 @@ impl Crossings {
         for _ in 0..ATTEMPTS {
             let free = from + length;
             if self.is_beyond_between::<K>(free, &now) {
-                let free = self.advancement.free_until::<K>(free, 1.0, length, 0.25 * length);
+                let free = self.advancement.free_until::<K>([free, 1.0], 0.25 * length);
                 return if free == 1.0 {
                     Some(None)
                 } else {

@@ -3,7 +3,7 @@
 use crate::filter::double_double::DoubleDouble;
 use crate::filter::number::{Lanes, Number};
 use crate::filter::roundoff::{UNDERFLOW, UNIT, margin};
-use crate::filter::vector::{dot, scaled, select};
+use crate::filter::vector::{dot, scaled};
 
 /// The corners of F at one time, each component the result of four roundings of terms of at most the reach,
 /// and a direction: a vector of length at most 1 + 8 u.
@@ -39,17 +39,6 @@ impl<T: Lanes> Heading<T> {
             corners,
             direction: scaled(across, scale),
         }
-    }
-
-    /// One heading in the lanes of a mask, another one elsewhere.
-    #[inline(always)]
-    pub(super) fn select(mask: T::Mask, yes: &Self, no: &Self) -> Self {
-        let mut chosen = *no;
-        for (corner, yes) in chosen.corners.iter_mut().zip(&yes.corners) {
-            *corner = select(mask, *yes, *corner);
-        }
-        chosen.direction = select(mask, yes.direction, no.direction);
-        chosen
     }
 
     /// True where the distance is certainly above d at this time, by the first corners: all different ones.
