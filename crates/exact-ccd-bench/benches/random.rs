@@ -1,7 +1,7 @@
 //! The share of random queries that the filters leave to integers, and the time of a decision.
 //!
-//! `cargo bench -p exact-ccd-bench --bench random [-- QUERIES]`, on one thread; 100,000 queries of each row if
-//! no number is given. The seed is fixed. A direction of a search may be huge: all of a body then passes
+//! `cargo bench -p exact-ccd-bench --bench random [-- QUERIES]`, on one thread; 100,000 queries of each row
+//! if no number is given. The seed is fixed. A direction of a search may be huge: all of a body then passes
 //! through one point, at a time at which the cubic has a triple root but for roundings.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]

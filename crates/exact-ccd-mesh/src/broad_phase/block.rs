@@ -25,6 +25,15 @@ impl<const T: usize> Block<T> {
         upper: [[[f32::NEG_INFINITY; LANES]; 3]; T],
     };
 
+    /// The block of at most eight boxes.
+    pub(super) fn of(boxes: &[MovingBox<T>]) -> Self {
+        let mut block = Self::EMPTY;
+        for (lane, moving) in boxes.iter().enumerate() {
+            block.set(lane, moving);
+        }
+        block
+    }
+
     #[inline(always)]
     pub(super) fn set(&mut self, lane: usize, moving: &MovingBox<T>) {
         for time in 0..T {

@@ -16,8 +16,8 @@ use super::{BroadPhase, PairSink};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bvh;
 
-/// The number of blocks that a thread searches for in one task.
-const GRAIN: usize = 32;
+/// The number of groups of blocks that a thread searches for in one task.
+const GRAIN: usize = 4;
 
 /// The least number of nodes that a thread makes in one task: as much work as that of filling blocks.
 const NODES: usize = 256;
@@ -25,23 +25,23 @@ const NODES: usize = 256;
 impl BroadPhase for Bvh {
     fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let tree = Tree::new(b);
-        grains(a).try_for_each(|blocks| {
+        grains(a).try_for_each(|groups| {
             let pairs = Pairs::between(a, b, sink);
-            vectorized!(simd => tree.search(simd, a, blocks, false, pairs))
+            vectorized!(simd => tree.search(simd, a, groups, false, pairs))
         })
     }
 
     fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let tree = Tree::new(boxes);
-        grains(boxes).try_for_each(|blocks| {
+        grains(boxes).try_for_each(|groups| {
             let pairs = Pairs::within(boxes, sink);
-            vectorized!(simd => tree.search(simd, boxes, blocks, true, pairs))
+            vectorized!(simd => tree.search(simd, boxes, groups, true, pairs))
         })
     }
 }
 
 fn grains<const T: usize>(boxes: &Boxes<T>) -> impl ParallelIterator<Item = Range<usize>> {
-    let count = boxes.blocks.len();
+    let count = boxes.blocks.len().div_ceil(LANES);
     (0..count.div_ceil(GRAIN))
         .into_par_iter()
         .map(move |grain| GRAIN * grain..(GRAIN * (grain + 1)).min(count))
@@ -74,20 +74,20 @@ impl<const T: usize> Tree<T> {
         }
     }
 
-    /// Adds all pairs of a box in some blocks of `a` and a box in the tree. If `later` is set, only
+    /// Adds all pairs of a box in some groups of `a` and a box in the tree. If `later` is set, only
     /// pairs of a block with itself or with a later block.
     #[inline(always)]
     fn search<S: Simd>(
         &self,
         simd: S,
         a: &Boxes<T>,
-        blocks: Range<usize>,
+        groups: Range<usize>,
         later: bool,
         mut pairs: Pairs<'_, T>,
     ) -> ControlFlow<()> {
         let mut open = [(0, 0); STACK];
-        for block in blocks {
-            self.descend(simd, block, &a.around[block], later, &mut open, &mut pairs)?;
+        for group in groups {
+            self.descend(simd, &Group::new(a, group), later, &mut open, &mut pairs)?;
         }
         pairs.flush()
     }
@@ -96,35 +96,42 @@ impl<const T: usize> Tree<T> {
     fn descend<S: Simd>(
         &self,
         simd: S,
-        block: usize,
-        around: &MovingBox<T>,
+        group: &Group<T>,
         later: bool,
         open: &mut [(u32, u32); STACK],
         pairs: &mut Pairs<'_, T>,
     ) -> ControlFlow<()> {
-        open[0] = (self.levels.len() as u32, 0);
+        open[0] = (self.levels.len() as u32 - 1, 0);
         let mut count = usize::from(self.leaves > 0);
         while count > 0 {
             count -= 1;
             let (level, index) = (open[count].0 as usize, open[count].1 as usize);
-            if level == 0 {
-                pairs.add(simd, block, index)?;
-                continue;
-            }
-            let mut children = self.levels[level - 1][index].meeting(simd, around);
-            let below = if level == 1 {
+            let node = &self.levels[level][index];
+            let mut children = node.meeting(simd, &group.around);
+            let below = if level == 0 {
                 self.leaves
             } else {
-                self.levels[level - 2].len()
+                self.levels[level - 1].len()
             };
             // The number of leaves below a child.
-            let span = 1 << (3 * (level - 1));
+            let span = 1 << (3 * level);
             while children != 0 {
-                let child = LANES * index + children.trailing_zeros() as usize;
+                let lane = children.trailing_zeros() as usize;
                 children &= children - 1;
-                if child < below && !(later && (child + 1) * span <= block) {
+                let child = LANES * index + lane;
+                if child >= below || later && (child + 1) * span <= group.first {
+                    continue;
+                }
+                if level > 0 {
                     open[count] = (level as u32 - 1, child as u32);
                     count += 1;
+                    continue;
+                }
+                let last = if later { child } else { usize::MAX };
+                let mut blocks = group.blocks.meeting(simd, &node.lane(lane)) & group.until(last);
+                while blocks != 0 {
+                    pairs.add(simd, group.first + blocks.trailing_zeros() as usize, child)?;
+                    blocks &= blocks - 1;
                 }
             }
         }
@@ -132,14 +139,42 @@ impl<const T: usize> Tree<T> {
     }
 }
 
+/// Eight blocks, which descend the tree together until they are compared with single blocks.
+struct Group<const T: usize> {
+    /// The index of the first block.
+    first: usize,
+    /// The number of blocks: the last group may have fewer.
+    count: usize,
+    /// The boxes around the blocks.
+    blocks: Block<T>,
+    /// The box around all of them.
+    around: MovingBox<T>,
+}
+
+impl<const T: usize> Group<T> {
+    fn new(boxes: &Boxes<T>, group: usize) -> Self {
+        let first = LANES * group;
+        let eight = &boxes.around[first..boxes.around.len().min(first + LANES)];
+        Self {
+            first,
+            count: eight.len(),
+            blocks: Block::of(eight),
+            around: eight.iter().fold(MovingBox::EMPTY, |all, one| all.union(one)),
+        }
+    }
+
+    /// A bit for each block of the group whose index is not greater than that of the last one.
+    #[inline(always)]
+    fn until(&self, last: usize) -> u32 {
+        (1 << self.count.min((last - self.first).saturating_add(1))) - 1
+    }
+}
+
 /// The boxes in blocks of eight.
 fn blocks<const T: usize>(boxes: &[MovingBox<T>]) -> Vec<Block<T>> {
-    let block = |eight: &[MovingBox<T>]| {
-        let mut block = Block::EMPTY;
-        for (lane, moving) in eight.iter().enumerate() {
-            block.set(lane, moving);
-        }
-        block
-    };
-    boxes.par_chunks(LANES).with_min_len(NODES).map(block).collect()
+    boxes
+        .par_chunks(LANES)
+        .with_min_len(NODES)
+        .map(Block::of)
+        .collect()
 }
