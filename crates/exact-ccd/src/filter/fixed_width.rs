@@ -232,27 +232,32 @@ fn precise(cubic: &[Volume; 4]) -> (PreciseCubic, [f64; 4]) {
 mod tests {
     use super::*;
 
+    /// The coefficients of the product of linear functions, given at both ends of the step.
+    fn product([[a, b], [c, d], [e, f]]: [[i128; 2]; 3]) -> [i128; 4] {
+        [
+            a * c * e,
+            b * c * e + a * d * e + a * c * f,
+            b * d * e + b * c * f + a * d * f,
+            b * d * f,
+        ]
+    }
+
     #[test]
     fn a_fraction_of_the_step_is_found_where_the_cubic_vanishes() {
         let mut random = fastrand::Rng::with_seed(1);
         let mut found = 0;
         for _ in 0..200 {
             // The product of linear functions from −a to b, each of which vanishes at a / (a + b).
-            let [[a, b], [c, d], [e, f]] = [(); 3].map(|()| {
+            let factors = [(); 3].map(|()| {
                 let a = random.i128(1..8);
                 [-a, 8 - a]
             });
-            let coefficients = [
-                a * c * e,
-                b * c * e + a * d * e + a * c * f,
-                b * d * e + b * c * f + a * d * f,
-                b * d * f,
-            ];
+            let coefficients = product(factors);
             let cubic = coefficients.map(Volume::from);
             for elapsed in 0..=PARTS {
                 let [t, s] = [elapsed, PARTS - elapsed].map(i128::from);
                 let linear = |[x, y]: [i128; 2]| x * s + y * t;
-                let is_root = [[a, b], [c, d], [e, f]].into_iter().any(|ends| linear(ends) == 0);
+                let is_root = factors.into_iter().any(|ends| linear(ends) == 0);
                 let time = at_fraction(8, &cubic, elapsed);
                 let expected = ContactTime::exactly(elapsed as f64 / PARTS as f64);
                 assert_eq!(time, is_root.then_some(expected), "{coefficients:?} {elapsed}");
@@ -260,6 +265,34 @@ mod tests {
             }
         }
         assert!(found > 200, "{found}");
+    }
+
+    #[test]
+    fn a_root_next_to_a_fraction_of_the_step_is_not_taken_for_it() {
+        // The roots are 1/2 and a / (2 a ± 1), before it or after it.
+        for [a, b] in [300, 1000, 100_000]
+            .into_iter()
+            .flat_map(|a| [[a, a + 1], [a + 1, a]])
+        {
+            let cubic = product([[-1, 1], [-a, b], [1, 1]]).map(Volume::from);
+            let moments = flat_moments(&cubic).expect("the roots are apart");
+            let times = moments.iter().map(|moment| match moment {
+                Moment::Root(window, root) => rounded(20, &cubic, window, root),
+                _ => None,
+            });
+            let nearest = a as f64 / (a + b) as f64;
+            // Positive if the nearest f64 is above the root.
+            let excess = libm::fma(nearest, (a + b) as f64, -(a as f64));
+            let floor = if excess > 0.0 {
+                nearest.next_down()
+            } else {
+                nearest
+            };
+            let other = ContactTime::just_above(floor);
+            let half = ContactTime::exactly(0.5);
+            let expected = if a < b { [other, half] } else { [half, other] };
+            assert!(times.eq(expected.map(Some)), "{a}");
+        }
     }
 
     #[test]

@@ -269,3 +269,24 @@ pub(super) fn without_ends<const N: usize>(mut c: [Wide<N>; 4]) -> ([Wide<N>; 4]
     }
     (c, ends)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kind::VertexFace;
+
+    #[test]
+    fn bits_are_those_of_the_longest_axis() {
+        for exponent in [-900, -30, 0, 700] {
+            for bits in 1..120 {
+                let unit = libm::ldexp(1.0, exponent);
+                let far = libm::ldexp(unit, bits - 1);
+                let start = [[unit, 0.0, far], [unit; 3], [far, unit, unit], [0.0; 3]];
+                let query = Query::<VertexFace>::from_finite([start, [[unit; 3]; 4]]);
+                let found = Integers::new(&query).map(|integers| integers.bits());
+                let bits = bits as u32;
+                assert_eq!(found, (bits <= i128::MOST_BITS).then_some(bits), "{exponent}");
+            }
+        }
+    }
+}

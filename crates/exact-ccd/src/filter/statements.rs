@@ -13,8 +13,19 @@ use crate::kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 use crate::point::Point;
 use crate::query::Query;
 
-/// Times at which the sign of the cubic is compared: multiples of 2⁻¹⁰, where it often vanishes, and others.
-const TIMES: [f64; 7] = [0.125, 0.25, 1.0 / 3.0, 0.5, 0.6, 0.75, 1023.0 / 1024.0];
+/// Times at which the sign of the cubic is compared: multiples of 2⁻¹⁰, where it often vanishes, a time after
+/// one of them, and others.
+const TIMES: [f64; 9] = [
+    0.0,
+    0.125,
+    0.25,
+    1.0 / 3.0,
+    0.5,
+    0.5001,
+    0.6,
+    0.75,
+    1023.0 / 1024.0,
+];
 
 /// Small integers: many contacts are degenerate, parallel or tangent. In three of four queries the axes have
 /// units of their own. One half has a coordinate that is a little beside an integer, at most 2⁻²⁰: where the

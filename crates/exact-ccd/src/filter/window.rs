@@ -143,6 +143,65 @@ mod tests {
     use crate::filter::length::Volume;
 
     #[test]
+    fn windows_lie_between_two_multiples_of_their_unit() {
+        let unit = 1.0 / (1_u64 << DIGITS) as f64;
+        for [low, high] in [[0.0, 1.0], [0.25, 0.75], [unit, 2.0 * unit]] {
+            let window = Window::new(low, high).expect("a window");
+            assert_eq!(window.time_at(0.5), 0.5 * (low + high));
+        }
+        let after = 1.0 + f64::EPSILON;
+        for [low, high] in [
+            [0.25, 0.25],
+            [0.5, 0.25],
+            [0.5 * unit, 0.5],
+            [unit, 1.5 * unit],
+            [0.5, after],
+        ] {
+            assert_eq!(Window::new(low, high), None);
+        }
+    }
+
+    #[test]
+    fn places_are_exact_or_unknown() {
+        // The root is 2/5. Places in a window whose width is no power of two are rounded.
+        let cubic = [-2, 3, -2, 3].map(|c| Volume::from(i128::from(c)));
+        for (high, is_known) in [(0.5, true), (0.625, false)] {
+            let window = Window::new(0.25, high).expect("a window");
+            let near = (0.4 - 0.25) / window.width();
+            let root = Root {
+                low: near - 1e-15,
+                high: near + 1e-15,
+                near,
+                slope: 0.0,
+                rising: true,
+            };
+            assert_eq!(window.time(&cubic, &root).is_some(), is_known, "{high}");
+        }
+    }
+
+    #[test]
+    fn quadratics_in_a_window_have_their_values_there() {
+        let mut random = fastrand::Rng::with_seed(1);
+        for [low, high] in [[0.0, 1.0], [0.25, 0.75], [0.375, 0.5]] {
+            let window = Window::new(low, high).expect("a window");
+            for _ in 0..200 {
+                let q = [(); 3].map(|()| random.i128(-20..=20));
+                let [q0, q1, q2] = q.map(|q| q as f64);
+                let at = |t: f64| q0 * (1.0 - t) * (1.0 - t) + q1 * (1.0 - t) * t + q2 * t * t;
+                let [start, middle, end] = window.quadratic(q).expect("the window is exact");
+                // In a common unit, four times as large in the middle.
+                let found = [4.0 * start, start + middle + end, 4.0 * end];
+                let expected = [low, 0.5 * (low + high), high].map(at);
+                for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+                    assert_eq!(found[i] * expected[j], found[j] * expected[i]);
+                }
+                let signs = |values: [f64; 3]| values.map(|value| value.total_cmp(&0.0));
+                assert_eq!(signs(found), signs(expected));
+            }
+        }
+    }
+
+    #[test]
     fn times_in_windows_are_those_of_the_roots() {
         let mut found = [0; 2];
         for (a, b) in (1_i32..40).flat_map(|a| (1..40).map(move |b| (a, b))) {

@@ -170,7 +170,8 @@ fn diagonals() {
 #[test]
 fn quadratics_of_planar_motion() {
     for seed in SEEDS {
-        let points = opposite_points(seed).map(|now| now.map(|[x, y, _]| [x, y, 1.0]));
+        // Not differences of 2, whose product is their sum.
+        let points = opposite_points(seed).map(|now| now.map(|[x, y, _]| [4.0 * x, 4.0 * y, 1.0]));
         let query = Query::<EdgeEdge>::from_finite(points);
         let [x, y] = [(0, 2), (1, 0)];
         let planar = Planar::new(&query).unwrap();
