@@ -111,7 +111,9 @@ where
     K::Vertices: Sync,
 {
     pool::check(threads)?;
-    let options = Options::within(Separation::new(separation).map_err(refused)?).until(until);
+    let separation = Separation::new(separation);
+    let separation = separation.map_err(|error| refused(format_args!("separation: {error}")))?;
+    let options = Options::within(separation).until(until);
     let ends = Positions::ends(x0, x1)?;
     let queries = match vertices {
         None => Queries::Points(ends),
