@@ -1,6 +1,6 @@
 # Installs the library, moves the installed tree, and compiles the program of docs/c.md against it: by
-# pkg-config, shared and static, and as a CMake package. The prefix is not the configured one, and no option
-# names it.
+# pkg-config, shared and static, by the commands of that page, and as a CMake package. The prefix is not the
+# configured one, and no option names it.
 
 set(first "${BUILD}/installed first")
 set(prefix "${BUILD}/installed and moved")
@@ -47,6 +47,23 @@ if(PKG_CONFIG)
         execute_process(COMMAND "${work}/${kind}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
         check_output("${output}")
     endforeach()
+
+    # The first commands after the program, which find the library by themselves. Unlike the folder, the link to it
+    # has no space in its name: the shell would split it.
+    string(REGEX REPLACE "^.*```c\n[^`]*```" "" after "${page}")
+    file(RELATIVE_PATH subfolder "${prefix}" "${libraries}")
+    if(CMAKE_HOST_UNIX AND subfolder STREQUAL "lib")
+        if(NOT after MATCHES "```sh\n([^`]*)```")
+            message(FATAL_ERROR "docs/c.md does not say how its program is compiled")
+        endif()
+        set(commands "${CMAKE_MATCH_1}")
+        file(CREATE_LINK "${prefix}" "${work}/prefix" SYMBOLIC)
+        execute_process(
+            COMMAND "${CMAKE_COMMAND}" -E env --unset=PKG_CONFIG_PATH --unset=LD_LIBRARY_PATH PREFIX=prefix
+                    sh -ec "${commands}"
+            WORKING_DIRECTORY "${work}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+        check_output("${output}")
+    endif()
 else()
     message(STATUS "pkg-config is missing: not tested")
 endif()
