@@ -66,10 +66,10 @@ impl Window {
             return Some([q0, q1, q2].map(A::value));
         }
         let (low, high) = (parts(self.low)?, parts(self.high)?);
-        let [q0, q1, q2] = [q0, q1, q2].map(|q| q.widened().widened());
+        let [q0, q1, q2] = [q0, q1, q2].map(|q| q.widened().widened::<5>());
         let value = |times| blossom([q0 + q0, q1, q2 + q2], times);
         let [start, middle, end] = [[low, low], [low, high], [high, high]].map(value);
-        Some([start, middle + middle, end].map(|q: Integer| q.approximate().high))
+        Some([start, middle + middle, end].map(|q| q.approximate().high))
     }
 
     /// The time of the root of a cubic in a bracket of this window: an f64 there at which the cubic vanishes,
@@ -118,20 +118,23 @@ fn of_cubic<const N: usize>([c0, c1, c2, c3]: &[Wide<N>; 4]) -> [Integer; 4] {
 }
 
 /// The parts into which a time splits the step, in units of 2⁻⁶², if they are integers.
-fn parts(t: f64) -> Option<[Integer; 2]> {
-    let whole = 1_i128 << DIGITS;
-    let elapsed = t * whole as f64;
-    let integer = elapsed as i128;
+fn parts(t: f64) -> Option<[i64; 2]> {
+    const WHOLE: i64 = 1 << DIGITS;
+    let elapsed = t * WHOLE as f64;
+    let integer = elapsed as i64;
     let is_exact = (0.0..=1.0).contains(&t) && integer as f64 == elapsed;
-    is_exact.then(|| [whole - integer, integer].map(Wide::from))
+    is_exact.then_some([WHOLE - integer, integer])
 }
 
 /// The blossom of the polynomial with these Bernstein coefficients, times 2⁶² for each argument: one
 /// interpolation after another.
-fn blossom<const N: usize, const D: usize>(mut b: [Integer; N], times: [[Integer; 2]; D]) -> Integer {
+fn blossom<const W: usize, const N: usize, const D: usize>(
+    mut b: [Wide<W>; N],
+    times: [[i64; 2]; D],
+) -> Wide<W> {
     for (count, [left, elapsed]) in (1..N).rev().zip(times) {
         for i in 0..count {
-            b[i] = b[i] * left + b[i + 1] * elapsed;
+            b[i] = b[i].times(left) + b[i + 1].times(elapsed);
         }
     }
     b[0]
