@@ -5,7 +5,6 @@ use core::marker::PhantomData;
 
 use super::length::{Length, Volume};
 use super::moment::Moment;
-use super::wide::Wide;
 use crate::exact::parts;
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
@@ -252,22 +251,6 @@ fn dot<L: Length>(a: [L; 3], b: [L; 3]) -> L::Area {
 #[inline(always)]
 fn volume<L: Length>([x, y, z]: [L; 3], normal: [L::Area; 3]) -> Volume {
     x.volume(normal[0]) + y.volume(normal[1]) + z.volume(normal[2])
-}
-
-/// The cubic without its roots at t = 0 and t = 1, and true for each of these that it has.
-///
-/// c₀ = 0 means that c is t times a quadratic with coefficients c₁, c₂, c₃. This one times t + (1 − t), which
-/// is 1, is a cubic again. A cubic that is not zero has at most three such roots.
-pub(super) fn without_ends<const N: usize>(mut c: [Wide<N>; 4]) -> ([Wide<N>; 4], [bool; 2]) {
-    let ends = [c[0].is_zero(), c[3].is_zero()];
-    for _ in 0..3 {
-        if c[0].is_zero() {
-            c = [c[1], c[1] + c[2], c[2] + c[3], c[3]];
-        } else if c[3].is_zero() {
-            c = [c[0], c[0] + c[1], c[1] + c[2], c[2]];
-        }
-    }
-    (c, ends)
 }
 
 #[cfg(test)]
