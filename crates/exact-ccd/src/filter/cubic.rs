@@ -224,6 +224,18 @@ impl Cubic<f64> {
         })
     }
 
+    /// A bracket of the root in [0, 1] of a cubic whose exact coefficients change their signs once.
+    ///
+    /// The first guess is the root of the control polygon.
+    pub(super) fn only_root(&self) -> Root {
+        let rising = self.bernstein[3] > 0.0;
+        let is_before = |&b: &f64| (b > 0.0) != rising;
+        let last_before = self.bernstein[..3].iter().rposition(is_before).unwrap_or(0);
+        let [before, after] = [last_before, last_before + 1].map(|i| self.bernstein[i]);
+        let guess = (last_before as f64 + before / (before - after)) / 3.0;
+        self.refine(0.0, 1.0, guess, rising)
+    }
+
     /// The points that cut [0, 1] into pieces on which c is monotone, and so are its Bernstein
     /// coefficients: approximate zeros of c′; if it has none, that of c″, on either side of which
     /// the coefficients of c′ have one sign.

@@ -40,14 +40,9 @@ impl Dyadic {
         self.0
     }
 
-    /// The digits after the point up to the last one that is not 0.
-    pub(super) fn digits(self) -> u32 {
-        DIGITS.saturating_sub(self.0.trailing_zeros())
-    }
-
-    /// The units before this time, and those after it.
-    pub(super) fn weights(self) -> [i64; 2] {
-        [Self::END.0 - self.0, self.0]
+    /// The units after this time, and those before it.
+    pub(super) fn weights(self) -> [u64; 2] {
+        [Self::END.0 - self.0, self.0].map(i64::unsigned_abs)
     }
 
     /// The largest f64 that is not above the time.
@@ -92,9 +87,18 @@ mod tests {
     #[test]
     fn times_are_rounded_down_to_numbers() {
         let half = 1 << (DIGITS - 1);
-        for (units, floor) in [(half + 1, 0.5), (half - 1, 0.5_f64.next_down()), ((1 << 62) - 1, 1.0_f64.next_down())] {
+        for (units, floor) in [
+            (half + 1, 0.5),
+            (half - 1, 0.5_f64.next_down()),
+            ((1 << 62) - 1, 1.0_f64.next_down()),
+        ] {
             assert_eq!(Dyadic(units).time(), ContactTime::just_above(floor));
         }
+    }
+
+    /// The digits after the point up to the last one that is not 0.
+    fn digits(time: Dyadic) -> u32 {
+        DIGITS.saturating_sub(time.0.trailing_zeros())
     }
 
     #[test]
@@ -102,10 +106,13 @@ mod tests {
         for low in 0..40 {
             for high in low..40 {
                 let [first, last] = [low, high].map(Dyadic);
-                let shortest = (low + 1..high).min_by_key(|&units| Dyadic(units).digits());
+                let shortest = (low + 1..high).min_by_key(|&units| digits(Dyadic(units)));
                 let found = Dyadic::between(first, last);
-                assert_eq!(found.map(Dyadic::digits), shortest.map(|units| Dyadic(units).digits()));
-                assert!(found.is_none_or(|time| time > first && time < last), "{low} {high}");
+                assert_eq!(found.map(digits), shortest.map(|units| digits(Dyadic(units))));
+                assert!(
+                    found.is_none_or(|time| time > first && time < last),
+                    "{low} {high}"
+                );
             }
         }
     }

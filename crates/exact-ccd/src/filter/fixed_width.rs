@@ -61,18 +61,19 @@ pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
                 .collect()
         });
     }
-    let of_contact = zeros(&cubic)?
-        .into_iter()
-        .filter_map(|moment| match decided(&integers, &cubic, moment) {
-            Some((_, false)) => None,
-            Some((moment, true)) => Some(rounded(&cubic, &moment)),
-            None => Some(None),
-        });
+    let of_contact =
+        zeros(&cubic)?
+            .into_iter()
+            .filter_map(|moment| match decided(&integers, &cubic, moment) {
+                Some((_, false)) => None,
+                Some((moment, true)) => Some(rounded(&cubic, &moment)),
+                None => Some(None),
+            });
     of_contact.map(|time| time.map(Interval::moment)).collect()
 }
 
-/// A moment at which the cubic vanishes, in a narrower window if that is necessary, and true if the primitives
-/// touch then, if that is certain.
+/// A moment at which the cubic vanishes, in a narrower window if that is necessary, and true if the
+/// primitives touch then; `None` if that is not certain.
 fn decided<K: Kind>(integers: &Integers<K>, cubic: &[Volume; 4], moment: Moment) -> Option<(Moment, bool)> {
     if let Some(touches) = integers.touches(&moment) {
         return Some((moment, touches));
@@ -95,16 +96,19 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
     rounded(&Integers::new(query)?.cubic(), moment)
 }
 
-/// The time at which a cubic vanishes. In the step as a window, a root is a multiple of 2⁻¹⁰, as many are in
-/// flat worlds, or rounded in twice the precision, which is faster.
+/// The time at which a cubic vanishes, if it is certain.
+///
+/// In the step as a window, many are multiples of 2⁻¹⁰, and twice the precision suffices for most others.
 fn rounded(cubic: &[Volume; 4], moment: &Moment) -> Option<ContactTime> {
     match moment {
         Moment::At(time) => Some(time.time()),
-        Moment::Root(Window::STEP, root) => {
-            let short = short_time(root).filter(|&time| window::sign_at(cubic, time).is_eq());
-            short.map_or_else(|| between_adjacent(cubic, root), |time| Some(time.time()))
+        Moment::Root(window, root) => {
+            let fast = (*window == Window::STEP).then(|| {
+                let short = short_time(root).filter(|&time| window::sign_at(cubic, time).is_eq());
+                short.map_or_else(|| between_adjacent(cubic, root), |time| Some(time.time()))
+            });
+            fast.flatten().or_else(|| window.time(cubic, root))
         }
-        Moment::Root(window, root) => window.time(cubic, root),
         // An interval of times has none.
         Moment::Later => None,
     }
@@ -139,11 +143,118 @@ pub(super) fn sign_at<K: Kind>(query: &Query<K>, time: f64) -> Option<Ordering> 
 
 /// The cubic in twice the precision, and its coefficients, rounded.
 ///
-/// The bound of [`PreciseCubic::new`] holds with the largest coefficient as magnitude: a coefficient in twice the precision is
-/// off by 2⁻¹⁰⁴ of itself, less than one operation, of which seven lead to a coefficient there.
+/// The bound of [`PreciseCubic::new`] holds with the largest coefficient as magnitude: one in twice the
+/// precision is off by 2⁻¹⁰⁴ of itself, less than one operation, of which seven lead to a coefficient there.
 fn precise(cubic: &[Volume; 4]) -> (PreciseCubic, [f64; 4]) {
     let values = cubic.map(Wide::approximate);
     let rounded = values.map(|value| value.high);
     let largest = rounded.into_iter().map(f64::abs).fold(0.0, f64::max);
     (PreciseCubic::new(values, largest), rounded)
+}
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec::Vec;
+
+    use super::*;
+
+    /// The coefficients of the product of linear functions, given at both ends of the step.
+    fn product(factors: [[i128; 2]; 3]) -> [Volume; 4] {
+        let [[a, b], [c, d], [e, f]] = factors.map(|ends| ends.map(Volume::from));
+        [
+            a * c * e,
+            b * c * e + a * d * e + a * c * f,
+            b * d * e + b * c * f + a * d * f,
+            b * d * f,
+        ]
+    }
+
+    /// The times at which a cubic vanishes, if they are certain.
+    fn times(cubic: &[Volume; 4]) -> Option<Vec<ContactTime>> {
+        zeros(cubic)?
+            .iter()
+            .map(|moment| rounded(cubic, moment))
+            .collect()
+    }
+
+    /// The time a / (a + b).
+    fn quotient(a: i128, b: i128) -> ContactTime {
+        let nearest = a as f64 / (a + b) as f64;
+        // Positive if the nearest f64 is above the quotient.
+        let excess = libm::fma(nearest, (a + b) as f64, -(a as f64));
+        if excess == 0.0 {
+            ContactTime::exactly(nearest)
+        } else if excess > 0.0 {
+            ContactTime::just_above(nearest.next_down())
+        } else {
+            ContactTime::just_above(nearest)
+        }
+    }
+
+    #[test]
+    fn double_and_triple_roots_are_certain_at_times_with_few_digits() {
+        let parts = 1 << 3;
+        for roots in (0..10_i128.pow(3)).map(|index| [100, 10, 1].map(|power| index / power % 10)) {
+            // The product of linear functions from −a to 8 − a, some of which vanish at an end, or outside.
+            let cubic = product(roots.map(|a| [-a, parts - a]));
+            let mut expected: Vec<_> = roots.into_iter().filter(|&a| a <= parts).collect();
+            expected.sort_unstable();
+            expected.dedup();
+            let expected: Vec<_> = expected.into_iter().map(|a| quotient(a, parts - a)).collect();
+            assert_eq!(times(&cubic), Some(expected), "{roots:?}");
+        }
+    }
+
+    #[test]
+    fn roots_next_to_each_other_are_certain() {
+        for digits in 3..=61 {
+            let half = 1_i128 << (digits - 1);
+            for [x, y] in [[-1, 0], [-1, 1], [1, 2], [-3, 1]] {
+                // The roots are 1/2 and two others, or one, some units of 2⁻ᵏ before it or after it.
+                let cubic = product([0, x, y].map(|units| [-half - units, half - units]));
+                let time = |units| {
+                    Dyadic::START
+                        .plus(((half + units) as i64) << (62 - digits))
+                        .time()
+                };
+                let distinct = [-3, -1, 0, 1, 2]
+                    .into_iter()
+                    .filter(|units| [0, x, y].contains(units));
+                let expected: Vec<_> = distinct.map(time).collect();
+                assert_eq!(times(&cubic), Some(expected), "{digits} {x} {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_root_next_to_a_fraction_of_the_step_is_not_taken_for_it() {
+        // The roots are 1/2 and a / (2 a ± 1), before it or after it.
+        for a in [300, 1000, 100_000, 1 << 40] {
+            let half = ContactTime::exactly(0.5);
+            for (ends, expected) in [
+                ([-a, a + 1], [quotient(a, a + 1), half]),
+                ([-a - 1, a], [half, quotient(a + 1, a)]),
+            ] {
+                let cubic = product([[-1, 1], ends, [1, 1]]);
+                assert_eq!(times(&cubic), Some(expected.to_vec()), "{ends:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_narrower_window_has_the_same_root() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut narrow = 0;
+        for _ in 0..300 {
+            let roots = [(); 3].map(|()| [random.i128(1..1 << 20), random.i128(1..1 << 20)]);
+            let cubic = product(roots.map(|[a, b]| [-a, b]));
+            for moment in zeros(&cubic).expect("the roots are apart") {
+                if let Some(found) = narrowed(&cubic, &moment) {
+                    assert_eq!(rounded(&cubic, &found), rounded(&cubic, &moment));
+                    narrow += 1;
+                }
+            }
+        }
+        assert!(narrow > 800, "{narrow}");
+    }
 }

@@ -48,7 +48,7 @@ impl Moment {
 
     /// The sign of d₀ (1−t) + d₁ t at a root, for coefficients rounded once, if it is certain and not zero.
     ///
-    /// The value results from n = 8 roundings: that of the coefficient, four of t, which its place in the
+    /// The value results from n = 7 roundings: that of the coefficient, three of t, which its place in the
     /// window determines, those of 1 − t, a product and a sum. Terms are at most |d₀| + |d₁|, which bounds
     /// the slope, too. The radius is one in time: that in the window times its width, with a factor of two
     /// for roundings.
@@ -60,7 +60,7 @@ impl Moment {
         let radius = window.width() * root.radius();
         certain_sign(
             interpolate(start, end, t),
-            (start.abs() + end.abs()) * (2.0 * radius + margin(8) * UNIT),
+            (start.abs() + end.abs()) * (2.0 * radius + margin(7) * UNIT),
         )
     }
 }

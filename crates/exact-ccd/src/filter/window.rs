@@ -4,6 +4,7 @@
 //! and than their rounding errors. In a narrow window around it, the coefficients are as small as the
 //! polynomial. They are computed exactly, by blossoms, and rounded only then.
 
+use core::array::from_fn;
 use core::cmp::Ordering;
 
 use super::cubic::Root;
@@ -52,7 +53,7 @@ impl Window {
         self.units() as f64 / Dyadic::END.units() as f64
     }
 
-    /// The time at a place of this window, from 0 to 1; within four roundings.
+    /// The time at a place of this window, from 0 to 1; within three roundings.
     pub(super) fn time_at(&self, place: f64) -> f64 {
         self.low.units() as f64 / Dyadic::END.units() as f64 + place * self.width()
     }
@@ -93,16 +94,18 @@ impl Window {
         if *self == Self::STEP {
             return cubic.map(Wide::widened);
         }
-        let (low, high) = (self.low, self.high);
-        let value = |times| blossom(of_cubic(cubic), times);
-        let second = value([low, low, high]);
-        let third = value([low, high, high]);
-        [
-            value([low, low, low]),
-            second.times(3),
-            third.times(3),
-            value([high, high, high]),
-        ]
+        let [low, high] = self.ends();
+        let cubic = of_cubic(cubic);
+        let at_low: [_; 3] = interpolate(&cubic, low);
+        let at_high: [_; 3] = interpolate(&cubic, high);
+        let low_low: [_; 2] = interpolate(&at_low, low);
+        let low_high: [_; 2] = interpolate(&at_low, high);
+        let high_high: [_; 2] = interpolate(&at_high, high);
+        let [b0] = interpolate(&low_low, low);
+        let [b1] = interpolate(&low_low, high);
+        let [b2] = interpolate(&low_high, high);
+        let [b3] = interpolate(&high_high, high);
+        [b0, b1.times(3), b2.times(3), b3]
     }
 
     /// The coefficients of q₀ (1−t)² + q₁ (1−t) t + q₂ t² in this window, rounded, in the same form and some
@@ -111,51 +114,71 @@ impl Window {
         if *self == Self::STEP {
             return quadratic.map(A::value);
         }
-        let (low, high) = (self.low, self.high);
-        let value = |times| blossom(of_quadratic(quadratic), times);
-        let [start, middle, end] = [[low, low], [low, high], [high, high]].map(value);
+        let [low, high] = self.ends();
+        let quadratic = of_quadratic(quadratic);
+        let at_low: [_; 2] = interpolate(&quadratic, low);
+        let at_high: [_; 2] = interpolate(&quadratic, high);
+        let [start] = interpolate(&at_low, low);
+        let [middle] = interpolate(&at_low, high);
+        let [end] = interpolate(&at_high, high);
         [start, middle + middle, end].map(|q| q.approximate().high)
     }
 
     /// The time of the root of a cubic in a bracket of this window: an f64 there at which the cubic vanishes,
-    /// or between two adjacent ones.
+    /// or between two adjacent ones, found by bisection with exact signs.
     ///
     /// The bracket has no other root, and the cubic opposite signs at its ends.
     pub(super) fn time(&self, cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
-        const STEPS: usize = 8;
         let below = if root.rising {
             Ordering::Less
         } else {
             Ordering::Greater
         };
-        let mut floor = self.floor(root.low).floor();
-        for _ in 0..STEPS {
-            let next = floor.next_up();
-            let dyadic = Dyadic::new(next)?;
-            if !self.is_before(dyadic, root.high) {
-                return Some(ContactTime::just_above(floor));
+        let low = self.floor(root.low);
+        let (mut before, mut after) = (low.floor(), self.floor(root.high).floor().next_up());
+        while before.next_up() < after {
+            let middle = 0.5 * (before + after);
+            let time = Dyadic::new(middle)?;
+            if time > low && self.is_before(time, root.high) {
+                match sign_at(cubic, time) {
+                    Ordering::Equal => return Some(ContactTime::exactly(middle)),
+                    sign if sign == below => before = middle,
+                    _ => after = middle,
+                }
+            } else if time > low {
+                after = middle;
+            } else {
+                before = middle;
             }
-            let sign = sign_at(cubic, dyadic);
-            if sign.is_eq() {
-                return Some(ContactTime::exactly(next));
-            }
-            if sign != below {
-                return Some(ContactTime::just_above(floor));
-            }
-            floor = next;
         }
-        None
+        Some(ContactTime::just_above(before))
     }
 }
 
 /// The sign of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ at a time.
 pub(super) fn sign_at(cubic: &[Volume; 4], time: Dyadic) -> Ordering {
-    blossom(of_cubic(cubic), [time; 3]).sign()
+    cubic_value(&of_cubic(cubic), time).sign()
+}
+
+/// The coefficients of the powers of the units since a time, rounded, of this cubic in some unit.
+pub(super) fn powers_since(time: Dyadic, cubic: &[Volume; 4]) -> [f64; 4] {
+    let cubic = of_cubic(cubic);
+    let slope: [_; 3] = differences(&cubic);
+    let bend: [_; 2] = differences(&slope);
+    let [third] = differences(&bend);
+    let [second] = interpolate(&bend, time);
+    let powers = [
+        cubic_value(&cubic, time),
+        quadratic_value(&slope, time).times(3),
+        second.times(3),
+        third,
+    ];
+    powers.map(|power| power.approximate().high)
 }
 
 /// The sign of q₀ (1−t)² + q₁ (1−t) t + q₂ t² at a time.
 pub(super) fn quadratic_sign_at<A: Area>(quadratic: [A; 3], time: Dyadic) -> Ordering {
-    blossom(of_quadratic(quadratic), [time; 2]).sign()
+    quadratic_value(&of_quadratic(quadratic), time).sign()
 }
 
 /// Three times its Bernstein coefficients.
@@ -171,16 +194,177 @@ fn of_quadratic<A: Area>(quadratic: [A; 3]) -> [Wide<5>; 3] {
     [q0 + q0, q1, q2 + q2]
 }
 
-/// The blossom of the polynomial with these Bernstein coefficients, times 2⁶² for each argument: one
-/// interpolation after another.
-fn blossom<const W: usize, const N: usize, const D: usize>(
-    mut b: [Wide<W>; N],
-    times: [Dyadic; D],
-) -> Wide<W> {
-    for (count, [left, elapsed]) in (1..N).rev().zip(times.map(Dyadic::weights)) {
-        for i in 0..count {
-            b[i] = b[i].times(left) + b[i + 1].times(elapsed);
+/// 2¹⁸⁶ times the value of the polynomial with these Bernstein coefficients at a time.
+fn cubic_value(cubic: &[Integer; 4], time: Dyadic) -> Integer {
+    quadratic_value(&interpolate(cubic, time), time)
+}
+
+/// 2¹²⁴ times the value of the polynomial with these Bernstein coefficients at a time.
+fn quadratic_value<const W: usize>(quadratic: &[Wide<W>; 3], time: Dyadic) -> Wide<W> {
+    let linear: [_; 2] = interpolate(quadratic, time);
+    let [value] = interpolate(&linear, time);
+    value
+}
+
+/// 2⁶² times the Bernstein coefficients after one argument of a blossom is given: one coefficient fewer.
+#[inline(always)]
+fn interpolate<const W: usize, const N: usize, const M: usize>(
+    b: &[Wide<W>; N],
+    time: Dyadic,
+) -> [Wide<W>; M] {
+    const { assert!(M + 1 == N, "one coefficient fewer") };
+    let [left, elapsed] = time.weights();
+    let mut values = [Wide::ZERO; M];
+    for (i, value) in values.iter_mut().enumerate() {
+        *value = b[i].weighted(left, b[i + 1], elapsed);
+    }
+    values
+}
+
+/// The differences of successive coefficients.
+fn differences<const N: usize, const M: usize>(b: &[Integer; N]) -> [Integer; M] {
+    const { assert!(M + 1 == N, "one coefficient fewer") };
+    from_fn(|i| b[i + 1] - b[i])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn window(low: f64, high: f64) -> Window {
+        let [low, high] = [low, high].map(|time| Dyadic::new(time).expect("a multiple of the unit"));
+        Window::new(low, high).expect("a window")
+    }
+
+    #[test]
+    fn places_are_rounded_down() {
+        let step = Window::STEP;
+        for (place, units) in [(0.5, 1 << 61), (0.75, 3 << 60), (1.0, 1 << 62), (0.0, 0)] {
+            let time = step.floor(place);
+            assert_eq!(time.units(), units);
+            assert!(!step.is_before(time, place));
+            assert!(step.is_before(time, place.next_up()) || place == 1.0);
+        }
+        let narrow = Window::new(Dyadic::START.plus(5), Dyadic::START.plus(8)).expect("a window");
+        for (place, units) in [
+            (0.0, 5),
+            (1e-300, 5),
+            (0.3, 5),
+            (0.34, 6),
+            (0.66, 6),
+            (0.67, 7),
+            (1.0_f64.next_down(), 7),
+            (1.0, 8),
+        ] {
+            let floor = narrow.floor(place);
+            assert_eq!(floor.units(), units, "{place}");
+            // A third of a unit is no place.
+            assert_eq!(narrow.is_before(floor, place), place % 1.0 != 0.0, "{place}");
+            assert!(!narrow.is_before(floor.plus(1), place), "{place}");
+            assert!(narrow.is_before(floor.plus(-1), place), "{place}");
         }
     }
-    b[0]
+
+    #[test]
+    fn polynomials_in_a_window_have_their_values_there() {
+        let mut random = fastrand::Rng::with_seed(1);
+        for [low, high] in [[0.0, 1.0], [0.25, 0.75], [0.375, 0.5], [0.5, 1.0]] {
+            let window = window(low, high);
+            for _ in 0..200 {
+                let all = [(); 4].map(|()| random.i128(-20..=20));
+                let [c0, c1, c2, c3] = all.map(|c| c as f64);
+                let quadratic = |t: f64| c0 * (1.0 - t) * (1.0 - t) + c1 * (1.0 - t) * t + c2 * t * t;
+                let cubic = |t: f64| quadratic(t) * (1.0 - t) + c3 * t * t * t;
+                // At both ends and the middle in a common unit, eight times as large.
+                let [q0, q1, q2] = window.quadratic([all[0], all[1], all[2]]);
+                let of_quadratic = [8.0 * q0, 2.0 * (q0 + q1 + q2), 8.0 * q2];
+                let c = all.map(Volume::from);
+                let [b0, b1, b2, b3] = window.cubic(&c).map(|c| c.approximate().high);
+                let of_cubic = [8.0 * b0, b0 + b1 + b2 + b3, 8.0 * b3];
+                let times = [low, 0.5 * (low + high), high];
+                for (found, expected) in [
+                    (of_quadratic, times.map(quadratic)),
+                    (of_cubic, times.map(cubic)),
+                ] {
+                    for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+                        assert_eq!(found[i] * expected[j], found[j] * expected[i]);
+                    }
+                    let signs = |values: [f64; 3]| values.map(|value| value.partial_cmp(&0.0));
+                    assert_eq!(signs(found), signs(expected));
+                }
+                for (t, dyadic) in [(low, window.low), (high, window.high)] {
+                    assert_eq!(Some(sign_at(&c, dyadic)), cubic(t).partial_cmp(&0.0));
+                    let sign = quadratic_sign_at([all[0], all[1], all[2]], dyadic);
+                    assert_eq!(Some(sign), quadratic(t).partial_cmp(&0.0));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn powers_are_those_of_the_units_since_a_time() {
+        // t − 1/4 and its powers.
+        let at = Dyadic::START.plus(1 << 60);
+        let unit = 1.0 / Dyadic::END.units() as f64;
+        for (cubic, power) in [([-1, 1, 5, 3], 1), ([1, -5, 3, 9], 2), ([-1, 9, -27, 27], 3)] {
+            let powers = powers_since(at, &cubic.map(Volume::from));
+            let expected: [f64; 4] = from_fn(|i| if i == power { powers[power] } else { 0.0 });
+            assert_eq!(powers, expected, "{power}");
+            assert!(powers[power] > 0.0);
+        }
+        // 1 + (t − 1/4): the quotient is a unit.
+        let [value, slope, ..] = powers_since(at, &[3, 13, 17, 7].map(Volume::from));
+        assert_eq!(slope / value, unit);
+    }
+
+    #[test]
+    fn times_in_windows_are_those_of_the_roots() {
+        let mut found = 0;
+        for (a, b) in (1_i32..40).flat_map(|a| (1..40).map(move |b| (a, b))) {
+            // (b t − a (1 − t)) ((1 − t)² + t²), which vanishes at a / (a + b) only.
+            let sign = if (a + b) % 2 == 0 { 1 } else { -1 };
+            let cubic = [-a, b, -a, b].map(|c| Volume::from(i128::from(sign * c)));
+            let [elapsed, whole] = [a, a + b].map(f64::from);
+            let nearest = elapsed / whole;
+            // The sign of the remainder is exact: a fused operation has one rounding.
+            let remainder = nearest.mul_add(whole, -elapsed);
+            let expected = if remainder == 0.0 {
+                ContactTime::exactly(nearest)
+            } else {
+                let floor = if remainder > 0.0 {
+                    nearest.next_down()
+                } else {
+                    nearest
+                };
+                ContactTime::just_above(floor)
+            };
+            for parts in [1024.0, 1000.0] {
+                let [low, high] = [-0.5, 0.5].map(|offset| {
+                    let time = (nearest * parts + offset).floor() / parts;
+                    Dyadic::new(time).expect("a multiple of the unit")
+                });
+                let Some(window) = Window::new(low, high) else {
+                    continue;
+                };
+                let digit = (nearest.next_up() - nearest) / window.width();
+                let place = (nearest - window.time_at(0.0)) / window.width();
+                if !(0.1..0.9).contains(&place) {
+                    continue;
+                }
+                for (below, above) in (1..40).flat_map(|below| [0, 3, 40].map(|above| (below, above))) {
+                    let root = Root {
+                        low: place - f64::from(below) * 0.4 * digit - digit,
+                        high: place + f64::from(above) * 0.4 * digit + 0.6 * digit,
+                        near: place,
+                        slope: 0.0,
+                        rising: sign > 0,
+                    };
+                    let time = window.time(&cubic, &root);
+                    assert_eq!(time, Some(expected), "{a} {b} {below} {above}");
+                    found += 1;
+                }
+            }
+        }
+        assert!(found > 1000, "{found}");
+    }
 }

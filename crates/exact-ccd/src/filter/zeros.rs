@@ -2,18 +2,21 @@
 
 use arrayvec::ArrayVec;
 
-use super::cubic::Cubic;
+use super::cubic::{Cubic, Root};
 use super::dyadic::Dyadic;
 use super::length::Volume;
 use super::moment::Moment;
 use super::wide::Wide;
-use super::window::{Window, sign_at};
+use super::window::{Window, powers_since, sign_at};
 
 /// Moments in increasing order: at most three roots in the step, and its ends.
 pub(super) type Moments = ArrayVec<Moment, 5>;
 
 /// The number of times that windows are cut inside each other.
 const MOST_CUTS: u32 = 3;
+
+/// The widest bracket of a root, as a fraction of its window, if that can be cut.
+const WIDEST: f64 = 1.0 / (1_u64 << 10) as f64;
 
 /// Half of the narrowest window, in units.
 const LEAST_HALF: i64 = 1 << 2;
@@ -41,41 +44,55 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
     {
         return Some(Moment::At(time));
     }
-    let margin = 4 * (high.units() - low.units()) + 1;
-    let [first, last] = window.ends();
-    let narrow = Window::new(low.plus(-margin).max(first), high.plus(1 + margin).min(last))?;
-    let mut moments = Moments::new();
-    if narrow.units() < window.units() / 4 {
-        push_zeros_inside(cubic, narrow, MOST_CUTS, &mut moments)?;
+    let units = high.units() - low.units() + 1;
+    if units > window.units() / 64 {
+        return None;
     }
+    let [first, last] = window.ends();
+    let narrow = Window::new(low.plus(-4 * units).max(first), high.plus(4 * units).min(last))?;
+    let mut moments = Moments::new();
+    push_zeros_inside(cubic, narrow, MOST_CUTS, &mut moments)?;
     moments.pop().filter(|_| moments.is_empty())
 }
 
 /// Appends the moments inside a window, without its ends.
 ///
-/// Without coefficients of opposite signs, there is no root. Otherwise the bounds of [`Cubic::new`] hold with
-/// the largest coefficient as magnitude: each coefficient is rounded once, n = 1 of the ten roundings there,
-/// and the largest rounded one is below its integer by one rounding at most. Coefficients are below 2⁴⁴⁵
-/// ([`Window::cubic`]): nothing overflows. The largest is at least 1, so that what underflows is far below
-/// the bounds. If these do not suffice, the window is cut.
-fn push_zeros_inside(cubic: &[Volume; 4], window: Window, cuts_left: u32, moments: &mut Moments) -> Option<()> {
+/// The number of changes of exact signs bounds that of roots, and is its parity: none and one are certain
+/// (Descartes' rule). Otherwise the bounds of [`Cubic::new`] hold with the largest coefficient as magnitude:
+/// each coefficient is rounded once, n = 1 of the ten roundings there, and the largest rounded one is below
+/// its integer by one rounding at most. Coefficients are below 2⁴⁴⁵ ([`Window::cubic`]): nothing overflows.
+/// The largest is at least 1, so that what underflows is far below the bounds. If these do not suffice, the
+/// window is cut.
+fn push_zeros_inside(
+    cubic: &[Volume; 4],
+    window: Window,
+    cuts_left: u32,
+    moments: &mut Moments,
+) -> Option<()> {
     let inner = without_ends(window.cubic(cubic));
-    let signs = inner.map(|c| c.sign());
-    if signs.iter().all(|&sign| sign == signs[0] || sign.is_eq()) {
+    let changes = changes_of_sign(&inner);
+    if changes == 0 {
         return Some(());
     }
     let values = inner.map(|c| c.approximate().high);
     let local = Cubic::new(values, values.into_iter().map(f64::abs).fold(0.0, f64::max));
-    if let Some(roots) = local.roots() {
-        for root in roots {
-            moments.try_push(Moment::Root(window, root)).ok()?;
-        }
-        return Some(());
+    let roots = if changes == 1 {
+        Some([local.only_root()].into_iter().collect())
+    } else {
+        local.roots()
+    };
+    let are_narrow = |roots: &ArrayVec<Root, 3>| roots.iter().all(|root| root.high - root.low < WIDEST);
+    let cuts = match roots.as_ref().is_some_and(are_narrow) {
+        true => ArrayVec::new(),
+        false => cuts(cubic, window, &local),
+    };
+    if cuts.is_empty() || cuts_left == 0 {
+        let roots = roots?.into_iter().map(|root| Moment::Root(window, root));
+        return roots.into_iter().try_for_each(|root| moments.try_push(root).ok());
     }
-    let cuts_left = cuts_left.checked_sub(1)?;
     let [mut low, end] = window.ends();
-    for high in cuts(cubic, window, &local).into_iter().chain([end]) {
-        push_zeros_inside(cubic, Window::new(low, high)?, cuts_left, moments)?;
+    for high in cuts.into_iter().chain([end]) {
+        push_zeros_inside(cubic, Window::new(low, high)?, cuts_left - 1, moments)?;
         if high < end && sign_at(cubic, high).is_eq() {
             moments.try_push(Moment::At(high)).ok()?;
         }
@@ -84,29 +101,37 @@ fn push_zeros_inside(cubic: &[Volume; 4], window: Window, cuts_left: u32, moment
     Some(())
 }
 
-/// The ends of narrow windows around the times at which a cubic, given in a window too, may have almost double
-/// or triple roots, in increasing order; with the time of fewest digits in each, if the cubic vanishes there.
+/// The ends of narrow windows around almost triple roots of a cubic, or else around almost double ones, in
+/// increasing order; with the time of fewest digits in each, if the cubic vanishes there.
 ///
-/// An almost triple root is near that of c″, which is far more accurate then than those of c′.
+/// An almost triple root is near that of c″, an almost double one near one of c′.
 fn cuts(cubic: &[Volume; 4], window: Window, local: &Cubic<f64>) -> ArrayVec<Dyadic, 6> {
-    /// Roots of c′ at this distance may be one root, with roundings under a square root.
-    const TRIPLE: f64 = 1.0 / (1_u64 << 24) as f64;
-    let mut places = local.cuts();
-    let mut multiplicity = 2;
-    let is_triple = match places[..] {
-        [first, second] => second - first < TRIPLE,
-        _ => true,
-    };
-    if is_triple {
-        places = [local.inflection()].into_iter().filter(|place| (0.0..1.0).contains(place)).collect();
-        multiplicity = 3;
-    }
     let mut cuts = ArrayVec::new();
+    push_cuts(cubic, window, &[local.inflection()], 3, &mut cuts);
+    if cuts.is_empty() {
+        push_cuts(cubic, window, &local.cuts(), 2, &mut cuts);
+    }
+    cuts
+}
+
+/// Appends the ends around the places of some clusters of two or three roots, if these are small.
+fn push_cuts(
+    cubic: &[Volume; 4],
+    window: Window,
+    places: &[f64],
+    roots: usize,
+    cuts: &mut ArrayVec<Dyadic, 6>,
+) {
+    let space = match places {
+        [first, second] => second - first,
+        _ => 1.0,
+    };
+    let most = (0.125 * space * window.units() as f64) as i64;
     let [mut last, end] = window.ends();
-    for place in places {
+    for &place in places {
         let middle = window.floor(place);
-        let half = radius(cubic, middle, multiplicity);
-        if half > window.units() / 8 {
+        let half = radius(cubic, middle, roots);
+        if half > most {
             continue;
         }
         let [low, high] = [middle.plus(-half), middle.plus(half)];
@@ -116,26 +141,30 @@ fn cuts(cubic: &[Volume; 4], window: Window, local: &Cubic<f64>) -> ArrayVec<Dya
             last = high;
         }
     }
-    cuts
 }
 
-/// A few times the distance to a time of the roots of a cubic, two or three, that are near it, in units.
+/// A few times the distance from a time to the two or three roots of a cubic in a cluster near it, in units.
 ///
 /// It needs no error bound.
-fn radius(cubic: &[Volume; 4], time: Dyadic, multiplicity: usize) -> i64 {
-    let Some(window) = Window::new(time, Dyadic::END) else {
-        return i64::MAX;
-    };
-    let [c0, c1, c2, c3] = window.cubic(cubic);
-    // The coefficients of the powers of the place in the window.
-    let powers = [c0, c1 - c0.times(3), c2 - c1.times(2) + c0.times(3), c3 - c2 + c1 - c0];
-    let [a0, a1, a2, a3] = powers.map(|a| a.approximate().high.abs());
-    let place = if multiplicity == 2 {
+fn radius(cubic: &[Volume; 4], time: Dyadic, roots: usize) -> i64 {
+    let [a0, a1, a2, a3] = powers_since(time, cubic).map(f64::abs);
+    let radius = if roots == 2 {
         (a1 / a2).max(libm::sqrt(a0 / a2))
     } else {
         (a2 / a3).max(libm::sqrt(a1 / a3)).max(libm::cbrt(a0 / a3))
     };
-    ((4.0 * place * window.units() as f64) as i64).max(LEAST_HALF)
+    ((4.0 * radius) as i64).max(LEAST_HALF)
+}
+
+/// The number of times that the sign of a coefficient that is not zero is another one than that before it.
+fn changes_of_sign<const N: usize>(coefficients: &[Wide<N>; 4]) -> usize {
+    let signs = coefficients.map(|c| c.sign());
+    let nonzero = signs.into_iter().filter(|sign| sign.is_ne());
+    nonzero
+        .clone()
+        .zip(nonzero.skip(1))
+        .filter(|(before, sign)| before != sign)
+        .count()
 }
 
 /// The cubic without its roots at t = 0 and t = 1.
