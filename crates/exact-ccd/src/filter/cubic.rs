@@ -183,11 +183,9 @@ impl Cubic<f64> {
         Some(roots)
     }
 
-    /// The sign of c at t = 0, if it certainly is that of c at all times before a time at which c does not
-    /// have the opposite sign; and the sign there, if it is certain.
-    pub(super) fn signs_until(&self, end: f64) -> Option<[Option<Ordering>; 2]> {
-        let [first, second, third, last] = self.piece(0.0, end).map(|value| self.sign(value));
-        (first.is_some() && second == first && third == first).then_some([first, last])
+    /// The signs of the Bernstein coefficients in [0, end], as far as they are certain.
+    pub(super) fn signs_until(&self, end: f64) -> [Option<Ordering>; 4] {
+        self.piece(0.0, end).map(|value| self.sign(value))
     }
 
     /// The Bernstein coefficients in [low, high].

@@ -130,15 +130,13 @@ fn between_adjacent(cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
     precise.round(&Root { slope, ..*root })
 }
 
-/// The sign of the coplanarity cubic at a time, if it is certain.
+/// The signs of the Bernstein coefficients of the coplanarity cubic from t = 0 to a time, if that is a multiple
+/// of the unit of windows.
 #[inline(never)]
-pub(super) fn sign_at<K: Kind>(query: &Query<K>, time: f64) -> Option<Ordering> {
-    let integers = Integers::new(query)?;
-    let cubic = integers.cubic();
-    match Dyadic::new(time) {
-        Some(time) => Some(window::sign_at(&cubic, time)),
-        None => precise(&cubic).0.sign_at(time),
-    }
+pub(super) fn signs_until<K: Kind>(query: &Query<K>, time: f64) -> Option<[Ordering; 4]> {
+    let window = Window::new(Dyadic::START, Dyadic::new(time)?)?;
+    let cubic = Integers::new(query)?.cubic();
+    Some(window.cubic(&cubic).map(|coefficient| coefficient.sign()))
 }
 
 /// The cubic in twice the precision, and its coefficients, rounded.

@@ -135,9 +135,14 @@ fn integers<K: Kind>() -> [usize; 4] {
             assert_eq!(moments, intervals(&query), "{query:?}");
         }
         for t in TIMES {
-            if let Some(sign) = fixed_width::sign_at(&query, t) {
-                assert_eq!(sign, sign_at(&query, t), "{query:?} {t}");
-                known[3] += 1;
+            if let Some(signs) = fixed_width::signs_until(&query, t) {
+                let [at_start, .., at_end] = signs;
+                assert_eq!(at_start, sign_at(&query, 0.0), "{query:?}");
+                assert_eq!(at_end, sign_at(&query, t), "{query:?} {t}");
+                if at_start.is_ne() && signs.iter().all(|&sign| sign == at_start || sign.is_eq()) {
+                    assert_eq!(at_start, sign_at(&query, 0.75 * t), "{query:?} {t}");
+                    known[3] += 1;
+                }
             }
         }
     }

@@ -282,10 +282,8 @@ mod tests {
                 let [b0, b1, b2, b3] = window.cubic(&c).map(|c| c.approximate().high);
                 let of_cubic = [8.0 * b0, b0 + b1 + b2 + b3, 8.0 * b3];
                 let times = [low, 0.5 * (low + high), high];
-                for (found, expected) in [
-                    (of_quadratic, times.map(quadratic)),
-                    (of_cubic, times.map(cubic)),
-                ] {
+                for (found, expected) in [(of_quadratic, times.map(quadratic)), (of_cubic, times.map(cubic))]
+                {
                     for (i, j) in [(0, 1), (1, 2), (2, 0)] {
                         assert_eq!(found[i] * expected[j], found[j] * expected[i]);
                     }
