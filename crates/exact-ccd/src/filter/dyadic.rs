@@ -2,7 +2,7 @@
 
 use crate::time::ContactTime;
 
-/// A time of the step, a multiple of 2⁻⁶².
+/// A time that is a multiple of 2⁻⁶², in the step or a little beside it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Dyadic(i64);
 
@@ -40,13 +40,19 @@ impl Dyadic {
         self.0
     }
 
-    /// The units after this time, and those before it.
+    /// The digits after the point up to the last one that is not 0.
+    pub(super) fn digits(self) -> u32 {
+        DIGITS.saturating_sub(self.0.trailing_zeros())
+    }
+
+    /// The units after this time, and those before it, of a time in the step.
     pub(super) fn weights(self) -> [u64; 2] {
+        debug_assert!(self >= Self::START && self <= Self::END, "a time of the step");
         [Self::END.0 - self.0, self.0].map(i64::unsigned_abs)
     }
 
     /// The largest f64 that is not above the time.
-    pub(super) fn floor(self) -> f64 {
+    fn floor(self) -> f64 {
         let units = self.0 as f64;
         // The nearest f64 is at most 2⁶², which an i64 holds.
         let floor = if units as i64 > self.0 {
@@ -96,19 +102,17 @@ mod tests {
         }
     }
 
-    /// The digits after the point up to the last one that is not 0.
-    fn digits(time: Dyadic) -> u32 {
-        DIGITS.saturating_sub(time.0.trailing_zeros())
-    }
-
     #[test]
     fn the_shortest_time_between_two_others() {
         for low in 0..40 {
             for high in low..40 {
                 let [first, last] = [low, high].map(Dyadic);
-                let shortest = (low + 1..high).min_by_key(|&units| digits(Dyadic(units)));
+                let shortest = (low + 1..high).min_by_key(|&units| Dyadic(units).digits());
                 let found = Dyadic::between(first, last);
-                assert_eq!(found.map(digits), shortest.map(|units| digits(Dyadic(units))));
+                assert_eq!(
+                    found.map(Dyadic::digits),
+                    shortest.map(|units| Dyadic(units).digits())
+                );
                 assert!(
                     found.is_none_or(|time| time > first && time < last),
                     "{low} {high}"

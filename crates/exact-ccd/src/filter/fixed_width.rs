@@ -15,7 +15,7 @@ use super::moment::Moment;
 use super::precise_cubic::PreciseCubic;
 use super::wide::Wide;
 use super::window::{self, Window};
-use super::zeros::{narrowed, zeros};
+use super::zeros::{largest, narrowed, zeros};
 use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::query::Query;
@@ -88,7 +88,7 @@ pub(super) fn round<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTim
     time(query, &Moment::Root(Window::STEP, *root))
 }
 
-/// The time of a moment of contact.
+/// The time of a moment of contact. One that is known needs no integers.
 pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<ContactTime> {
     if let Moment::At(time) = moment {
         return Some(time.time());
@@ -98,27 +98,24 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
 
 /// The time at which a cubic vanishes, if it is certain.
 ///
-/// In the step as a window, many are multiples of 2⁻¹⁰, and twice the precision suffices for most others.
+/// In flat worlds, many are multiples of 2⁻¹⁰. In the step as a window, twice the precision suffices for most
+/// others.
 fn rounded(cubic: &[Volume; 4], moment: &Moment) -> Option<ContactTime> {
+    const DIGITS: u32 = 10;
     match moment {
         Moment::At(time) => Some(time.time()),
         Moment::Root(window, root) => {
-            let fast = (*window == Window::STEP).then(|| {
-                let short = short_time(root).filter(|&time| window::sign_at(cubic, time).is_eq());
-                short.map_or_else(|| between_adjacent(cubic, root), |time| Some(time.time()))
-            });
-            fast.flatten().or_else(|| window.time(cubic, root))
+            let shortest = window.shortest(root).filter(|time| time.digits() <= DIGITS);
+            if let Some(time) = shortest.filter(|&time| window::sign_at(cubic, time).is_eq()) {
+                return Some(time.time());
+            }
+            let is_step = *window == Window::STEP;
+            let precise = is_step.then(|| between_adjacent(cubic, root)).flatten();
+            precise.or_else(|| window.time(cubic, root))
         }
         // An interval of times has none.
         Moment::Later => None,
     }
-}
-
-/// The multiple of 2⁻¹⁰ next to a root of the step, if it is in the bracket.
-fn short_time(root: &Root) -> Option<Dyadic> {
-    const PARTS: f64 = (1 << 10) as f64;
-    let time = libm::round(root.near * PARTS) / PARTS;
-    Dyadic::new(time).filter(|_| time > root.low && time < root.high)
 }
 
 /// The time of a root of the step between two adjacent f64, if the signs of the cubic at both are certain.
@@ -146,8 +143,7 @@ pub(super) fn signs_until<K: Kind>(query: &Query<K>, time: f64) -> Option<[Order
 fn precise(cubic: &[Volume; 4]) -> (PreciseCubic, [f64; 4]) {
     let values = cubic.map(Wide::approximate);
     let rounded = values.map(|value| value.high);
-    let largest = rounded.into_iter().map(f64::abs).fold(0.0, f64::max);
-    (PreciseCubic::new(values, largest), rounded)
+    (PreciseCubic::new(values, largest(rounded)), rounded)
 }
 
 #[cfg(test)]
@@ -206,22 +202,75 @@ mod tests {
     #[test]
     fn roots_next_to_each_other_are_certain() {
         for digits in 3..=61 {
-            let half = 1_i128 << (digits - 1);
-            for [x, y] in [[-1, 0], [-1, 1], [1, 2], [-3, 1]] {
-                // The roots are 1/2 and two others, or one, some units of 2⁻ᵏ before it or after it.
-                let cubic = product([0, x, y].map(|units| [-half - units, half - units]));
-                let time = |units| {
-                    Dyadic::START
-                        .plus(((half + units) as i64) << (62 - digits))
-                        .time()
-                };
-                let distinct = [-3, -1, 0, 1, 2]
-                    .into_iter()
-                    .filter(|units| [0, x, y].contains(units));
-                let expected: Vec<_> = distinct.map(time).collect();
-                assert_eq!(times(&cubic), Some(expected), "{digits} {x} {y}");
+            let whole = 1_i128 << digits;
+            // In the middle of the step, at its ends, and in its first thousandth.
+            for (middle, must_be_known) in [
+                (whole / 2, true),
+                (4, digits < 9),
+                (whole - 4, true),
+                (whole >> 12, false),
+            ] {
+                for [x, y] in [[-1, 0], [-1, 1], [1, 2], [-3, 1]] {
+                    let all = [0, x, y].map(|units| middle + units);
+                    let cubic = product(all.map(|a| [-a, whole - a]));
+                    let mut distinct = all.map(|a| a as i64).to_vec();
+                    distinct.sort_unstable();
+                    distinct.dedup();
+                    distinct.retain(|&a| a >= 0 && i128::from(a) <= whole);
+                    let time = |a: i64| Dyadic::START.plus(a << (62 - digits)).time();
+                    let expected: Vec<_> = distinct.into_iter().map(time).collect();
+                    let found = times(&cubic);
+                    let is_known = found.is_some();
+                    assert!(
+                        !is_known || found == Some(expected),
+                        "{digits} {middle} {x} {y} {found:?}"
+                    );
+                    assert!(is_known || !must_be_known, "{digits} {middle} {x} {y}");
+                }
             }
         }
+    }
+
+    #[test]
+    fn times_of_early_roots_are_right_or_unknown() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut known = 0;
+        for _ in 0..1000 {
+            let whole = random.i128(1 << 50..1 << 53);
+            let first = random.i128(1 << 20..whole >> 9);
+            let near = first + random.i128(-(1 << 18)..1 << 18);
+            let cubic = product([
+                [-first, whole - first],
+                [-near, whole - near],
+                [-1, random.i128(0..3)],
+            ]);
+            let mut expected = Vec::from([quotient(first, whole - first), quotient(near, whole - near)]);
+            expected.sort_unstable();
+            expected.dedup();
+            for moment in zeros(&cubic).unwrap_or_default() {
+                let narrow = narrowed(&cubic, &moment);
+                for time in [Some(moment), narrow]
+                    .iter()
+                    .flatten()
+                    .flat_map(|moment| rounded(&cubic, moment))
+                {
+                    let is_last = time.lower() > 0.3;
+                    assert!(
+                        is_last || expected.contains(&time),
+                        "{first} {near} {whole} {time:?}"
+                    );
+                    known += u32::from(!is_last);
+                }
+            }
+        }
+        assert!(known > 100, "{known}");
+    }
+
+    #[test]
+    fn a_cubic_without_bend_at_the_start() {
+        // −(2 t − 1)² (1 + t): the root of its second derivative is −0.
+        let cubic = [-1, 0, 3, -2].map(Volume::from);
+        assert_eq!(times(&cubic), Some(Vec::from([ContactTime::exactly(0.5)])));
     }
 
     #[test]

@@ -69,13 +69,14 @@ fn queries<K: Kind>(count: usize, flat: usize) -> impl Iterator<Item = Query<K>>
     })
 }
 
-/// Bodies thrown through a point, x₁ = c − k (x₀ − c): but for roundings, the cubic has a triple root. With
-/// k = 1, it often has a double one, and with c = 0 and k = 2, a triple one.
+/// Bodies thrown through a point, x₁ = c − k (x₀ − c): but for roundings, the cubic has a triple root, early for
+/// a large k. With k = 1, it often has a double one, and with c = 0 and k = 2, a triple one.
 fn thrown<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
     let mut random = fastrand::Rng::with_seed(3);
     (0..count).map(move |index| {
         let mut point = || -> Point { from_fn(|_| 2.0 * random.f64() - 1.0) };
         let (centre, middle) = (point(), point());
+        let k = libm::exp2(8.0 * point()[0] + 8.0);
         let mut start = K::Points::default();
         start.as_mut().fill_with(|| {
             let offset = point();
@@ -86,9 +87,10 @@ fn thrown<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
             let direction = *x0;
             for axis in 0..3 {
                 let x = direction[axis];
-                [x0[axis], x1[axis]] = match index % 3 {
+                [x0[axis], x1[axis]] = match index % 4 {
                     0 => [centre[axis] + x, centre[axis] - x],
                     1 => [x, -2.0 * x],
+                    2 => [centre[axis] + x, centre[axis] - k * x],
                     _ => [centre[axis] + x, centre[axis] - (0.1 + centre[0].abs()) * x],
                 };
             }
@@ -121,7 +123,7 @@ fn intervals<K: Kind>(query: &Query<K>) -> Intervals {
 /// Decisions, first times, all times and signs in integers of fixed width.
 fn integers<K: Kind>() -> [usize; 4] {
     let mut known = [0; 4];
-    for query in queries::<K>(1500, 0).chain(queries(500, 1)).chain(thrown(500)) {
+    for query in queries::<K>(1500, 0).chain(queries(500, 1)).chain(thrown(800)) {
         let truth = FirstContact::of(&query);
         if let Some(moment) = fixed_width::first_moment(&query) {
             assert_eq!(moment.is_some(), truth.is_some(), "{query:?}");

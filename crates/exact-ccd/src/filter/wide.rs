@@ -258,6 +258,10 @@ mod tests {
                 assert_eq!(big(x * y), &i * &j, "{a} {b}");
                 let short = a.clamp(i64::MIN.into(), i64::MAX.into()) as i64;
                 assert_eq!(big(x.times(short)), IBig::from(short) * &i, "{a} {b}");
+                for [weight, other] in [[0, 1], [1 << 63, 1 << 63], [short.unsigned_abs() >> 1, 3]] {
+                    let sum = IBig::from(weight) * &i + IBig::from(other) * &j;
+                    assert_eq!(big(x.weighted(weight, y, other)), sum, "{a} {b} {weight}");
+                }
                 assert_eq!(
                     big(Wide::<4>::product(short, b)),
                     IBig::from(short) * &j,

@@ -58,34 +58,35 @@ impl Window {
         self.low.units() as f64 / Dyadic::END.units() as f64 + place * self.width()
     }
 
-    /// The units from the beginning of this window to a place, rounded down, and true if that is exact.
+    /// The last time that is not after a place of this window, and the first that is not before it; the place is
+    /// from 0 to 1, or is taken for the nearer one of these.
     ///
     /// A place is m 2⁻ᵏ, with m below 2⁵³, and a window has at most 2⁶² units: the product is below 2¹¹⁵.
-    fn units_at(&self, place: f64) -> (i64, bool) {
+    pub(super) fn around(&self, place: f64) -> [Dyadic; 2] {
         const BITS: u32 = f64::MANTISSA_DIGITS - 1;
-        let bits = place.clamp(0.0, 1.0).to_bits();
-        let exponent = (bits >> BITS) as u32;
-        let mantissa = i128::from(bits & ((1 << BITS) - 1) | 1 << BITS);
-        // Places below 2⁻⁶⁴, zero included, are less than a unit.
-        let shift = 1023 + BITS - exponent;
-        if shift > BITS + 64 {
-            return (0, place <= 0.0);
+        // NaN included.
+        if place.is_nan() || place <= 0.0 {
+            return [self.low; 2];
         }
+        let bits = place.min(1.0).to_bits();
+        let exponent = (bits >> BITS) as u32;
+        let shift = 1023 + BITS - exponent;
+        // Places below 2⁻⁶⁴, subnormal ones included, are less than a unit.
+        if shift > BITS + 64 {
+            return [self.low, self.low.plus(1)];
+        }
+        let mantissa = i128::from(bits & ((1 << BITS) - 1) | 1 << BITS);
         let product = mantissa * i128::from(self.units());
-        let floor = product >> shift;
-        (floor as i64, floor << shift == product)
+        let floor = self.low.plus((product >> shift) as i64);
+        let is_exact = product >> shift << shift == product;
+        [floor, if is_exact { floor } else { floor.plus(1) }]
     }
 
-    /// The last time that is not after a place of this window.
-    pub(super) fn floor(&self, place: f64) -> Dyadic {
-        self.low.plus(self.units_at(place).0)
-    }
-
-    /// Returns true if a time is before a place of this window.
-    pub(super) fn is_before(&self, time: Dyadic, place: f64) -> bool {
-        let (floor, is_exact) = self.units_at(place);
-        let units = time.units() - self.low.units();
-        units < floor || units == floor && !is_exact
+    /// The time strictly inside a bracket that has the fewest digits.
+    pub(super) fn shortest(&self, root: &Root) -> Option<Dyadic> {
+        let [low, _] = self.around(root.low);
+        let [_, high] = self.around(root.high);
+        Dyadic::between(low, high)
     }
 
     /// The coefficients of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ in this window, in the same form and
@@ -127,28 +128,30 @@ impl Window {
     /// The time of the root of a cubic in a bracket of this window: an f64 there at which the cubic vanishes,
     /// or between two adjacent ones, found by bisection with exact signs.
     ///
-    /// The bracket has no other root, and the cubic opposite signs at its ends.
+    /// The bracket has no other root, and the cubic opposite signs on both sides of it. The root stays strictly
+    /// between `before` and `after`. Before 2⁻¹⁰, the f64 between them may be no multiples of the unit.
     pub(super) fn time(&self, cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
         let below = if root.rising {
             Ordering::Less
         } else {
             Ordering::Greater
         };
-        let low = self.floor(root.low);
-        let (mut before, mut after) = (low.floor(), self.floor(root.high).floor().next_up());
+        let [low, _] = self.around(root.low);
+        let [_, high] = self.around(root.high);
+        let (mut before, mut after) = (low.time().lower(), high.time().upper());
         while before.next_up() < after {
             let middle = 0.5 * (before + after);
             let time = Dyadic::new(middle)?;
-            if time > low && self.is_before(time, root.high) {
+            if time <= low {
+                before = middle;
+            } else if time >= high {
+                after = middle;
+            } else {
                 match sign_at(cubic, time) {
                     Ordering::Equal => return Some(ContactTime::exactly(middle)),
                     sign if sign == below => before = middle,
                     _ => after = middle,
                 }
-            } else if time > low {
-                after = middle;
-            } else {
-                before = middle;
             }
         }
         Some(ContactTime::just_above(before))
@@ -188,7 +191,7 @@ fn of_cubic([c0, c1, c2, c3]: &[Volume; 4]) -> [Integer; 4] {
 }
 
 /// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2¹⁶⁷, and two weights of the
-/// blossom make these 2¹²⁴ times as large, less than 2²⁹².
+/// blossom make these 2¹²⁴ times as large, less than 2²⁹², twice that in the middle.
 fn of_quadratic<A: Area>(quadratic: [A; 3]) -> [Wide<5>; 3] {
     let [q0, q1, q2] = quadratic.map(|q| q.widened().widened());
     [q0 + q0, q1, q2 + q2]
@@ -237,31 +240,28 @@ mod tests {
     }
 
     #[test]
-    fn places_are_rounded_down() {
-        let step = Window::STEP;
+    fn places_are_between_times() {
+        let around = |window: &Window, place| window.around(place).map(Dyadic::units);
         for (place, units) in [(0.5, 1 << 61), (0.75, 3 << 60), (1.0, 1 << 62), (0.0, 0)] {
-            let time = step.floor(place);
-            assert_eq!(time.units(), units);
-            assert!(!step.is_before(time, place));
-            assert!(step.is_before(time, place.next_up()) || place == 1.0);
+            assert_eq!(around(&Window::STEP, place), [units; 2]);
         }
         let narrow = Window::new(Dyadic::START.plus(5), Dyadic::START.plus(8)).expect("a window");
         for (place, units) in [
-            (0.0, 5),
-            (1e-300, 5),
-            (0.3, 5),
-            (0.34, 6),
-            (0.66, 6),
-            (0.67, 7),
-            (1.0_f64.next_down(), 7),
-            (1.0, 8),
+            (-1.0, [5, 5]),
+            (-0.0, [5, 5]),
+            (f64::NAN, [5, 5]),
+            (0.0, [5, 5]),
+            (5e-324, [5, 6]),
+            (1e-300, [5, 6]),
+            (0.3, [5, 6]),
+            (0.34, [6, 7]),
+            (0.66, [6, 7]),
+            (0.67, [7, 8]),
+            (1.0_f64.next_down(), [7, 8]),
+            (1.0, [8, 8]),
+            (f64::INFINITY, [8, 8]),
         ] {
-            let floor = narrow.floor(place);
-            assert_eq!(floor.units(), units, "{place}");
-            // A third of a unit is no place.
-            assert_eq!(narrow.is_before(floor, place), place % 1.0 != 0.0, "{place}");
-            assert!(!narrow.is_before(floor.plus(1), place), "{place}");
-            assert!(narrow.is_before(floor.plus(-1), place), "{place}");
+            assert_eq!(around(&narrow, place), units, "{place}");
         }
     }
 

@@ -9,8 +9,8 @@ use super::moment::Moment;
 use super::wide::Wide;
 use super::window::{Window, powers_since, sign_at};
 
-/// Moments in increasing order: at most three roots in the step, and its ends.
-pub(super) type Moments = ArrayVec<Moment, 5>;
+/// Moments in increasing order.
+pub(super) type Moments = ArrayVec<Moment, 3>;
 
 /// The number of times that windows are cut inside each other.
 const MOST_CUTS: u32 = 3;
@@ -18,15 +18,19 @@ const MOST_CUTS: u32 = 3;
 /// The widest bracket of a root, as a fraction of its window, if that can be cut.
 const WIDEST: f64 = 1.0 / (1_u64 << 10) as f64;
 
-/// Half of the narrowest window, in units.
+/// Half of the narrowest window around a cluster of roots, in units.
 const LEAST_HALF: i64 = 1 << 2;
 
 /// The moments at which a cubic that is not zero vanishes, if they are certain.
 pub(super) fn zeros(cubic: &[Volume; 4]) -> Option<Moments> {
     let mut moments = Moments::new();
-    moments.extend(cubic[0].is_zero().then_some(Moment::At(Dyadic::START)));
+    if cubic[0].is_zero() {
+        moments.try_push(Moment::At(Dyadic::START)).ok()?;
+    }
     push_zeros_inside(cubic, Window::STEP, MOST_CUTS, &mut moments)?;
-    moments.extend(cubic[3].is_zero().then_some(Moment::At(Dyadic::END)));
+    if cubic[3].is_zero() {
+        moments.try_push(Moment::At(Dyadic::END)).ok()?;
+    }
     Some(moments)
 }
 
@@ -37,19 +41,20 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
     let Moment::Root(window, root) = moment else {
         return None;
     };
-    let [low, high] = [root.low, root.high].map(|place| window.floor(place));
-    let shortest = Dyadic::between(low, high.plus(1)).filter(|&time| window.is_before(time, root.high));
-    if let Some(time) = shortest
+    if let Some(time) = window.shortest(root)
         && sign_at(cubic, time).is_eq()
     {
         return Some(Moment::At(time));
     }
-    let units = high.units() - low.units() + 1;
-    if units > window.units() / 64 {
+    let [low, _] = window.around(root.low);
+    let [_, high] = window.around(root.high);
+    let width = high.units() - low.units();
+    if width > window.units() / 64 {
         return None;
     }
+    // Four times the bracket on each side, where the coefficients are of the size of the cubic.
     let [first, last] = window.ends();
-    let narrow = Window::new(low.plus(-4 * units).max(first), high.plus(4 * units).min(last))?;
+    let narrow = Window::new(low.plus(-4 * width).max(first), high.plus(4 * width).min(last))?;
     let mut moments = Moments::new();
     push_zeros_inside(cubic, narrow, MOST_CUTS, &mut moments)?;
     moments.pop().filter(|_| moments.is_empty())
@@ -57,7 +62,7 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
 
 /// Appends the moments inside a window, without its ends.
 ///
-/// The number of changes of exact signs bounds that of roots, and is its parity: none and one are certain
+/// The number of changes of exact signs bounds that of roots, and has its parity: none and one are certain
 /// (Descartes' rule). Otherwise the bounds of [`Cubic::new`] hold with the largest coefficient as magnitude:
 /// each coefficient is rounded once, n = 1 of the ten roundings there, and the largest rounded one is below
 /// its integer by one rounding at most. Coefficients are below 2⁴⁴⁵ ([`Window::cubic`]): nothing overflows.
@@ -75,20 +80,21 @@ fn push_zeros_inside(
         return Some(());
     }
     let values = inner.map(|c| c.approximate().high);
-    let local = Cubic::new(values, values.into_iter().map(f64::abs).fold(0.0, f64::max));
+    let local = Cubic::new(values, largest(values));
     let roots = if changes == 1 {
         Some([local.only_root()].into_iter().collect())
     } else {
         local.roots()
     };
     let are_narrow = |roots: &ArrayVec<Root, 3>| roots.iter().all(|root| root.high - root.low < WIDEST);
-    let cuts = match roots.as_ref().is_some_and(are_narrow) {
-        true => ArrayVec::new(),
-        false => cuts(cubic, window, &local),
+    let cuts = if roots.as_ref().is_some_and(are_narrow) {
+        ArrayVec::new()
+    } else {
+        cuts(cubic, window, &local)
     };
     if cuts.is_empty() || cuts_left == 0 {
-        let roots = roots?.into_iter().map(|root| Moment::Root(window, root));
-        return roots.into_iter().try_for_each(|root| moments.try_push(root).ok());
+        let mut roots = roots?.into_iter().map(|root| Moment::Root(window, root));
+        return roots.try_for_each(|root| moments.try_push(root).ok());
     }
     let [mut low, end] = window.ends();
     for high in cuts.into_iter().chain([end]) {
@@ -129,16 +135,14 @@ fn push_cuts(
     let most = (0.125 * space * window.units() as f64) as i64;
     let [mut last, end] = window.ends();
     for &place in places {
-        let middle = window.floor(place);
+        let [middle, _] = window.around(place);
         let half = radius(cubic, middle, roots);
-        if half > most {
-            continue;
-        }
-        let [low, high] = [middle.plus(-half), middle.plus(half)];
-        if low > last && high < end {
+        if half <= most {
+            let [low, high] = [middle.plus(-half).max(last), middle.plus(half).min(end)];
             let shortest = Dyadic::between(low, high).filter(|&time| sign_at(cubic, time).is_eq());
-            cuts.extend([Some(low), shortest, Some(high)].into_iter().flatten());
-            last = high;
+            let all = [Some(low), shortest, Some(high)].into_iter().flatten();
+            cuts.extend(all.filter(|&time| time > last && time < end));
+            last = last.max(high);
         }
     }
 }
@@ -154,6 +158,10 @@ fn radius(cubic: &[Volume; 4], time: Dyadic, roots: usize) -> i64 {
         (a2 / a3).max(libm::sqrt(a1 / a3)).max(libm::cbrt(a0 / a3))
     };
     ((4.0 * radius) as i64).max(LEAST_HALF)
+}
+
+pub(super) fn largest(values: [f64; 4]) -> f64 {
+    values.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
 /// The number of times that the sign of a coefficient that is not zero is another one than that before it.
