@@ -69,8 +69,8 @@ fn queries<K: Kind>(count: usize, flat: usize) -> impl Iterator<Item = Query<K>>
     })
 }
 
-/// Bodies thrown through a point, x₁ = c − k (x₀ − c): but for roundings, the cubic has a triple root, an early
-/// one for a large k. With k = 1, it often has a double one, and with c = 0 and k = 2, a triple one.
+/// Bodies thrown through a point, x₁ = c − k (x₀ − c): but for roundings, the cubic has a triple root. It is
+/// early for a large k. With k = 1, it often has a double one, and with c = 0 and k = 2, a triple one.
 fn thrown<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
     let mut random = fastrand::Rng::with_seed(3);
     (0..count).map(move |index| {

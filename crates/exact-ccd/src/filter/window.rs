@@ -58,8 +58,8 @@ impl Window {
         self.low.units() as f64 / Dyadic::END.units() as f64 + place * self.width()
     }
 
-    /// The last time that is not after a place of this window, and the first that is not before it. A place that
-    /// is not from 0 to 1 is taken for the nearer one of these.
+    /// The last time that is not after a place of this window, and the first that is not before it. A place
+    /// that is not from 0 to 1 is taken for the nearer one of these.
     ///
     /// A place is m 2⁻ᵏ, with m below 2⁵³, and a window has at most 2⁶² units: the product is below 2¹¹⁵.
     pub(super) fn around(&self, place: f64) -> [Dyadic; 2] {
@@ -128,8 +128,8 @@ impl Window {
     /// The time of the root of a cubic in a bracket of this window: an f64 there at which the cubic vanishes,
     /// or between two adjacent ones, found by bisection with exact signs.
     ///
-    /// The bracket has no other root, and the cubic opposite signs on both sides of it. The root stays between
-    /// `before` and `after`. Before 2⁻¹⁰, the f64 between these may be no multiples of the unit.
+    /// The bracket has no other root, and the cubic opposite signs on both sides of it. The root stays
+    /// between `before` and `after`. Before 2⁻¹⁰, the f64 between these may be no multiples of the unit.
     pub(super) fn time(&self, cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
         let below = if root.rising {
             Ordering::Less
