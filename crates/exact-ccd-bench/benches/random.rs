@@ -1,16 +1,21 @@
-//! The share of random queries that the filters leave to integers, and the time of a decision.
+//! The share of random queries that the filters leave to integers, and the time of a decision; and the step
+//! sizes of meshes along huge directions, by the exact search and by bisection.
 //!
 //! `cargo bench -p exact-ccd-bench --bench random [-- QUERIES]`, on one thread; 100,000 queries of each row
 //! if no number is given. The seed is fixed. A direction of a search may be huge: all of a body then passes
-//! through one point, at a time at which the cubic has a triple root but for roundings.
+//! through one point, at a time at which the cubic has a triple root but for roundings. Times of meshes are
+//! medians of turns.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
+use std::collections::HashMap;
 use std::hint::black_box;
 use std::time::Instant;
 
-use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, Stage, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Exact, Kind, Point, Query, Stage, VertexFace};
+use exact_ccd_mesh::{LineSearch, Tolerance, TriangleMesh, step_size};
 use fastrand::Rng;
+use rayon::ThreadPoolBuilder;
 
 type Four = [Point; 4];
 type Family = fn(&mut Rng) -> [Four; 2];
@@ -22,7 +27,8 @@ const FAMILIES: [(&str, Family); 4] = [
     ("imploding spheres", imploding),
 ];
 
-fn main() {
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    ThreadPoolBuilder::new().num_threads(1).build_global()?;
     let argument = |argument: String| argument.parse().ok();
     let count = std::env::args().skip(1).find_map(argument).unwrap_or(100_000);
     println!("| queries | collide, % | fixed width, % | exact, % | mean ns | worst µs |");
@@ -31,6 +37,119 @@ fn main() {
         print_row::<VertexFace>(&format!("{name}, vf"), family, count);
         print_row::<EdgeEdge>(&format!("{name}, ee"), family, count);
     }
+    println!("\n| mesh | step | by bisection | exact ms | bisection ms |");
+    println!("|---|{}", "---:|".repeat(4));
+    for (name, body) in [
+        ("a sphere of 162 vertices", icosphere(2)),
+        ("the same, turned", turned(icosphere(2))),
+        ("a cloth of 121 vertices", cloth(11)),
+    ] {
+        for k in [2.0, 3.3, 1000.3] {
+            print_mesh(name, &body, k)?;
+        }
+    }
+    Ok(())
+}
+
+/// Vertices and faces.
+type Body = (Vec<Point>, Vec<[u32; 3]>);
+
+/// The largest free step of a body that is scaled through the origin of its coordinates, x₁ = −k x₀.
+fn print_mesh(name: &str, (points, faces): &Body, k: f64) -> Result<(), Box<dyn std::error::Error>> {
+    const TURNS: usize = 3;
+    let mesh = TriangleMesh::new(points.len(), faces.clone())?;
+    let direction: Vec<Point> = points.iter().map(|x| x.map(|x| -k * x - x)).collect();
+    let bisection = LineSearch::Bisection {
+        tolerance: Tolerance::Absolute(1e-3),
+        method: &Exact,
+    };
+    let mut times = [(); 2].map(|()| Vec::new());
+    let mut sizes = [0.0; 2];
+    for _ in 0..TURNS {
+        for (index, search) in [LineSearch::Exact, bisection].into_iter().enumerate() {
+            let clock = Instant::now();
+            sizes[index] = step_size(&mesh, points, &direction, search)?;
+            times[index].push(1e3 * clock.elapsed().as_secs_f64());
+        }
+    }
+    let [exact, bisection] = times.map(|mut times| {
+        times.sort_by(f64::total_cmp);
+        times[TURNS / 2]
+    });
+    println!(
+        "| {name}, k = {k} | {:.5} | {:.5} | {exact:.0} | {bisection:.0} |",
+        sizes[0], sizes[1]
+    );
+    Ok(())
+}
+
+/// An icosahedron whose edges are halved some times, on the unit sphere. It has many equal coordinates.
+fn icosphere(levels: u32) -> Body {
+    let golden = 0.5 * (1.0 + 5.0_f64.sqrt());
+    let mut points = Vec::new();
+    for axis in 0..3 {
+        for (long, short) in [(golden, 1.0), (golden, -1.0), (-golden, 1.0), (-golden, -1.0)] {
+            let mut point = [0.0; 3];
+            (point[axis], point[(axis + 1) % 3]) = (short, long);
+            points.push(unit(point));
+        }
+    }
+    let are_near = |a: usize, b: usize| {
+        let squares = [0, 1, 2].map(|axis: usize| (points[a][axis] - points[b][axis]).powi(2));
+        squares.iter().sum::<f64>() < 1.2
+    };
+    let corners = (0..12).flat_map(|a| (a + 1..12).flat_map(move |b| (b + 1..12).map(move |c| [a, b, c])));
+    let mut faces: Vec<[u32; 3]> = corners
+        .filter(|&[a, b, c]| are_near(a, b) && are_near(b, c) && are_near(c, a))
+        .map(|face| face.map(|vertex| vertex as u32))
+        .collect();
+    for _ in 0..levels {
+        let mut middles = HashMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
+                let [a, b] = [a, b].map(|vertex| points[vertex as usize]);
+                points.push(unit([0, 1, 2].map(|axis: usize| a[axis] + b[axis])));
+                points.len() as u32 - 1
+            })
+        };
+        let quarters = |[a, b, c]: [u32; 3]| {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+        };
+        faces = faces.into_iter().flat_map(quarters).collect();
+    }
+    (points, faces)
+}
+
+/// The same body, turned about two axes: equal coordinates differ then.
+fn turned((points, faces): Body) -> Body {
+    let (sine, cosine) = 0.3_f64.sin_cos();
+    let turn = |[x, y, z]: Point| {
+        let [x, y] = [cosine * x - sine * y, sine * x + cosine * y];
+        [cosine * x - sine * z, y, sine * x + cosine * z]
+    };
+    (points.into_iter().map(turn).collect(), faces)
+}
+
+/// A wavy square of n × n vertices, which collapses.
+fn cloth(n: u32) -> Body {
+    let places = (0..n).flat_map(|i| (0..n).map(move |j| [i, j]));
+    let points = places.map(|place| {
+        let [x, y] = place.map(|k| 2.0 * f64::from(k) / f64::from(n - 1) - 1.0);
+        [x, y, 0.5 + 0.2 * (3.0 * x).sin() * (2.0 * y).cos()]
+    });
+    let faces = (0..n - 1).flat_map(|i| {
+        (0..n - 1).flat_map(move |j| {
+            let [a, b, c, d] = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(|[i, j]| n * i + j);
+            [[a, b, c], [a, c, d]]
+        })
+    });
+    (points.collect(), faces.collect())
+}
+
+fn unit(x: Point) -> Point {
+    let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    x.map(|x| x / length)
 }
 
 fn print_row<K: Kind<Points = Four>>(name: &str, family: Family, count: usize) {
@@ -74,8 +193,7 @@ fn on_sphere(random: &mut Rng) -> Four {
     [(); 4].map(|()| {
         let offset = point(random);
         let near = [0, 1, 2].map(|axis: usize| centre[axis] + 0.1 * offset[axis]);
-        let length = near.iter().map(|x| x * x).sum::<f64>().sqrt();
-        near.map(|x| x / length)
+        unit(near)
     })
 }
 

@@ -122,13 +122,10 @@ impl Earliest {
         PairCounts::of(&pairs)
     }
 
-    /// The pair of a contact at t = 0. Only a lesser pair comes before it.
-    fn pair_at_start(&self) -> Option<Pair> {
-        if self.until() > 0.0 {
-            return None;
-        }
+    /// The earliest contact so far, if all pairs that touch at its time need not be known.
+    fn found(&self) -> Option<(ContactTime, Pair)> {
         let contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
-        contact.filter(|(time, _)| time.is_start()).map(|(_, pair)| pair)
+        contact.filter(|_| self.touching.is_none())
     }
 
     fn add(&self, time: ContactTime, pair: Pair) {
@@ -155,23 +152,26 @@ impl Collect for Earliest {
     ) -> ControlFlow<()> {
         let mut touching = Vec::new();
         let mut lesser = Vec::new();
-        let pairs = match self.pair_at_start() {
-            // The kinds are examined in the order of pairs.
-            Some(first) if self.touching.is_none() && K::pair([0; 2]) > first => {
-                return ControlFlow::Break(());
+        // At the same time, a lesser pair comes first. The kinds are examined in the order of pairs.
+        let (pairs, until) = match self.found() {
+            Some((time, first)) if K::pair([0; 2]) > first => {
+                if time.is_start() {
+                    return ControlFlow::Break(());
+                }
+                (pairs, time.lower())
             }
-            Some(first) if self.touching.is_none() => {
+            Some((time, first)) if time.is_start() => {
                 lesser.extend(pairs.iter().copied().filter(|&ids| K::pair(ids) < first));
-                &lesser
+                (lesser.as_slice(), 0.0)
             }
-            _ => pairs,
+            _ => (pairs, self.until()),
         };
-        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
+        narrow_phase.approaches::<K>(mesh, pairs, until, |ids, approach| {
             let times = approach.times();
             if times.starts_within && self.touching.is_some() {
                 touching.push(K::pair(ids));
             }
-            // Equal times count: then the lesser pair comes first.
+            // Equal times count, for a lesser pair.
             if let Some(time) = times.contact
                 && time.lower() <= self.until()
             {

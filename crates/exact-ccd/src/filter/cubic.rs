@@ -183,11 +183,9 @@ impl Cubic<f64> {
         Some(roots)
     }
 
-    /// The sign of c at t = 0, if it certainly is that of c at all times before a time at which c does not
-    /// have the opposite sign; and the sign there, if it is certain.
-    pub(super) fn signs_until(&self, end: f64) -> Option<[Option<Ordering>; 2]> {
-        let [first, second, third, last] = self.piece(0.0, end).map(|value| self.sign(value));
-        (first.is_some() && second == first && third == first).then_some([first, last])
+    /// The signs of the Bernstein coefficients in [0, end], as far as they are certain.
+    pub(super) fn signs_until(&self, end: f64) -> [Option<Ordering>; 4] {
+        self.piece(0.0, end).map(|value| self.sign(value))
     }
 
     /// The Bernstein coefficients in [low, high].
@@ -222,6 +220,18 @@ impl Cubic<f64> {
             let secant = low + (high - low) * (start / (start - end));
             roots.push(self.refine(low, high, secant, at_high.is_gt()));
         })
+    }
+
+    /// A bracket of the root in [0, 1] of a cubic whose exact coefficients change their signs once.
+    ///
+    /// The first guess is the root of the control polygon.
+    pub(super) fn only_root(&self) -> Root {
+        let rising = self.bernstein[3] > 0.0;
+        let is_before = |&b: &f64| (b > 0.0) != rising;
+        let last_before = self.bernstein[..3].iter().rposition(is_before).unwrap_or(0);
+        let [before, after] = [last_before, last_before + 1].map(|i| self.bernstein[i]);
+        let guess = (last_before as f64 + before / (before - after)) / 3.0;
+        self.refine(0.0, 1.0, guess, rising)
     }
 
     /// The points that cut [0, 1] into pieces on which c is monotone, and so are its Bernstein

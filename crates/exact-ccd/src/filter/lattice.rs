@@ -5,7 +5,6 @@ use core::marker::PhantomData;
 
 use super::length::{Length, Volume};
 use super::moment::Moment;
-use super::wide::Wide;
 use crate::exact::parts;
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
@@ -38,19 +37,11 @@ impl<K: Kind> Integers<K> {
             }
         }
         if bits <= i64::MOST_BITS {
-            Some(Self::Short(Lattice::new(&parts, units, bits)))
+            Some(Self::Short(Lattice::new(&parts, units)))
         } else if bits <= i128::MOST_BITS {
-            Some(Self::Long(Lattice::new(&parts, units, bits)))
+            Some(Self::Long(Lattice::new(&parts, units)))
         } else {
             None
-        }
-    }
-
-    /// The number of bits of the coordinates.
-    pub(super) fn bits(&self) -> u32 {
-        match self {
-            Self::Short(lattice) => lattice.bits,
-            Self::Long(lattice) => lattice.bits,
         }
     }
 
@@ -86,14 +77,13 @@ type Ends<L> = [[L; 3]; 2];
 /// The points in integers of one width.
 pub(super) struct Lattice<K, L> {
     points: [[[L; 3]; 4]; 2],
-    bits: u32,
     kind: PhantomData<K>,
 }
 
 impl<K: Kind, L: Length> Lattice<K, L> {
     /// The points with these mantissas and exponents, in units 2 to these powers.
     #[inline(always)]
-    fn new(parts: &[[[(i64, i32); 3]; 4]; 2], units: [i32; 3], bits: u32) -> Self {
+    fn new(parts: &[[[(i64, i32); 3]; 4]; 2], units: [i32; 3]) -> Self {
         let coordinate = |(mantissa, exponent), unit| L::scaled(mantissa, exponent - unit);
         let point = |&[x, y, z]: &[_; 3]| {
             [
@@ -104,7 +94,6 @@ impl<K: Kind, L: Length> Lattice<K, L> {
         };
         Self {
             points: parts.each_ref().map(|end| end.each_ref().map(point)),
-            bits,
             kind: PhantomData,
         }
     }
@@ -254,38 +243,25 @@ fn volume<L: Length>([x, y, z]: [L; 3], normal: [L::Area; 3]) -> Volume {
     x.volume(normal[0]) + y.volume(normal[1]) + z.volume(normal[2])
 }
 
-/// The cubic without its roots at t = 0 and t = 1, and true for each of these that it has.
-///
-/// c₀ = 0 means that c is t times a quadratic with coefficients c₁, c₂, c₃. This one times t + (1 − t), which
-/// is 1, is a cubic again. A cubic that is not zero has at most three such roots.
-pub(super) fn without_ends<const N: usize>(mut c: [Wide<N>; 4]) -> ([Wide<N>; 4], [bool; 2]) {
-    let ends = [c[0].is_zero(), c[3].is_zero()];
-    for _ in 0..3 {
-        if c[0].is_zero() {
-            c = [c[1], c[1] + c[2], c[2] + c[3], c[3]];
-        } else if c[3].is_zero() {
-            c = [c[0], c[0] + c[1], c[1] + c[2], c[2]];
-        }
-    }
-    (c, ends)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::kind::VertexFace;
 
     #[test]
-    fn bits_are_those_of_the_longest_axis() {
+    fn integers_are_short_or_long_or_none_by_the_longest_axis() {
         for exponent in [-900, -30, 0, 700] {
             for bits in 1..120 {
                 let unit = libm::ldexp(1.0, exponent);
                 let far = libm::ldexp(unit, bits - 1);
                 let start = [[unit, 0.0, far], [unit; 3], [far, unit, unit], [0.0; 3]];
                 let query = Query::<VertexFace>::from_finite([start, [[unit; 3]; 4]]);
-                let found = Integers::new(&query).map(|integers| integers.bits());
-                let bits = bits as u32;
-                assert_eq!(found, (bits <= i128::MOST_BITS).then_some(bits), "{exponent}");
+                let is_as_expected = match Integers::new(&query) {
+                    Some(Integers::Short(_)) => bits <= 61,
+                    Some(Integers::Long(_)) => bits > 61 && bits <= 81,
+                    None => bits > 81,
+                };
+                assert!(is_as_expected, "{exponent} {bits}");
             }
         }
     }

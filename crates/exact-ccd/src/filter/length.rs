@@ -12,7 +12,7 @@ pub(super) type Volume = Wide<4>;
 /// A difference of two coordinates.
 ///
 /// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹, the terms of a coefficient of the cubic below
-/// 2³ᵇ⁺³, and there are at most 18 of them. Without [the roots at the ends](super::lattice::without_ends),
+/// 2³ᵇ⁺³, and there are at most 18 of them. Without [the roots at the ends](super::zeros::without_ends),
 /// a coefficient is a sum of at most three: below 54 · 2³ᵇ⁺³, which is less than 2²⁵² for b = 81.
 pub(super) trait Length: Copy {
     /// The largest number of bits of coordinates.

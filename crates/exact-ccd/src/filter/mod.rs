@@ -11,6 +11,7 @@ mod coplanarity;
 mod cubic;
 mod decision;
 mod double_double;
+mod dyadic;
 mod fixed_width;
 mod gap;
 mod hull;
@@ -33,6 +34,7 @@ mod statements;
 mod vector;
 mod wide;
 mod window;
+mod zeros;
 
 pub(crate) use contact::Contact;
 pub(crate) use cubic::Cubic;

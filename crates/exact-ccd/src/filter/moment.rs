@@ -4,23 +4,22 @@
 use core::cmp::Ordering;
 
 use super::cubic::Root;
+use super::dyadic::Dyadic;
 use super::length::Area;
 use super::number::Lanes;
 use super::roundoff::{UNIT, certain_sign, margin};
 use super::vector::interpolate;
-use super::window::Window;
+use super::window::{Window, quadratic_sign_at};
 
 /// A time or an interval of times.
 #[derive(Clone, Debug)]
 pub(crate) enum Moment {
-    /// t = 0.
-    Start,
+    /// A time.
+    At(Dyadic),
     /// All times after 0.
     Later,
     /// The root in a bracket of a window.
     Root(Window, Root),
-    /// t = 1.
-    End,
 }
 
 impl Moment {
@@ -32,8 +31,9 @@ impl Moment {
     #[inline(always)]
     pub(super) fn sign<A: Area>(&self, coefficient: impl Fn(usize) -> A) -> Option<Ordering> {
         match self {
-            Self::Start => Some(coefficient(0).sign()),
-            Self::End => Some(coefficient(2).sign()),
+            Self::At(Dyadic::START) => Some(coefficient(0).sign()),
+            Self::At(Dyadic::END) => Some(coefficient(2).sign()),
+            Self::At(time) => Some(quadratic_sign_at([0, 1, 2].map(coefficient), *time)),
             Self::Root(window, root) => near([0, 1, 2].map(coefficient), window, root),
             Self::Later => {
                 let last = coefficient(2).sign();
@@ -74,7 +74,7 @@ fn near<A: Area>(quadratic: [A; 3], window: &Window, root: &Root) -> Option<Orde
     if quadratic.iter().all(|q| q.sign().is_eq()) {
         return Some(Ordering::Equal);
     }
-    let quadratic = window.quadratic(quadratic)?;
+    let quadratic = window.quadratic(quadratic);
     certain_sign(
         value_at(quadratic, root.near),
         error_near(quadratic, root.radius()),

@@ -50,15 +50,26 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, u
     }
 }
 
-/// The decision if the primitives certainly are not coplanar before a time, by the cubic there, which is
-/// computed in integers where its sign is not certain.
+/// The decision if the primitives certainly are not coplanar before a time, by the coefficients of the cubic
+/// until then, which are computed in integers where their signs are not certain.
 ///
 /// In a search for the earliest contact, many pairs may touch at almost the same time, or at the same one.
 fn decide_until<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Option<Decision> {
-    let [before, at_end] = cubic.signs_until(until)?;
-    let (before, at_end) = (before?, at_end.or_else(|| fixed_width::sign_at(query, until))?);
-    if at_end == before {
+    let signs = cubic.signs_until(until);
+    let mut known = signs.iter().flatten();
+    let before = known.next();
+    if known.any(|sign| Some(sign) != before) {
+        return None;
+    }
+    if signs.iter().all(Option::is_some) {
         return Some(Decision::Free(Stage::Roots));
+    }
+    let [before, second, third, at_end] = fixed_width::signs_until(query, until)?;
+    if before.is_eq() || before.reverse() == second || before.reverse() == third {
+        return None;
+    }
+    if at_end == before {
+        return Some(Decision::Free(Stage::FixedWidth));
     }
     if at_end.is_ne() {
         return None;

@@ -104,6 +104,21 @@ impl<const N: usize> Wide<N> {
         if other < 0 { -product } else { product }
     }
 
+    /// The sum of two products with weights from 0 to 2⁶³: what is carried is below 2⁶⁴.
+    #[inline]
+    pub(super) fn weighted(self, weight: u64, other: Self, other_weight: u64) -> Self {
+        let mut sum = Self::ZERO;
+        let mut carry = 0;
+        for i in 0..N {
+            let terms = u128::from(self.0[i]) * u128::from(weight)
+                + u128::from(other.0[i]) * u128::from(other_weight);
+            let terms = terms + u128::from(carry);
+            sum.0[i] = terms as u64;
+            carry = (terms >> 64) as u64;
+        }
+        sum
+    }
+
     /// The product of integers of 64 and 128 bits, for N > 2.
     #[inline(always)]
     pub(super) fn product(a: i64, b: i128) -> Self {
@@ -243,6 +258,10 @@ mod tests {
                 assert_eq!(big(x * y), &i * &j, "{a} {b}");
                 let short = a.clamp(i64::MIN.into(), i64::MAX.into()) as i64;
                 assert_eq!(big(x.times(short)), IBig::from(short) * &i, "{a} {b}");
+                for [weight, other] in [[0, 1], [1 << 63, 1 << 63], [short.unsigned_abs() >> 1, 3]] {
+                    let sum = IBig::from(weight) * &i + IBig::from(other) * &j;
+                    assert_eq!(big(x.weighted(weight, y, other)), sum, "{a} {b} {weight}");
+                }
                 assert_eq!(
                     big(Wide::<4>::product(short, b)),
                     IBig::from(short) * &j,

@@ -199,10 +199,11 @@ fn quadratics_at_a_moment() {
 
 #[test]
 fn linear_functions_at_a_moment() {
-    // The time of a place in a window, by its three roundings, and the value, of coefficients rounded once.
-    // The terms of 1 − t, counted, add up to 2, so those of the value to 2 |d₀| + |d₁|.
-    let [low, high, place] = [0.25, 0.5, 0.5].map(Symbol::exactly);
-    let t = low + place * (high - low);
+    // The time of a place in a window is the sum of its beginning and a part of its width, both rounded. The
+    // coefficients of the value are rounded once. The terms of 1 − t, counted, add up to 2, so those of the
+    // value to 2 |d₀| + |d₁|.
+    let [low, width] = [0.25, 0.25].map(|time| Symbol::exactly(time).rounded());
+    let t = low + Symbol::exactly(0.5) * width;
     assert_eq!(t.roundings, 3);
     let coefficient = || Symbol::exactly(1.0).of_degree(1).rounded();
     let value = (-t + 1.0) * coefficient() + t * coefficient();
