@@ -127,7 +127,7 @@ fn between_adjacent(cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
     precise.round(&Root { slope, ..*root })
 }
 
-/// The signs of the Bernstein coefficients of the coplanarity cubic from t = 0 to a time, if that is a multiple
+/// The signs of the Bernstein coefficients of the coplanarity cubic until a time, if that is a multiple
 /// of the unit of windows.
 #[inline(never)]
 pub(super) fn signs_until<K: Kind>(query: &Query<K>, time: f64) -> Option<[Ordering; 4]> {
