@@ -114,3 +114,30 @@ impl FromIterator<Point> for Aabb {
             .fold(Self::EMPTY, |aabb, point| aabb.union(&Self::of(point)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Aabb;
+
+    #[test]
+    fn sides_of_an_inflated_box_are_beyond_the_margin_and_by_little() {
+        let mut rng = fastrand::Rng::with_seed(0);
+        for _ in 0..1000 {
+            let size = f64::exp2(rng.f64() * 100.0 - 50.0);
+            let lower = [0, 1, 2].map(|_| 2.0 * rng.f64() - 1.0);
+            let upper = lower.map(|x| x + rng.f64());
+            let inflated = Aabb { lower, upper }.inflated(size);
+            for axis in 0..3 {
+                for (from, to) in [
+                    (inflated.lower[axis], lower[axis]),
+                    (upper[axis], inflated.upper[axis]),
+                ] {
+                    // Rounded once more.
+                    let off = to - from - size;
+                    let unit = f64::EPSILON * (2.0 + size);
+                    assert!(off >= -unit && off <= 4.0 * unit, "{lower:?} {upper:?} {size}");
+                }
+            }
+        }
+    }
+}

@@ -101,3 +101,34 @@ fn below(x: f64) -> f32 {
     let x = x.min(LARGE);
     x - (x.abs() * RELATIVE + ABSOLUTE)
 }
+
+#[cfg(test)]
+mod tests {
+    use fastrand::Rng;
+
+    use super::{below, nearest};
+
+    /// The bounds of `below`, with half of the margin for the roundings of its own operations.
+    #[test]
+    fn numbers_below_leave_room_for_any_rounding_and_little_more() {
+        let mut rng = Rng::with_seed(0);
+        let [large, relative, absolute] = [126.0, -20.0, -100.0].map(f64::exp2);
+        for _ in 0..100_000 {
+            let size = f64::exp2(rng.f64() * 300.0 - 170.0);
+            let x = size * [-1.0, 0.0, 1.0][rng.usize(..3)];
+            let found = f64::from(below(x));
+            let margin = relative * x.abs() + absolute;
+            assert!(!below(x).is_subnormal() && below(x) <= nearest(x), "{x}");
+            if x.abs() < large {
+                assert!(
+                    found <= x - 0.5 * margin && found >= x - 2.0 * margin,
+                    "{x} {found}"
+                );
+            } else {
+                // Where other roundings may overflow, it is −∞, or at most a quarter of the range.
+                assert!(found <= x.min(large), "{x} {found}");
+                assert_eq!(found == f64::NEG_INFINITY, x < 0.0, "{x} {found}");
+            }
+        }
+    }
+}

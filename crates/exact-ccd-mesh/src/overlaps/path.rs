@@ -68,6 +68,27 @@ mod tests {
         (0..64).map(|_| coordinates(rng)).collect()
     }
 
+    /// The sides at both ends leave room for roundings in any direction, twice as large as those to nearest.
+    #[test]
+    fn sides_are_off_the_ends_by_eight_roundings_of_both() {
+        let mut rng = Rng::with_seed(0);
+        for _ in 0..1000 {
+            let size = |rng: &mut Rng| f64::exp2(rng.f64() * 100.0 - 50.0) * (2.0 * rng.f64() - 1.0);
+            let [x0, x1] = [(); 2].map(|()| [0, 1, 2].map(|_| size(&mut rng)));
+            let [start, end] = until::<2>(1.0, x0, x1);
+            for axis in 0..3 {
+                let room = 8.0 * f64::EPSILON * (x0[axis].abs() + x1[axis].abs());
+                for (place, x) in [(start, x0[axis]), (end, x1[axis])] {
+                    for side in [x - place.lower[axis], place.upper[axis] - x] {
+                        // A side is rounded to nearest.
+                        let off = (side - room).abs();
+                        assert!(off <= f64::EPSILON * (x.abs() + room), "{x0:?} {x1:?}");
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn boxes_contain_motions_to_rounded_positions_before_their_time() {
         let mut rng = Rng::with_seed(0);

@@ -289,6 +289,57 @@ mod tests {
     }
 
     #[test]
+    fn a_root_next_to_a_multiple_of_two_to_the_minus_ten_is_not_taken_for_it() {
+        for multiple in [2, 341, 512, 1023] {
+            for size in (10..40).map(|digits| 1_i128 << digits) {
+                // The simple root differs from the multiple by less than 2⁻²⁰, down to 2⁻⁵⁰, on either side.
+                for sign in [-1, 1] {
+                    let (a, b) = (multiple * size + sign, (1024 - multiple) * size);
+                    let cubic = product([[-a, b], [1, 1], [1, 2]]);
+                    let expected = quotient(a, b);
+                    assert_eq!(
+                        times(&cubic),
+                        Some([expected].to_vec()),
+                        "{multiple} {size} {sign}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_root_next_to_an_end_at_which_the_cubic_vanishes_is_not_taken_for_the_end() {
+        for digits in 2..=61 {
+            let after = (1_i128 << digits) - 1;
+            let [first, last] = [Dyadic::START, Dyadic::END].map(Dyadic::time);
+            let unit = 1 << (62 - digits);
+            for other in [[1, 1], [1, 3], [-1, -5]] {
+                let cubic = product([[0, 1], [-1, after], other]);
+                let root = Dyadic::START.plus(unit).time();
+                // The f64 below 2⁻¹⁰ are not all multiples of the unit.
+                let found = times(&cubic);
+                assert!(found.is_some() || digits > 10, "{digits} {other:?}");
+                assert!(
+                    found.is_none_or(|found| found == [first, root]),
+                    "{digits} {other:?}"
+                );
+                let cubic = product([[1, 0], [-after, 1], other]);
+                let root = Dyadic::END.plus(-unit).time();
+                assert_eq!(times(&cubic), Some([root, last].to_vec()), "{digits} {other:?}");
+            }
+        }
+    }
+
+    /// Returns true if a moment is a time, or a root in a window that contains the bracket of one in another.
+    fn contains(narrow: &Moment, window: &Window, root: &Root) -> bool {
+        let Moment::Root(narrow, _) = narrow else {
+            return true;
+        };
+        let [low, high] = narrow.ends();
+        low <= window.around(root.low)[0] && high >= window.around(root.high)[1]
+    }
+
+    #[test]
     fn a_narrower_window_has_the_same_root() {
         let mut random = fastrand::Rng::with_seed(1);
         let mut narrow = 0;
@@ -298,10 +349,59 @@ mod tests {
             for moment in zeros(&cubic).expect("the roots are apart") {
                 if let Some(found) = narrowed(&cubic, &moment) {
                     assert_eq!(rounded(&cubic, &found), rounded(&cubic, &moment));
+                    if let Moment::Root(window, root) = &moment {
+                        assert!(contains(&found, window, root), "{roots:?}");
+                    }
                     narrow += 1;
                 }
             }
         }
         assert!(narrow > 800, "{narrow}");
+    }
+
+    #[test]
+    fn a_narrower_window_contains_brackets_of_few_units() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut narrow = 0;
+        for _ in 0..1000 {
+            // The root, in units, is below 2⁴⁴: an f64 has some of its digits after the point.
+            let (a, b) = (random.i128(1..1 << 10), random.i128(1 << 30..1 << 40));
+            let units = Dyadic::END.units() as f64;
+            let near = a as f64 / (a + b) as f64;
+            let [below, above] = [(); 2].map(|()| [0.2, 0.7, 1.5, 20.0][random.usize(..4)]);
+            let root = Root {
+                low: near - below / units,
+                high: near + above / units,
+                near,
+                slope: 0.0,
+                rising: true,
+            };
+            let cubic = product([[-a, b], [1, 1], [1, 1]]);
+            if let Some(found) = narrowed(&cubic, &Moment::Root(Window::STEP, root)) {
+                assert!(contains(&found, &Window::STEP, &root), "{a} {b} {root:?}");
+                narrow += 1;
+            }
+        }
+        assert!(narrow > 500, "{narrow}");
+    }
+
+    #[test]
+    fn signs_in_twice_the_precision_are_those_of_the_integers() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut certain = 0;
+        for _ in 0..10_000 {
+            // The root is off the time m 2⁻⁵³ by one part in 2⁵³⁺ˢ.
+            let (m, s) = (random.i128(1..1 << 53), random.i32(1..70));
+            let sign = [-1, 1][random.usize(..2)];
+            let (a, whole) = ((m << s) + sign, 1_i128 << (53 + s));
+            let mut other = || [(); 2].map(|()| random.i128(1 << 50..1 << 60));
+            let cubic = product([[-a, whole - a], other(), other()]);
+            let time = m as f64 / (1_u64 << 53) as f64;
+            if let Some(found) = precise(&cubic).0.sign_at(time) {
+                assert_eq!(found, 0.cmp(&sign), "{m} {s} {sign}");
+                certain += 1;
+            }
+        }
+        assert!((5_000..9_500).contains(&certain), "{certain}");
     }
 }

@@ -121,8 +121,8 @@ fn intervals<K: Kind>(query: &Query<K>) -> Intervals {
 }
 
 /// Decisions, first times, all times and signs in integers of fixed width.
-fn integers<K: Kind>() -> [usize; 4] {
-    let mut known = [0; 4];
+fn integers<K: Kind>() -> [usize; 5] {
+    let mut known = [0; 5];
     for query in queries::<K>(1500, 0).chain(queries(500, 1)).chain(thrown(800)) {
         let truth = FirstContact::of(&query);
         if let Some(moment) = fixed_width::first_moment(&query) {
@@ -135,6 +135,7 @@ fn integers<K: Kind>() -> [usize; 4] {
         }
         if let Some(moments) = fixed_width::moments(&query) {
             assert_eq!(moments, intervals(&query), "{query:?}");
+            known[4] += usize::from(moments.count() != Some(0));
         }
         for t in TIMES {
             if let Some(signs) = fixed_width::signs_until(&query, t) {

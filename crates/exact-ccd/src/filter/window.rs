@@ -266,6 +266,22 @@ mod tests {
     }
 
     #[test]
+    fn places_of_the_step_are_rounded_from_all_their_digits() {
+        let mut random = fastrand::Rng::with_seed(1);
+        for _ in 0..1000 {
+            // Scaled by a power of two, a place is exact, and so are the integers around it.
+            let place = libm::ldexp(random.f64().next_up(), -random.i32(0..80));
+            let units = place * Dyadic::END.units() as f64;
+            let found = Window::STEP.around(place).map(Dyadic::units);
+            assert_eq!(
+                found,
+                [libm::floor(units), libm::ceil(units)].map(|x| x as i64),
+                "{place}"
+            );
+        }
+    }
+
+    #[test]
     fn polynomials_in_a_window_have_their_values_there() {
         let mut random = fastrand::Rng::with_seed(1);
         for [low, high] in [[0.0, 1.0], [0.25, 0.75], [0.375, 0.5], [0.5, 1.0]] {
