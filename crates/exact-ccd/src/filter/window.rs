@@ -141,17 +141,11 @@ impl Window {
         let (mut before, mut after) = (low.time().lower(), high.time().upper());
         while before.next_up() < after {
             let middle = 0.5 * (before + after);
-            let time = Dyadic::new(middle)?;
-            if time <= low {
-                before = middle;
-            } else if time >= high {
-                after = middle;
-            } else {
-                match sign_at(cubic, time) {
-                    Ordering::Equal => return Some(ContactTime::exactly(middle)),
-                    sign if sign == below => before = middle,
-                    _ => after = middle,
-                }
+            // An f64 between the ends rounded outward is between the ends.
+            match sign_at(cubic, Dyadic::new(middle)?) {
+                Ordering::Equal => return Some(ContactTime::exactly(middle)),
+                sign if sign == below => before = middle,
+                _ => after = middle,
             }
         }
         Some(ContactTime::just_above(before))

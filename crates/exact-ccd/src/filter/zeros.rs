@@ -160,6 +160,7 @@ fn radius(cubic: &[Volume; 4], time: Dyadic, roots: usize) -> i64 {
     ((4.0 * radius) as i64).max(LEAST_HALF)
 }
 
+/// The largest magnitude.
 pub(super) fn largest(values: [f64; 4]) -> f64 {
     values.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
