@@ -1,7 +1,5 @@
 //! Times that are integers in a small unit, in which all polynomials are exact.
 
-use crate::time::ContactTime;
-
 /// A time that is a multiple of 2⁻⁶², in the step or a little beside it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Dyadic(i64);
@@ -50,27 +48,6 @@ impl Dyadic {
         debug_assert!(self >= Self::START && self <= Self::END, "a time of the step");
         [Self::END.0 - self.0, self.0].map(i64::unsigned_abs)
     }
-
-    /// The largest f64 that is not above the time.
-    fn floor(self) -> f64 {
-        let units = self.0 as f64;
-        // The nearest f64 is at most 2⁶², which an i64 holds.
-        let floor = if units as i64 > self.0 {
-            units.next_down()
-        } else {
-            units
-        };
-        floor / Self::END.0 as f64
-    }
-
-    pub(super) fn time(self) -> ContactTime {
-        let floor = self.floor();
-        if Self::new(floor) == Some(self) {
-            ContactTime::exactly(floor)
-        } else {
-            ContactTime::just_above(floor)
-        }
-    }
 }
 
 #[cfg(test)]
@@ -83,22 +60,9 @@ mod tests {
         for units in [0, 1, 2, 3, 1 << 61, (1 << 61) + (1 << 9), 1 << 62] {
             let time = units as f64 * unit;
             assert_eq!(Dyadic::new(time), Some(Dyadic(units)));
-            assert_eq!(Dyadic(units).time(), ContactTime::exactly(time));
         }
         for time in [-unit, 0.5 * unit, 1.5 * unit, 1.0 + f64::EPSILON, f64::NAN] {
             assert_eq!(Dyadic::new(time), None, "{time}");
-        }
-    }
-
-    #[test]
-    fn times_are_rounded_down_to_numbers() {
-        let half = 1 << (DIGITS - 1);
-        for (units, floor) in [
-            (half + 1, 0.5),
-            (half - 1, 0.5_f64.next_down()),
-            ((1 << 62) - 1, 1.0_f64.next_down()),
-        ] {
-            assert_eq!(Dyadic(units).time(), ContactTime::just_above(floor));
         }
     }
 

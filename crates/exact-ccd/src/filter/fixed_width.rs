@@ -9,19 +9,20 @@ use core::cmp::Ordering;
 
 use super::cubic::Root;
 use super::dyadic::Dyadic;
+use super::fraction::Fraction;
 use super::lattice::Integers;
 use super::length::Volume;
 use super::moment::Moment;
 use super::precise_cubic::PreciseCubic;
 use super::wide::Wide;
 use super::window::{self, Window};
-use super::zeros::{largest, narrowed, zeros};
+use super::zeros::{Moments, insert, largest, narrowed, zeros};
 use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
 
-const AT_START: Moment = Moment::At(Dyadic::START);
+const AT_START: Moment = Moment::At(Fraction::START);
 
 /// The moment of the first contact; `Some(None)` if there certainly is no contact, `None` if that is unknown.
 #[inline(never)]
@@ -30,12 +31,12 @@ pub(super) fn first_moment<K: Kind>(query: &Query<K>) -> Option<Option<Moment>> 
     if integers.volume_at_start().is_zero() && integers.touches(&AT_START)? {
         return Some(Some(AT_START));
     }
-    let cubic = integers.cubic();
+    let cubic = integers.rest_of_cubic();
     if cubic == [Volume::ZERO; 4] {
         let touches = integers.touches(&Moment::Later)?;
         return (!touches).then_some(None);
     }
-    for moment in zeros(&cubic)? {
+    for moment in coplanar(&integers, &cubic)? {
         let (moment, touches) = decided(&integers, &cubic, moment)?;
         if touches {
             return Some(Some(moment));
@@ -52,7 +53,7 @@ pub(super) fn first<K: Kind>(query: &Query<K>) -> Option<ContactTime> {
 /// All times of contact, if they certainly are isolated moments.
 pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
     let integers = Integers::new(query)?;
-    let cubic = integers.cubic();
+    let cubic = integers.rest_of_cubic();
     if cubic == [Volume::ZERO; 4] {
         let only_at_start = integers.touches(&AT_START)? && !integers.touches(&Moment::Later)?;
         return only_at_start.then(|| {
@@ -61,15 +62,23 @@ pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
                 .collect()
         });
     }
-    let of_contact =
-        zeros(&cubic)?
-            .into_iter()
-            .filter_map(|moment| match decided(&integers, &cubic, moment) {
-                Some((_, false)) => None,
-                Some((moment, true)) => Some(rounded(&cubic, &moment)),
-                None => Some(None),
-            });
+    let of_contact = coplanar(&integers, &cubic)?.into_iter().filter_map(|moment| {
+        match decided(&integers, &cubic, moment) {
+            Some((_, false)) => None,
+            Some((moment, true)) => Some(rounded(&cubic, &moment)),
+            None => Some(None),
+        }
+    });
     of_contact.map(|time| time.map(Interval::moment)).collect()
+}
+
+/// The moments at which the points are coplanar, with the cubic without its factors, if they are certain.
+fn coplanar<K: Kind>(integers: &Integers<K>, cubic: &[Volume; 4]) -> Option<Moments> {
+    let mut moments = zeros(cubic)?;
+    for &time in integers.zeros_of_factors() {
+        insert(&mut moments, cubic, time)?;
+    }
+    Some(moments)
 }
 
 /// A moment at which the cubic vanishes, in a narrower window if that is necessary, and true if the
@@ -85,7 +94,7 @@ fn decided<K: Kind>(integers: &Integers<K>, cubic: &[Volume; 4], moment: Moment)
 
 /// The time of a root of the coplanarity cubic in a bracket.
 pub(super) fn round<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
-    time(query, &Moment::Root(Window::STEP, *root))
+    rounded(&Integers::new(query)?.cubic(), &Moment::Root(Window::STEP, *root))
 }
 
 /// The time of a moment of contact. One that is known needs no integers.
@@ -93,7 +102,7 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
     if let Moment::At(time) = moment {
         return Some(time.time());
     }
-    rounded(&Integers::new(query)?.cubic(), moment)
+    rounded(&Integers::new(query)?.rest_of_cubic(), moment)
 }
 
 /// The time at which a cubic vanishes, if it is certain.
@@ -107,7 +116,7 @@ fn rounded(cubic: &[Volume; 4], moment: &Moment) -> Option<ContactTime> {
         Moment::Root(window, root) => {
             let shortest = window.shortest(root).filter(|time| time.digits() <= DIGITS);
             if let Some(time) = shortest.filter(|&time| window::sign_at(cubic, time).is_eq()) {
-                return Some(time.time());
+                return Some(Fraction::from(time).time());
             }
             let is_step = *window == Window::STEP;
             let precise = is_step.then(|| between_adjacent(cubic, root)).flatten();
@@ -217,7 +226,7 @@ mod tests {
                     distinct.sort_unstable();
                     distinct.dedup();
                     distinct.retain(|&a| a >= 0 && i128::from(a) <= whole);
-                    let time = |a: i64| Dyadic::START.plus(a << (62 - digits)).time();
+                    let time = |a: i64| Fraction::from(Dyadic::START.plus(a << (62 - digits))).time();
                     let expected: Vec<_> = distinct.into_iter().map(time).collect();
                     let found = times(&cubic);
                     let is_known = found.is_some();
@@ -311,11 +320,11 @@ mod tests {
     fn a_root_next_to_an_end_at_which_the_cubic_vanishes_is_not_taken_for_the_end() {
         for digits in 2..=61 {
             let after = (1_i128 << digits) - 1;
-            let [first, last] = [Dyadic::START, Dyadic::END].map(Dyadic::time);
+            let [first, last] = [Fraction::START, Fraction::END].map(Fraction::time);
             let unit = 1 << (62 - digits);
             for other in [[1, 1], [1, 3], [-1, -5]] {
                 let cubic = product([[0, 1], [-1, after], other]);
-                let root = Dyadic::START.plus(unit).time();
+                let root = Fraction::from(Dyadic::START.plus(unit)).time();
                 // The f64 below 2⁻¹⁰ are not all multiples of the unit.
                 let found = times(&cubic);
                 assert!(found.is_some() || digits > 10, "{digits} {other:?}");
@@ -324,10 +333,43 @@ mod tests {
                     "{digits} {other:?}"
                 );
                 let cubic = product([[1, 0], [-after, 1], other]);
-                let root = Dyadic::END.plus(-unit).time();
+                let root = Fraction::from(Dyadic::END.plus(-unit)).time();
                 assert_eq!(times(&cubic), Some([root, last].to_vec()), "{digits} {other:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_time_is_inserted_before_or_after_a_root_or_in_its_place() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut counts = [0; 3];
+        for _ in 0..2000 {
+            let [a, b] = [(); 2].map(|()| random.i128(1..1 << 20));
+            let sign = [-1, 1][random.usize(..2)];
+            let cubic = product([[-a * sign, b * sign], [1, 1], [1, 2]]);
+            // At the root, and off it by one part in m or less.
+            let m = 1 << random.u32(0..42);
+            let [elapsed, left] = [[a, b], [a * m + 1, b * m], [a * m, b * m + 1]][random.usize(..3)];
+            let time = Fraction::zero_of(elapsed, -left).expect("the time is short");
+            let mut moments = zeros(&cubic).expect("the root is simple");
+            if insert(&mut moments, &cubic, time).is_none() {
+                continue;
+            }
+            let place = moments.iter().position(|moment| matches!(moment, Moment::At(_)));
+            let order = (elapsed * b).cmp(&(left * a));
+            let expected = match order {
+                Ordering::Less => (2, 0),
+                Ordering::Equal => (1, 0),
+                Ordering::Greater => (2, 1),
+            };
+            assert_eq!(
+                (moments.len(), place),
+                (expected.0, Some(expected.1)),
+                "{a} {b} {time:?}"
+            );
+            counts[expected.0 + expected.1 - 1] += 1;
+        }
+        assert!(counts.iter().all(|&count| count > 500), "{counts:?}");
     }
 
     /// Returns true if a moment is a time, or a root in a window that contains the bracket of one in another.

@@ -3,6 +3,8 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
+use super::factors::{Ends, Factors, Points, difference};
+use super::fraction::Fraction;
 use super::length::{Length, Volume};
 use super::moment::Moment;
 use crate::exact::parts;
@@ -56,8 +58,24 @@ impl<K: Kind> Integers<K> {
     /// The coplanarity cubic c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³.
     pub(super) fn cubic(&self) -> [Volume; 4] {
         match self {
-            Self::Short(lattice) => lattice.cubic(),
-            Self::Long(lattice) => lattice.cubic(),
+            Self::Short(lattice) => cubic(&lattice.span()),
+            Self::Long(lattice) => cubic(&lattice.span()),
+        }
+    }
+
+    /// The coplanarity cubic without its linear [`Factors`], times a constant, in the same form.
+    pub(super) fn rest_of_cubic(&self) -> [Volume; 4] {
+        match self {
+            Self::Short(lattice) => cubic(&lattice.factors.rows),
+            Self::Long(lattice) => cubic(&lattice.factors.rows),
+        }
+    }
+
+    /// The times at which the factors vanish.
+    pub(super) fn zeros_of_factors(&self) -> &[Fraction] {
+        match self {
+            Self::Short(lattice) => &lattice.factors.zeros,
+            Self::Long(lattice) => &lattice.factors.zeros,
         }
     }
 
@@ -71,12 +89,10 @@ impl<K: Kind> Integers<K> {
     }
 }
 
-/// A difference of two points at t = 0 and at t = 1.
-type Ends<L> = [[L; 3]; 2];
-
 /// The points in integers of one width.
 pub(super) struct Lattice<K, L> {
-    points: [[[L; 3]; 4]; 2],
+    points: Points<L>,
+    factors: Factors<L>,
     kind: PhantomData<K>,
 }
 
@@ -92,36 +108,31 @@ impl<K: Kind, L: Length> Lattice<K, L> {
                 coordinate(z, units[2]),
             ]
         };
+        let points = parts.each_ref().map(|end| end.each_ref().map(point));
         Self {
-            points: parts.each_ref().map(|end| end.each_ref().map(point)),
+            points,
+            factors: Factors::new(&points),
             kind: PhantomData,
         }
     }
 
-    #[inline(always)]
-    fn difference(&self, (i, j): Difference) -> Ends<L> {
-        self.points
-            .each_ref()
-            .map(|end| [0, 1, 2].map(|axis: usize| end[i][axis].minus(end[j][axis])))
+    fn span(&self) -> [Ends<L>; 3] {
+        K::SPAN.map(|span| difference(&self.points, span))
     }
 
     fn volume_at_start(&self) -> Volume {
-        let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference)[0]);
+        let [w, e1, e2] = self.span().map(|[start, _]| start);
         volume(w, [0, 1, 2].map(|axis| component(axis, e1, e2)))
     }
 
-    fn cubic(&self) -> [Volume; 4] {
-        let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
-        let normal = |coefficient| {
-            [0, 1, 2].map(|axis| coefficient_of(coefficient, &e1, &e2, |a, b| component(axis, a, b)))
+    /// A difference of two points. A root is none of the [`Factors`]: axes with a factor are at rest.
+    #[inline(always)]
+    fn difference(&self, moment: &Moment, of: Difference) -> Ends<L> {
+        let points = match moment {
+            Moment::Root(..) => &self.factors.at_rest,
+            Moment::At(_) | Moment::Later => &self.points,
         };
-        let [start, mixed, end] = [0, 1, 2].map(normal);
-        [
-            volume(w[0], start),
-            volume(w[1], start) + volume(w[0], mixed),
-            volume(w[0], end) + volume(w[1], mixed),
-            volume(w[1], end),
-        ]
+        difference(points, of)
     }
 
     fn position(&self, moment: &Moment) -> Option<bool> {
@@ -133,7 +144,7 @@ impl<K: Kind, L: Length> Lattice<K, L> {
     /// at all corners of its domain, hence everywhere.
     fn is_apart(&self, moment: &Moment) -> bool {
         let side = |axis: usize, corner| {
-            let [start, end] = self.difference(corner).map(|ends| ends[axis]);
+            let [start, end] = self.difference(moment, corner).map(|ends| ends[axis]);
             moment.sign_of_linear([start.value(), end.value()])
         };
         (0..3).any(|axis| {
@@ -144,7 +155,7 @@ impl<K: Kind, L: Length> Lattice<K, L> {
     }
 
     fn touches(&self, moment: &Moment) -> Option<bool> {
-        let [e1, e2] = [1, 2].map(|i: usize| self.difference(K::SPAN[i]));
+        let [e1, e2] = [1, 2].map(|i: usize| self.difference(moment, K::SPAN[i]));
         let mut facing = Some(Ordering::Equal);
         let mut along = 0;
         for axis in 0..3 {
@@ -162,7 +173,7 @@ impl<K: Kind, L: Length> Lattice<K, L> {
             return holds(K::SIDES.iter().map(|side| self.lies_on(side, moment)), true);
         }
         let is_inside = |side: &Side| {
-            let [x, y] = self.edge(side);
+            let [x, y] = self.edge(side, moment);
             let inside = if side.along { facing } else { facing.reverse() };
             let sign = sign(moment, &x, &y, |a, b| component(along, a, b))?;
             Some(sign.is_eq() || sign == inside)
@@ -172,7 +183,7 @@ impl<K: Kind, L: Length> Lattice<K, L> {
 
     /// Returns true if a vertex lies on an edge.
     fn lies_on(&self, side: &Side, moment: &Moment) -> Option<bool> {
-        let [x, y] = self.edge(side);
+        let [x, y] = self.edge(side, moment);
         let is_on_line = |axis| Some(sign(moment, &x, &y, |a, b| component(axis, a, b))?.is_eq());
         if holds((0..3).map(is_on_line), false)? {
             return sign(moment, &x, &y, dot).map(Ordering::is_le);
@@ -181,9 +192,22 @@ impl<K: Kind, L: Length> Lattice<K, L> {
     }
 
     /// The ends of an edge, from a vertex.
-    fn edge(&self, side: &Side) -> [Ends<L>; 2] {
-        side.edge.map(|end| self.difference((end, side.vertex)))
+    fn edge(&self, side: &Side, moment: &Moment) -> [Ends<L>; 2] {
+        side.edge.map(|end| self.difference(moment, (end, side.vertex)))
     }
+}
+
+/// The determinant of three differences: its coefficients in the form of the cubic.
+fn cubic<L: Length>([w, e1, e2]: &[Ends<L>; 3]) -> [Volume; 4] {
+    let normal =
+        |coefficient| [0, 1, 2].map(|axis| coefficient_of(coefficient, e1, e2, |a, b| component(axis, a, b)));
+    let [start, mixed, end] = [0, 1, 2].map(normal);
+    [
+        volume(w[0], start),
+        volume(w[1], start) + volume(w[0], mixed),
+        volume(w[0], end) + volume(w[1], mixed),
+        volume(w[1], end),
+    ]
 }
 
 /// One of the conditions is `decisive` if any is; the other way round if all are certain and none is.

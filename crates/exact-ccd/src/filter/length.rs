@@ -14,7 +14,7 @@ pub(super) type Volume = Wide<4>;
 /// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹, the terms of a coefficient of the cubic below
 /// 2³ᵇ⁺³, and there are at most 18 of them. Without [the roots at the ends](super::zeros::without_ends),
 /// a coefficient is a sum of at most three: below 54 · 2³ᵇ⁺³, which is less than 2²⁵² for b = 81.
-pub(super) trait Length: Copy {
+pub(super) trait Length: Copy + Default + PartialEq + Into<i128> {
     /// The largest number of bits of coordinates.
     const MOST_BITS: u32;
 
@@ -38,7 +38,7 @@ pub(super) trait Length: Copy {
 }
 
 /// A sum of products of two lengths.
-pub(super) trait Area: Copy + Add<Output = Self> + Sub<Output = Self> {
+pub(super) trait Area: Copy + PartialEq + Add<Output = Self> + Sub<Output = Self> {
     fn sign(self) -> Ordering;
 
     /// An approximation, rounded once.

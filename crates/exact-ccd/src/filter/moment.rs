@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use super::cubic::Root;
-use super::dyadic::Dyadic;
+use super::fraction::Fraction;
 use super::length::Area;
 use super::number::Lanes;
 use super::roundoff::{UNIT, certain_sign, margin};
@@ -15,7 +15,7 @@ use super::window::{Window, quadratic_sign_at};
 #[derive(Clone, Debug)]
 pub(crate) enum Moment {
     /// A time.
-    At(Dyadic),
+    At(Fraction),
     /// All times after 0.
     Later,
     /// The root in a bracket of a window.
@@ -31,9 +31,11 @@ impl Moment {
     #[inline(always)]
     pub(super) fn sign<A: Area>(&self, coefficient: impl Fn(usize) -> A) -> Option<Ordering> {
         match self {
-            Self::At(Dyadic::START) => Some(coefficient(0).sign()),
-            Self::At(Dyadic::END) => Some(coefficient(2).sign()),
-            Self::At(time) => Some(quadratic_sign_at([0, 1, 2].map(coefficient), *time)),
+            Self::At(time) => Some(match time.weights() {
+                [_, 0] => coefficient(0).sign(),
+                [0, _] => coefficient(2).sign(),
+                _ => quadratic_sign_at([0, 1, 2].map(coefficient), *time),
+            }),
             Self::Root(window, root) => near([0, 1, 2].map(coefficient), window, root),
             Self::Later => {
                 let last = coefficient(2).sign();

@@ -99,6 +99,25 @@ fn thrown<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
     })
 }
 
+/// Mirror images of few points, thrown through the origin with roundings: many coordinates are equal, or opposite,
+/// and many roots of the cubic are the times at which their differences vanish.
+fn mirrored<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
+    let mut random = fastrand::Rng::with_seed(4);
+    (0..count).map(move |index| {
+        let magnitudes: Point = from_fn(|_| random.f64());
+        let k = if index % 4 == 0 { 2.0 } else { 8.0 * random.f64() };
+        let mut start = K::Points::default();
+        start
+            .as_mut()
+            .fill_with(|| from_fn(|_| f64::from(random.i32(-1..=1)) * magnitudes[random.usize(..3)]));
+        let mut end = start;
+        for x in end.as_mut() {
+            *x = x.map(|x| x + (-k * x - x));
+        }
+        Query::new(start, end).expect("the numbers are finite")
+    })
+}
+
 /// The sign of the coplanarity cubic at a time, in rational numbers.
 fn sign_at<K: Kind>(query: &Query<K>, t: f64) -> Ordering {
     let rational = |x: f64| RBig::try_from(x).expect("a finite number");
@@ -123,7 +142,8 @@ fn intervals<K: Kind>(query: &Query<K>) -> Intervals {
 /// Decisions, first times, all times and signs in integers of fixed width.
 fn integers<K: Kind>() -> [usize; 5] {
     let mut known = [0; 5];
-    for query in queries::<K>(1500, 0).chain(queries(500, 1)).chain(thrown(800)) {
+    let small = queries::<K>(1500, 0).chain(queries(500, 1));
+    for query in small.chain(thrown(800)).chain(mirrored(800)) {
         let truth = FirstContact::of(&query);
         if let Some(moment) = fixed_width::first_moment(&query) {
             assert_eq!(moment.is_some(), truth.is_some(), "{query:?}");
@@ -160,6 +180,20 @@ fn integers_of_fixed_width_have_the_answers_of_the_definition() {
     // Few of these are in contact.
     integers::<VertexEdge>();
     integers::<VertexVertex>();
+}
+
+/// Most queries of mirror images whose cubic is not zero are decided, with all times.
+#[test]
+fn mirror_images_that_pass_through_a_point_are_decided_by_integers_of_fixed_width() {
+    let mut counts = [0; 2];
+    for query in mirrored::<EdgeEdge>(4000) {
+        let is_coplanar = TIMES.iter().all(|&t| sign_at(&query, t).is_eq());
+        if !is_coplanar {
+            counts[usize::from(fixed_width::moments(&query).is_some())] += 1;
+        }
+    }
+    let [unknown, known] = counts;
+    assert!(known > 1000 && unknown * 8 < known, "{counts:?}");
 }
 
 /// The intervals of contact in a plane across an axis, and the first contact.

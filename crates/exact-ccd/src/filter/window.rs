@@ -9,15 +9,17 @@ use core::cmp::Ordering;
 
 use super::cubic::Root;
 use super::dyadic::Dyadic;
+use super::fraction::Fraction;
 use super::length::{Area, Volume};
 use super::wide::Wide;
 use crate::time::ContactTime;
 
 /// An integer of 512 bits.
 ///
-/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴, and three
-/// weights, which add up to 2⁶² for each argument of the blossom, make them 2¹⁸⁶ times as large. Three times
-/// that is below 2⁴⁴², and [without roots at the ends](super::zeros::without_ends) below 2⁴⁴⁵.
+/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴. The weights of
+/// a time add up to 2⁶² if it is a [`Dyadic`], and to less than 2⁶⁴ if it is a [`Fraction`]; there are three,
+/// one for each argument of the blossom. So coefficients in a window are 2¹⁸⁶ times as large, three times that
+/// below 2⁴⁴², and [without roots at the ends](super::zeros::without_ends) below 2⁴⁴⁵; a value is below 2⁴⁴⁶.
 pub(super) type Integer = Wide<8>;
 
 /// An interval of times.
@@ -95,7 +97,7 @@ impl Window {
         if *self == Self::STEP {
             return cubic.map(Wide::widened);
         }
-        let [low, high] = self.ends();
+        let [low, high] = self.ends().map(Fraction::from);
         let cubic = of_cubic(cubic);
         let at_low: [_; 3] = interpolate(&cubic, low);
         let at_high: [_; 3] = interpolate(&cubic, high);
@@ -115,7 +117,7 @@ impl Window {
         if *self == Self::STEP {
             return quadratic.map(A::value);
         }
-        let [low, high] = self.ends();
+        let [low, high] = self.ends().map(Fraction::from);
         let quadratic = of_quadratic(quadratic);
         let at_low: [_; 2] = interpolate(&quadratic, low);
         let at_high: [_; 2] = interpolate(&quadratic, high);
@@ -138,7 +140,8 @@ impl Window {
         };
         let [low, _] = self.around(root.low);
         let [_, high] = self.around(root.high);
-        let (mut before, mut after) = (low.time().lower(), high.time().upper());
+        let [low, high] = [low, high].map(|end| Fraction::from(end).time());
+        let (mut before, mut after) = (low.lower(), high.upper());
         while before.next_up() < after {
             let middle = 0.5 * (before + after);
             // An f64 between the ends rounded outward is between the ends.
@@ -153,12 +156,13 @@ impl Window {
 }
 
 /// The sign of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ at a time.
-pub(super) fn sign_at(cubic: &[Volume; 4], time: Dyadic) -> Ordering {
-    cubic_value(&of_cubic(cubic), time).sign()
+pub(super) fn sign_at(cubic: &[Volume; 4], time: impl Into<Fraction>) -> Ordering {
+    cubic_value(&of_cubic(cubic), time.into()).sign()
 }
 
 /// The coefficients of the powers of the units since a time, rounded, of this cubic in some unit.
 pub(super) fn powers_since(time: Dyadic, cubic: &[Volume; 4]) -> [f64; 4] {
+    let time = Fraction::from(time);
     let cubic = of_cubic(cubic);
     let slope: [_; 3] = differences(&cubic);
     let bend: [_; 2] = differences(&slope);
@@ -174,7 +178,7 @@ pub(super) fn powers_since(time: Dyadic, cubic: &[Volume; 4]) -> [f64; 4] {
 }
 
 /// The sign of q₀ (1−t)² + q₁ (1−t) t + q₂ t² at a time.
-pub(super) fn quadratic_sign_at<A: Area>(quadratic: [A; 3], time: Dyadic) -> Ordering {
+pub(super) fn quadratic_sign_at<A: Area>(quadratic: [A; 3], time: Fraction) -> Ordering {
     quadratic_value(&of_quadratic(quadratic), time).sign()
 }
 
@@ -184,30 +188,32 @@ fn of_cubic([c0, c1, c2, c3]: &[Volume; 4]) -> [Integer; 4] {
     [c0 + c0 + c0, c1, c2, c3 + c3 + c3]
 }
 
-/// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2¹⁶⁷, and two weights of the
-/// blossom make these 2¹²⁴ times as large, less than 2²⁹², twice that in the middle.
+/// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2¹⁶⁷, twice that below 2¹⁶⁸, and
+/// two weights of the blossom make these at most 2¹²⁸ times as large: less than 2²⁹⁶, twice that in the middle
+/// of a window.
 fn of_quadratic<A: Area>(quadratic: [A; 3]) -> [Wide<5>; 3] {
     let [q0, q1, q2] = quadratic.map(|q| q.widened().widened());
     [q0 + q0, q1, q2 + q2]
 }
 
-/// 2¹⁸⁶ times the value of the polynomial with these Bernstein coefficients at a time.
-fn cubic_value(cubic: &[Integer; 4], time: Dyadic) -> Integer {
+/// The value of the polynomial with these Bernstein coefficients at a time, in some unit.
+fn cubic_value(cubic: &[Integer; 4], time: Fraction) -> Integer {
     quadratic_value(&interpolate(cubic, time), time)
 }
 
-/// 2¹²⁴ times the value of the polynomial with these Bernstein coefficients at a time.
-fn quadratic_value<const W: usize>(quadratic: &[Wide<W>; 3], time: Dyadic) -> Wide<W> {
+/// The same, of degree two.
+fn quadratic_value<const W: usize>(quadratic: &[Wide<W>; 3], time: Fraction) -> Wide<W> {
     let linear: [_; 2] = interpolate(quadratic, time);
     let [value] = interpolate(&linear, time);
     value
 }
 
-/// 2⁶² times the Bernstein coefficients after one argument of a blossom is given: one coefficient fewer.
+/// The Bernstein coefficients after one argument of a blossom is given, times the parts of that time: one
+/// coefficient fewer.
 #[inline(always)]
 fn interpolate<const W: usize, const N: usize, const M: usize>(
     b: &[Wide<W>; N],
-    time: Dyadic,
+    time: Fraction,
 ) -> [Wide<W>; M] {
     const { assert!(M + 1 == N, "one coefficient fewer") };
     let [left, elapsed] = time.weights();
@@ -302,7 +308,7 @@ mod tests {
                 }
                 for (t, dyadic) in [(low, window.low), (high, window.high)] {
                     assert_eq!(Some(sign_at(&c, dyadic)), cubic(t).partial_cmp(&0.0));
-                    let sign = quadratic_sign_at([all[0], all[1], all[2]], dyadic);
+                    let sign = quadratic_sign_at([all[0], all[1], all[2]], dyadic.into());
                     assert_eq!(Some(sign), quadratic(t).partial_cmp(&0.0));
                 }
             }

@@ -1,9 +1,12 @@
 //! The moments at which a cubic with exact coefficients vanishes.
 
+use core::cmp::Ordering;
+
 use arrayvec::ArrayVec;
 
 use super::cubic::{Cubic, Root};
 use super::dyadic::Dyadic;
+use super::fraction::Fraction;
 use super::length::Volume;
 use super::moment::Moment;
 use super::wide::Wide;
@@ -25,13 +28,49 @@ const LEAST_HALF: i64 = 1 << 2;
 pub(super) fn zeros(cubic: &[Volume; 4]) -> Option<Moments> {
     let mut moments = Moments::new();
     if cubic[0].is_zero() {
-        moments.try_push(Moment::At(Dyadic::START)).ok()?;
+        moments.try_push(Moment::At(Fraction::START)).ok()?;
     }
     push_zeros_inside(cubic, Window::STEP, MOST_CUTS, &mut moments)?;
     if cubic[3].is_zero() {
-        moments.try_push(Moment::At(Dyadic::END)).ok()?;
+        moments.try_push(Moment::At(Fraction::END)).ok()?;
     }
     Some(moments)
+}
+
+/// Inserts a time into the moments at which a cubic vanishes, which are in increasing order, if its place is
+/// certain.
+pub(super) fn insert(moments: &mut Moments, cubic: &[Volume; 4], time: Fraction) -> Option<()> {
+    let orders = moments.iter().map(|moment| order(moment, cubic, time));
+    let orders: ArrayVec<Ordering, 3> = orders.collect::<Option<_>>()?;
+    let place = orders.iter().filter(|order| order.is_lt()).count();
+    if orders.contains(&Ordering::Equal) {
+        moments[place] = Moment::At(time);
+        return Some(());
+    }
+    moments.try_insert(place, Moment::At(time)).ok()
+}
+
+/// The order of a moment at which a cubic vanishes and a time, if it is certain.
+///
+/// The cubic has one root in the bracket, and opposite signs on both sides of it.
+fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Ordering> {
+    let (window, root) = match moment {
+        Moment::At(other) => return Some(other.cmp(&time)),
+        Moment::Root(window, root) => (window, root),
+        Moment::Later => return None,
+    };
+    let [before_low, after_low] = window.around(root.low).map(Fraction::from);
+    let [before_high, after_high] = window.around(root.high).map(Fraction::from);
+    if time < before_low {
+        Some(Ordering::Greater)
+    } else if time > after_high {
+        Some(Ordering::Less)
+    } else if time < after_low || time > before_high {
+        None
+    } else {
+        let sign = sign_at(cubic, time);
+        Some(if root.rising { sign.reverse() } else { sign })
+    }
 }
 
 /// The same moment, if it certainly is a time with few digits, or a root in a narrower window.
@@ -44,7 +83,7 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
     if let Some(time) = window.shortest(root)
         && sign_at(cubic, time).is_eq()
     {
-        return Some(Moment::At(time));
+        return Some(Moment::At(time.into()));
     }
     let [low, _] = window.around(root.low);
     let [_, high] = window.around(root.high);
@@ -100,7 +139,7 @@ fn push_zeros_inside(
     for high in cuts.into_iter().chain([end]) {
         push_zeros_inside(cubic, Window::new(low, high)?, cuts_left - 1, moments)?;
         if high < end && sign_at(cubic, high).is_eq() {
-            moments.try_push(Moment::At(high)).ok()?;
+            moments.try_push(Moment::At(high.into())).ok()?;
         }
         low = high;
     }
