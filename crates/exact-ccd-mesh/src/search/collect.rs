@@ -110,8 +110,7 @@ impl Earliest {
 
     /// The pair of the contact.
     pub(crate) fn pair(&self) -> Option<Pair> {
-        let contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
-        contact.map(|(_, pair)| pair)
+        self.found().map(|(_, pair)| pair)
     }
 
     /// The numbers of pairs that start within their distance.
@@ -122,10 +121,9 @@ impl Earliest {
         PairCounts::of(&pairs)
     }
 
-    /// The earliest contact so far, if all pairs that touch at its time need not be known.
+    /// The earliest contact so far.
     fn found(&self) -> Option<(ContactTime, Pair)> {
-        let contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
-        contact.filter(|_| self.touching.is_none())
+        *self.contact.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn add(&self, time: ContactTime, pair: Pair) {
@@ -153,17 +151,16 @@ impl Collect for Earliest {
         let mut touching = Vec::new();
         let mut lesser = Vec::new();
         // At the same time, a lesser pair comes first. The kinds are examined in the order of pairs.
+        let is_later = |first| K::pair([0; 2]) > first;
         let (pairs, until) = match self.found() {
-            Some((time, first)) if K::pair([0; 2]) > first => {
-                if time.is_start() {
+            Some((time, first)) if time.is_start() && self.touching.is_none() => {
+                if is_later(first) {
                     return ControlFlow::Break(());
                 }
-                (pairs, time.lower())
-            }
-            Some((time, first)) if time.is_start() => {
                 lesser.extend(pairs.iter().copied().filter(|&ids| K::pair(ids) < first));
                 (lesser.as_slice(), 0.0)
             }
+            Some((time, first)) if is_later(first) => (pairs, time.lower()),
             _ => (pairs, self.until()),
         };
         narrow_phase.approaches::<K>(mesh, pairs, until, |ids, approach| {
