@@ -29,9 +29,9 @@ pub(super) fn difference<L: Length>(points: &Points<L>, (i, j): Difference) -> E
 /// determinant is f / f(0) times that with their values at t = 0 in place of them, at all times. The zeros of
 /// the functions have many digits, and are often double or triple roots, or next to other ones.
 pub(super) struct Factors<L> {
-    /// The points, at rest along each axis that has a factor: all points have the same coordinate once. Contact
-    /// is invariant under the scaling of an axis, by another number at each time, too. So at all other times,
-    /// it is that of these points.
+    /// The points, at rest along each axis that has a factor: all points have the same coordinate once.
+    /// Contact is invariant under the scaling of an axis, by another number at each time, too. So at all
+    /// other times, it is that of these points.
     pub(super) at_rest: Points<L>,
     /// The rows without factors: two points whose difference has one meet once.
     pub(super) rows: [Ends<L>; 3],
@@ -77,8 +77,8 @@ impl<L: Length> Factors<L> {
     }
 }
 
-/// The time inside the step at which numbers vanish that are multiples of one linear function, if it is not too
-/// long; `None` if all are zero.
+/// The time inside the step at which numbers vanish that are multiples of one linear function, if it is not
+/// too long; `None` if all are zero.
 fn common_zero<L: Length>(numbers: [[L; 2]; 3]) -> Option<Fraction> {
     let [start, end] = *numbers.iter().find(|ends| **ends != [L::default(); 2])?;
     let zero = Fraction::zero_of(start.into(), end.into())?;

@@ -99,8 +99,8 @@ fn thrown<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
     })
 }
 
-/// Mirror images of few points, thrown through the origin with roundings: many coordinates are equal, or opposite,
-/// and many roots of the cubic are the times at which their differences vanish.
+/// Mirror images of few points, thrown through the origin with roundings: many coordinates are equal, or
+/// opposite, and many roots of the cubic are the times at which their differences vanish.
 fn mirrored<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
     let mut random = fastrand::Rng::with_seed(4);
     (0..count).map(move |index| {

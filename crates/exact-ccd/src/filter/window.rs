@@ -16,10 +16,11 @@ use crate::time::ContactTime;
 
 /// An integer of 512 bits.
 ///
-/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴. The weights of
-/// a time add up to 2⁶² if it is a [`Dyadic`], and to less than 2⁶⁴ if it is a [`Fraction`]; there are three,
-/// one for each argument of the blossom. So coefficients in a window are 2¹⁸⁶ times as large, three times that
-/// below 2⁴⁴², and [without roots at the ends](super::zeros::without_ends) below 2⁴⁴⁵; a value is below 2⁴⁴⁶.
+/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴. The weights
+/// of a time add up to 2⁶² if it is a [`Dyadic`], and to less than 2⁶⁴ if it is a [`Fraction`]; there are
+/// three, one for each argument of the blossom. So coefficients in a window are 2¹⁸⁶ times as large, three
+/// times that below 2⁴⁴², and [without roots at the ends](super::zeros::without_ends) below 2⁴⁴⁵; a value is
+/// below 2⁴⁴⁶.
 pub(super) type Integer = Wide<8>;
 
 /// An interval of times.
@@ -188,9 +189,8 @@ fn of_cubic([c0, c1, c2, c3]: &[Volume; 4]) -> [Integer; 4] {
     [c0 + c0 + c0, c1, c2, c3 + c3 + c3]
 }
 
-/// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2¹⁶⁷, twice that below 2¹⁶⁸, and
-/// two weights of the blossom make these at most 2¹²⁸ times as large: less than 2²⁹⁶, twice that in the middle
-/// of a window.
+/// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2¹⁶⁷, and two weights of the
+/// blossom make twice that at most 2¹²⁸ times as large, less than 2²⁹⁶; twice that in the middle of a window.
 fn of_quadratic<A: Area>(quadratic: [A; 3]) -> [Wide<5>; 3] {
     let [q0, q1, q2] = quadratic.map(|q| q.widened().widened());
     [q0 + q0, q1, q2 + q2]
