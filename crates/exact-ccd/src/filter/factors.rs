@@ -28,6 +28,10 @@ pub(super) fn difference<L: Length>(points: &Points<L>, (i, j): Difference) -> E
 /// sign of the determinant. If all numbers of an axis or of a row are multiples of a linear function f, the
 /// determinant is f / f(0) times that with their values at t = 0 in place of them, at all times. The zeros of
 /// the functions have many digits, and are often double or triple roots, or next to other ones.
+///
+/// Three differences that form a cycle have no third factor: from f u + g v = h w for functions f, g, h and
+/// vectors u, v, w follows that f and g have the same zero, and h with them, or that u and v are multiples of
+/// w, and the determinant is zero.
 pub(super) struct Factors<L> {
     /// The points, at rest along each axis that has a factor: all points have the same coordinate once.
     /// Contact is invariant under the scaling of an axis, by another number at each time, too. So at all
@@ -86,7 +90,7 @@ fn common_zero<L: Length>(numbers: [[L; 2]; 3]) -> Option<Fraction> {
     numbers.iter().all(is_multiple).then_some(zero)
 }
 
-/// Pairs of points without a circle. For each point, the least one that it is connected with.
+/// Pairs of points without a cycle. For each point, the least one that it is connected with.
 struct Tree([usize; 4]);
 
 impl Default for Tree {
@@ -171,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn pairs_connect_points_without_a_circle() {
+    fn pairs_connect_points_without_a_cycle() {
         let mut tree = Tree::default();
         let pairs = [(0, 3), (1, 2), (0, 3), (2, 3), (0, 1), (1, 3), (0, 2)];
         assert_eq!(

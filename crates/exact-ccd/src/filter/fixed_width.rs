@@ -160,6 +160,7 @@ mod tests {
     use alloc::vec::Vec;
 
     use super::*;
+    use crate::kind::EdgeEdge;
 
     /// The coefficients of the product of linear functions, given at both ends of the step.
     fn product(factors: [[i128; 2]; 3]) -> [Volume; 4] {
@@ -370,6 +371,78 @@ mod tests {
             counts[expected.0 + expected.1 - 1] += 1;
         }
         assert!(counts.iter().all(|&count| count > 500), "{counts:?}");
+    }
+
+    #[test]
+    fn a_time_is_inserted_among_roots_next_to_each_other() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut known = 0;
+        for index in 0..6000 {
+            let digits = random.u32(4..61);
+            let whole = 1_i128 << digits;
+            let middle = random.i128(whole / 8..whole - whole / 8);
+            // In units of half of the last digit: a time is a root, or between two.
+            let mut roots = [(); 3].map(|()| 2 * (middle + random.i128(-2..=2)));
+            if index % 2 == 0 {
+                // One root has more digits than the ends of windows.
+                roots[0] += 1;
+            }
+            let cubic = product(roots.map(|a| [-a, 2 * whole - a]));
+            let time = 2 * middle + random.i128(-4..=4);
+            let fraction = Fraction::zero_of(time, time - 2 * whole).expect("the time is short");
+            let Some(mut moments) = zeros(&cubic) else {
+                continue;
+            };
+            if insert(&mut moments, &cubic, fraction).is_none() {
+                continue;
+            }
+            let mut expected = roots.to_vec();
+            expected.push(time);
+            expected.sort_unstable();
+            expected.dedup();
+            let is_time = |moment: &Moment| matches!(moment, Moment::At(at) if *at == fraction);
+            assert_eq!(moments.len(), expected.len(), "{roots:?} {time} {digits}");
+            let place = expected.iter().position(|&other| other == time);
+            assert_eq!(
+                moments.iter().position(is_time),
+                place,
+                "{roots:?} {time} {digits}"
+            );
+            known += 1;
+        }
+        assert!(known > 3000, "{known}");
+    }
+
+    /// Two edges whose points are coplanar at a time with 53 digits, at which an axis has a factor, and touch
+    /// 2⁻¹⁰⁵ before: both are roots of the rest.
+    #[test]
+    fn a_root_just_before_the_zero_of_a_factor_is_kept() {
+        let points = [
+            [[0.0; 3]; 2],
+            [
+                [0.0, 5_191_522_382_721_412.0, -6_147_789_742_948_876.0],
+                [0.0, -5_504_607_116_136_910.0, 6_518_544_017_103_947.0],
+            ],
+            [
+                [0.0, -7_104_057_103_176_340.0, -7_923_804_018_742_961.0],
+                [0.0, 7_532_480_918_070_984.0, 8_401_664_246_621_693.0],
+            ],
+            [
+                [4_371_775_467_154_791.0, 3.0, 5.0],
+                [-4_635_423_787_586_201.0, 3.0, 5.0],
+            ],
+        ];
+        let [start, end] = [0, 1].map(|time: usize| points.map(|ends| ends[time]));
+        let query = Query::<EdgeEdge>::new(start, end).expect("all coordinates are finite");
+        let time = 4_371_775_467_154_791.0 / (1_u64 << 53) as f64;
+        let expected = ContactTime::just_above(time.next_down());
+        assert!(!matches!(first_moment(&query), Some(None)));
+        let all = moments(&query);
+        assert!(all.is_none_or(|all| all == Intervals::from_iter([Interval::moment(expected)])));
+        assert_eq!(
+            query.collision(crate::CONTACT).map(|found| found.time()),
+            Some(expected)
+        );
     }
 
     /// Returns true if a moment is a time, or a root in a window that contains the bracket of one in another.

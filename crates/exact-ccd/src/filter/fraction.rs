@@ -44,8 +44,8 @@ impl Fraction {
         }
         let whole = u128::from(self.left) + u128::from(self.elapsed);
         let elapsed = u128::from(self.elapsed);
-        // The quotient times 2 to this power is between 2⁵² and 2⁵⁴, the dividend below 2⁵⁵ times the
-        // divisor.
+        // The quotient times 2 to this power is between 2⁵² and 2⁵⁴. The dividend is below 2⁵⁴ times the
+        // divisor, which is below 2⁶⁴.
         let shift = f64::MANTISSA_DIGITS + whole.ilog2() - elapsed.ilog2();
         let (quotient, rest) = ((elapsed << shift) / whole, (elapsed << shift) % whole);
         let excess = quotient >> f64::MANTISSA_DIGITS;

@@ -1,5 +1,6 @@
 //! A query in integers of fixed width, and the contact of its primitives by the signs of quadratics.
 
+use core::cell::OnceCell;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
@@ -66,16 +67,16 @@ impl<K: Kind> Integers<K> {
     /// The coplanarity cubic without its linear [`Factors`], times a constant, in the same form.
     pub(super) fn rest_of_cubic(&self) -> [Volume; 4] {
         match self {
-            Self::Short(lattice) => cubic(&lattice.factors.rows),
-            Self::Long(lattice) => cubic(&lattice.factors.rows),
+            Self::Short(lattice) => cubic(&lattice.factors().rows),
+            Self::Long(lattice) => cubic(&lattice.factors().rows),
         }
     }
 
     /// The times at which the factors vanish.
     pub(super) fn zeros_of_factors(&self) -> &[Fraction] {
         match self {
-            Self::Short(lattice) => &lattice.factors.zeros,
-            Self::Long(lattice) => &lattice.factors.zeros,
+            Self::Short(lattice) => &lattice.factors().zeros,
+            Self::Long(lattice) => &lattice.factors().zeros,
         }
     }
 
@@ -92,7 +93,8 @@ impl<K: Kind> Integers<K> {
 /// The points in integers of one width.
 pub(super) struct Lattice<K, L> {
     points: Points<L>,
-    factors: Factors<L>,
+    /// Computed where they are needed.
+    factors: OnceCell<Factors<L>>,
     kind: PhantomData<K>,
 }
 
@@ -108,12 +110,15 @@ impl<K: Kind, L: Length> Lattice<K, L> {
                 coordinate(z, units[2]),
             ]
         };
-        let points = parts.each_ref().map(|end| end.each_ref().map(point));
         Self {
-            points,
-            factors: Factors::new(&points),
+            points: parts.each_ref().map(|end| end.each_ref().map(point)),
+            factors: OnceCell::new(),
             kind: PhantomData,
         }
+    }
+
+    fn factors(&self) -> &Factors<L> {
+        self.factors.get_or_init(|| Factors::new(&self.points))
     }
 
     fn span(&self) -> [Ends<L>; 3] {
@@ -129,7 +134,7 @@ impl<K: Kind, L: Length> Lattice<K, L> {
     #[inline(always)]
     fn difference(&self, moment: &Moment, of: Difference) -> Ends<L> {
         let points = match moment {
-            Moment::Root(..) => &self.factors.at_rest,
+            Moment::Root(..) => &self.factors().at_rest,
             Moment::At(_) | Moment::Later => &self.points,
         };
         difference(points, of)

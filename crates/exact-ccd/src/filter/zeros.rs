@@ -52,13 +52,21 @@ pub(super) fn insert(moments: &mut Moments, cubic: &[Volume; 4], time: Fraction)
 
 /// The order of a moment at which a cubic vanishes and a time, if it is certain.
 ///
-/// The cubic has one root in the bracket, and opposite signs on both sides of it.
+/// A root is strictly inside its window, at the ends of which the cubic may vanish too. Between these, the
+/// cubic has one root in the bracket, and opposite signs on both sides of it.
 fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Ordering> {
     let (window, root) = match moment {
         Moment::At(other) => return Some(other.cmp(&time)),
         Moment::Root(window, root) => (window, root),
         Moment::Later => return None,
     };
+    let [first, last] = window.ends().map(Fraction::from);
+    if time <= first {
+        return Some(Ordering::Greater);
+    }
+    if time >= last {
+        return Some(Ordering::Less);
+    }
     let [before_low, after_low] = window.around(root.low).map(Fraction::from);
     let [before_high, after_high] = window.around(root.high).map(Fraction::from);
     if time < before_low {
