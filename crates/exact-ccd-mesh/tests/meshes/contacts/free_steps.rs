@@ -114,6 +114,15 @@ fn check(scene: &Scene, min_distance: &MinDistance, pinned: &[u32], common: f64,
             assert!(size >= common, "{size} {common}");
         }
     }
+    for pair in &found.blocked {
+        for vertex in pair.vertices(&scene.mesh).unwrap() {
+            let size = found.sizes[vertex as usize];
+            assert!(
+                size == 0.0 || pinned.contains(&vertex),
+                "{pair:?} {vertex} {size}"
+            );
+        }
+    }
     let starts_in_contact: BTreeSet<Pair> = touching(
         scene.step(),
         &scene.pairs(),
@@ -272,6 +281,37 @@ fn rounds_are_those_that_search_all_pairs() {
     assert!(compared > 200, "{compared}");
 }
 
+/// Points in a row that move by 1: the first one is held back by a point at rest, and each of the others by
+/// the one before it, a round later.
+fn row(keep: f64) -> Scene {
+    let least = 0.02 * keep;
+    let (mut x0, mut size, mut kept) = (vec![[0.0; 3], [0.02, 0.0, 0.0]], least, keep);
+    for point in 2..40 {
+        // It would pass the one before it by a little, and no other one.
+        let gap = 0.999 - size;
+        kept = if point < 32 { kept * keep } else { 0.0 };
+        size = (kept * gap / (1.0 - size)).max(least);
+        x0.push([x0[point - 1][0] + gap, 0.0, 0.0]);
+    }
+    let mut x1: Vec<Point> = x0.iter().map(|[x, y, z]| [x - 1.0, *y, *z]).collect();
+    x1[0] = x0[0];
+    let mesh = TriangleMesh::new(x0.len(), Vec::new()).unwrap();
+    Scene { mesh, x0, x1 }
+}
+
+/// From round 32 on, contacts bring vertices to the least size.
+#[test]
+fn late_rounds_bring_vertices_to_the_least_size() {
+    let options = FreeStepOptions::default();
+    let scene = row(options.keep);
+    let mut detector = Detector::new(scene.mesh.clone());
+    let common = detector.free_step(&scene.x0, &scene.x1, &options).unwrap().size;
+    let found = detector.free_steps(&scene.x0, &scene.x1, &[], &options).unwrap();
+    assert_eq!(found.rounds, 40);
+    let expected = rounds(&scene, &options.min_distance, options.keep, common);
+    assert_eq!((found.sizes, found.rounds), expected);
+}
+
 #[test]
 fn sizes_do_not_depend_on_threads_or_on_steps_before() {
     let mut random = Rng::with_seed(63);
@@ -287,6 +327,23 @@ fn sizes_do_not_depend_on_threads_or_on_steps_before() {
         });
         assert_eq!(again, Ok(found.clone()));
     }
+}
+
+/// With all of the time of impact kept, contact at t = 1/2 and at t = 1.
+#[test]
+fn a_vertex_that_touches_at_the_end_stops_one_place_before() {
+    let mesh = TriangleMesh::new(5, vec![[0, 1, 2]]).unwrap();
+    let floor = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let at = |heights: [f64; 2]| {
+        let vertices = [[0.25, 0.25, heights[0]], [0.5, 0.25, heights[1]]];
+        [&floor[..], &vertices].concat()
+    };
+    let options = FreeStepOptions::default().with_keep(1.0);
+    let mut detector = Detector::new(mesh);
+    let steps = detector
+        .free_steps(&at([1.0, 1.0]), &at([-1.0, 0.0]), &[], &options)
+        .unwrap();
+    assert_eq!(steps.sizes[3..], [0.5_f64.next_down(), 1.0_f64.next_down()]);
 }
 
 /// A wall moves onto a cloth at rest: nothing that the cloth can do avoids it.
