@@ -125,8 +125,8 @@ mod tests {
         let mut rng = fastrand::Rng::with_seed(1);
         let mut contained = 0;
         for _ in 0..1000 {
-            let mut integers = |range| [0, 1, 2].map(|_| f64::from(rng.i32(range)));
-            let [lower, lengths] = [integers(-8..9), integers(0..9)];
+            let mut integers = |least, most| [0, 1, 2].map(|_| f64::from(rng.i32(least..=most)));
+            let [lower, lengths] = [integers(-8, 8), integers(0, 8)];
             let upper = [0, 1, 2].map(|axis: usize| lower[axis] + lengths[axis]);
             let aabb = Aabb { lower, upper };
             assert_eq!(aabb.sides(), lengths);

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use exact_ccd::CONTACT;
+use exact_ccd::{CONTACT, Separation};
 use exact_ccd_mesh::{
     CanCollide, Detector, FreeStep, FreeStepOptions, LineSearch, LineSearchError, Point, PositionsError,
     Step, StepError, TriangleMesh, advance, step_size,
@@ -255,6 +255,15 @@ fn the_least_f64_is_a_size() {
     let options = FreeStepOptions::default().with_keep(1.0);
     let free = Detector::new(mesh).free_step(&x0, &x1, &options).unwrap();
     assert_eq!((free.size, free.positions[3][2]), (least, least));
+}
+
+#[test]
+fn all_is_within_the_largest_distance() {
+    let (mesh, x0) = falling(1.0);
+    let (_, x1) = falling(2.0);
+    let options = FreeStepOptions::default().with_min_distance(Separation::new(f64::MAX).unwrap());
+    let free = Detector::new(mesh).free_step(&x0, &x1, &options).unwrap();
+    assert_eq!((free.size, free.positions), (0.0, x0));
 }
 
 /// Contact is at t = 1/2.

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use exact_ccd::{EdgeEdge, Options, Separation, Thickness, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{
+    CONTACT, EdgeEdge, Options, Separation, Thickness, VertexEdge, VertexFace, VertexVertex, exact,
+};
 use exact_ccd_mesh::{
     Detector, FreeStepOptions, FreeSteps, LineSearchError, MinDistance, Pair, PairKind, Point, Step,
     TriangleMesh,
@@ -114,6 +116,7 @@ fn check(scene: &Scene, min_distance: &MinDistance, pinned: &[u32], common: f64,
             assert!(size >= common, "{size} {common}");
         }
     }
+    assert!(blocked.is_subset(&scene.pairs().pairs().collect()));
     for pair in &found.blocked {
         for vertex in pair.vertices(&scene.mesh).unwrap() {
             let size = found.sizes[vertex as usize];
@@ -282,34 +285,45 @@ fn rounds_are_those_that_search_all_pairs() {
 }
 
 /// Points in a row that move by 1: the first one is held back by a point at rest, and each of the others by
-/// the one before it, a round later.
-fn row(keep: f64) -> Scene {
+/// the one before it, a round later. A face at rest, far away, may be so large that the step counts as short.
+fn row(keep: f64, size_of_face: f64) -> Scene {
     let least = 0.02 * keep;
-    let (mut x0, mut size, mut kept) = (vec![[0.0; 3], [0.02, 0.0, 0.0]], least, keep);
-    for point in 2..40 {
+    let (mut x0, mut size, mut kept) = (vec![[0.02, 0.0, 0.0]], least, keep);
+    for round in 2..40 {
         // It would pass the one before it by a little, and no other one.
         let gap = 0.999 - size;
-        kept = if point < 32 { kept * keep } else { 0.0 };
+        kept = if round < 32 { kept * keep } else { 0.0 };
         size = (kept * gap / (1.0 - size)).max(least);
-        x0.push([x0[point - 1][0] + gap, 0.0, 0.0]);
+        x0.push([x0[round - 2][0] + gap, 0.0, 0.0]);
     }
     let mut x1: Vec<Point> = x0.iter().map(|[x, y, z]| [x - 1.0, *y, *z]).collect();
-    x1[0] = x0[0];
-    let mesh = TriangleMesh::new(x0.len(), Vec::new()).unwrap();
+    let at_rest = [
+        [0.0; 3],
+        [0.0, 0.0, 500.0],
+        [0.0, 10.0, 500.0],
+        [10.0, 0.0, 500.0],
+    ];
+    x0.extend(at_rest);
+    x1.extend(at_rest);
+    let mesh = TriangleMesh::new(43, vec![[40, 41, 42]]).unwrap();
     Scene { mesh, x0, x1 }
 }
 
-/// From round 32 on, contacts bring vertices to the least size.
+/// From round 32 on, contacts bring vertices to the least size. Boxes of a long step before are not used.
 #[test]
 fn late_rounds_bring_vertices_to_the_least_size() {
     let options = FreeStepOptions::default();
-    let scene = row(options.keep);
-    let mut detector = Detector::new(scene.mesh.clone());
-    let common = detector.free_step(&scene.x0, &scene.x1, &options).unwrap().size;
-    let found = detector.free_steps(&scene.x0, &scene.x1, &[], &options).unwrap();
-    assert_eq!(found.rounds, 40);
-    let expected = rounds(&scene, &options.min_distance, options.keep, common);
-    assert_eq!((found.sizes, found.rounds), expected);
+    for size_of_face in [0.1, 10.0] {
+        let scene = row(options.keep, size_of_face);
+        let mut detector = Detector::new(scene.mesh.clone());
+        let common = detector.free_step(&scene.x0, &scene.x1, &options).unwrap().size;
+        let expected = rounds(&scene, &options.min_distance, options.keep, common);
+        assert_eq!(expected.1, 40);
+        let far: Vec<Point> = scene.x0.iter().map(|[x, y, z]| [*x, *y, z + 100.0]).collect();
+        assert_eq!(detector.collides(&scene.x0, &far, CONTACT), Ok(false));
+        let found = detector.free_steps(&scene.x0, &scene.x1, &[], &options).unwrap();
+        assert_eq!((found.sizes, found.rounds), expected);
+    }
 }
 
 #[test]
