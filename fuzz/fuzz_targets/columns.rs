@@ -33,7 +33,7 @@ fn check(mut bytes: Unstructured) -> Result<()> {
                 query,
                 truth: bytes.arbitrary()?,
             },
-            count: bytes.arbitrary()?,
+            count: bytes.arbitrary::<Option<u32>>()?.map(|count| i64::from(count) - 1),
             toi: None,
             scene: None,
             ids: None,

@@ -62,6 +62,11 @@ impl<K: Kind> From<Sample<K>> for Record<K> {
     }
 }
 
+/// Returns true for a number of contact times, and for −1.
+pub(crate) fn is_count(count: i64) -> bool {
+    count >= -1
+}
+
 /// A number of contact times as the data sets write it: −1 for infinitely many.
 pub(crate) fn number(count: Option<usize>) -> i64 {
     count.map_or(-1, |count| count.try_into().unwrap_or(i64::MAX))

@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 use exact_ccd::{Point, Query};
 
 use crate::query_kind::{self, QueryKind};
-use crate::record::Record;
+use crate::record::{Record, is_count};
 use crate::rows::Seventh;
 
 /// Writes a query file, in all rows with the seventh column or in none.
@@ -34,7 +34,8 @@ impl<W: Write> QueryWriter<W> {
     /// count at the end of each. The other fields of the record are left out.
     ///
     /// # Errors
-    /// The errors of the writer. If only some of the queries have a ground truth, or if a count is missing.
+    /// The errors of the writer. If only some of the queries have a ground truth, or if a count is missing or
+    /// below −1.
     pub fn write<K: QueryKind>(&mut self, record: &Record<K>) -> io::Result<()> {
         let value = match self.seventh {
             Seventh::Contact => record.sample.truth.map(i64::from),
@@ -45,6 +46,11 @@ impl<W: Write> QueryWriter<W> {
         }
         if self.has_seventh != value.is_some() {
             return Err(self.mixed());
+        }
+        if let Some(count) = value.filter(|&count| !is_count(count)) {
+            let query = self.queries;
+            let message = format!("query {query} has {count} as number of contacts");
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
         }
         self.queries += 1;
         let ending = value.map_or(String::new(), |value| format!(",{value}"));

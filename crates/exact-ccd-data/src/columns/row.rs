@@ -8,7 +8,7 @@ use parquet::data_type::ByteArray;
 use super::coordinates;
 use super::problem::RecordProblem;
 use crate::query_kind::{self, QueryKind};
-use crate::record::{Record, Sample};
+use crate::record::{Record, Sample, is_count};
 
 /// The fields of a row. `None` is a null, or a list of coordinates with a null in it.
 pub(super) struct Row {
@@ -34,11 +34,10 @@ impl Row {
             return Err(RecordProblem::Points { expected });
         };
         let (points, _) = points.as_chunks::<3>();
-        let count_is_wrong = |count: &i64| *count < -1;
-        if let Some(count) = self.count.filter(count_is_wrong) {
+        if let Some(count) = self.count.filter(|&count| !is_count(count)) {
             return Err(RecordProblem::field("count", "a number of contacts or -1", count));
         }
-        if let Some(toi) = self.toi.filter(|toi| !(0.0..=1.0).contains(toi)) {
+        if let Some(toi) = self.toi.filter(|&toi| !is_time(toi)) {
             return Err(RecordProblem::field("toi", "a time from 0 to 1", toi));
         }
         let scene = self.scene.as_ref().map(|name| {
@@ -69,4 +68,9 @@ impl Row {
             ids,
         })
     }
+}
+
+/// Returns true for a time of the step.
+pub(super) fn is_time(toi: f64) -> bool {
+    (0.0..=1.0).contains(&toi)
 }

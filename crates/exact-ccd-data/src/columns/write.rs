@@ -11,9 +11,10 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::ColumnPath;
 
+use super::row::is_time;
 use super::{SCHEMA, coordinates};
 use crate::query_kind::{self, QueryKind};
-use crate::record::Record;
+use crate::record::{Record, is_count};
 
 /// The number of queries in a row group, except the last one. The writer keeps as many in memory.
 const GROUP: usize = 1 << 16;
@@ -52,12 +53,21 @@ impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
     /// Adds a query.
     ///
     /// # Errors
-    /// The errors of the writer, and if an id is too large for an i64.
+    /// The errors of the writer, and if an id is too large for an i64, a count below −1, or a time of impact
+    /// not in [0, 1].
     pub fn write(&mut self, record: Record<K>) -> io::Result<()> {
+        let invalid = |message| Err(io::Error::new(io::ErrorKind::InvalidInput, message));
         let is_large = |id: &u64| i64::try_from(*id).is_err();
         if let Some(id) = record.ids.and_then(|ids| ids.into_iter().find(is_large)) {
-            let message = format!("the id {id} is out of the range of int64");
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+            return invalid(format!("the id {id} is out of the range of int64"));
+        }
+        if let Some(count) = record.count.filter(|&count| !is_count(count)) {
+            return invalid(format!(
+                "expected a number of contacts or -1 as count, found {count}"
+            ));
+        }
+        if let Some(toi) = record.toi.filter(|&toi| !is_time(toi)) {
+            return invalid(format!("expected a time from 0 to 1 as toi, found {toi}"));
         }
         self.group.push(record);
         if self.group.len() == GROUP {

@@ -94,15 +94,34 @@ fn files_of_many_row_groups_survive() {
     assert_survive::<VertexFace>(&[]);
 }
 
+/// Values that a reader refuses are not written.
 #[test]
-fn ids_that_do_not_fit_are_an_error() {
+fn values_out_of_range_are_an_error() {
+    let error = |record| {
+        let writer = ColumnWriter::<VertexFace, _>::new(Vec::new());
+        writer.unwrap().write(record).unwrap_err().to_string()
+    };
     let ids = Some([0, 1 << 63]);
-    let error = ColumnWriter::new(Vec::new())
-        .unwrap()
-        .write(Record { ids, ..full(0) })
-        .unwrap_err();
     assert_eq!(
-        error.to_string(),
+        error(Record { ids, ..full(0) }),
         "the id 9223372036854775808 is out of the range of int64"
     );
+    let count = Some(-2);
+    assert_eq!(
+        error(Record { count, ..full(0) }),
+        "expected a number of contacts or -1 as count, found -2"
+    );
+    let mut rows = QueryWriter::new(Vec::new(), Seventh::Count);
+    let refused = rows.write::<VertexFace>(&Record { count, ..full(0) });
+    assert_eq!(
+        refused.unwrap_err().to_string(),
+        "query 0 has -2 as number of contacts"
+    );
+    for (toi, found) in [(-0.5, "-0.5"), (1.5, "1.5"), (f64::NAN, "NaN")] {
+        let toi = Some(toi);
+        assert_eq!(
+            error(Record { toi, ..full(0) }),
+            format!("expected a time from 0 to 1 as toi, found {found}")
+        );
+    }
 }

@@ -119,6 +119,29 @@ impl FromIterator<Point> for Aabb {
 mod tests {
     use super::Aabb;
 
+    /// Of integers, whose sums and halves are exact.
+    #[test]
+    fn a_box_contains_what_is_between_its_sides() {
+        let mut rng = fastrand::Rng::with_seed(1);
+        let mut contained = 0;
+        for _ in 0..1000 {
+            let mut integers = |least, most| [0, 1, 2].map(|_| f64::from(rng.i32(least..=most)));
+            let [lower, lengths] = [integers(-8, 8), integers(0, 8)];
+            let upper = [0, 1, 2].map(|axis: usize| lower[axis] + lengths[axis]);
+            let aabb = Aabb { lower, upper };
+            assert_eq!(aabb.sides(), lengths);
+            assert_eq!(
+                aabb.center(),
+                [0, 1, 2].map(|axis: usize| lower[axis] + 0.5 * lengths[axis])
+            );
+            let point = [0, 1, 2].map(|axis: usize| lower[axis] + f64::from(rng.i32(-1..10)));
+            let is_between = (0..3).all(|axis| lower[axis] <= point[axis] && point[axis] <= upper[axis]);
+            assert_eq!(aabb.contains(&point), is_between, "{aabb:?} {point:?}");
+            contained += usize::from(is_between);
+        }
+        assert!((50..950).contains(&contained), "{contained}");
+    }
+
     #[test]
     fn sides_of_an_inflated_box_are_beyond_the_margin_and_by_little() {
         let mut rng = fastrand::Rng::with_seed(0);

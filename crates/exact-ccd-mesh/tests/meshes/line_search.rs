@@ -129,15 +129,17 @@ fn errors_name_the_wrong_input() {
     let message = |direction: &[Point], search| {
         step_size(&mesh, &x, direction, search).map_err(|error| error.to_string())
     };
-    assert_eq!(
-        message(&x[..2], LineSearch::Exact),
-        Err("in the direction, 2 positions, expected one for each of 3 vertices".to_owned())
-    );
     let infinite = [[0.0, 0.0, f64::INFINITY], [0.0; 3], [0.0; 3]];
-    assert_eq!(
-        message(&infinite, LineSearch::Exact),
-        Err("in the direction, vertex 0 has z = inf, expected a finite number".to_owned())
-    );
+    for search in [LineSearch::Exact, bisection(0.5, &Exact)] {
+        assert_eq!(
+            message(&x[..2], search),
+            Err("in the direction, 2 positions, expected one for each of 3 vertices".to_owned())
+        );
+        assert_eq!(
+            message(&infinite, search),
+            Err("in the direction, vertex 0 has z = inf, expected a finite number".to_owned())
+        );
+    }
     let search = bisection(0.0, &Exact);
     assert_eq!(
         step_size(&mesh, &x, &x, search),

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use exact_ccd::CONTACT;
+use exact_ccd::{CONTACT, Separation};
 use exact_ccd_mesh::{
     CanCollide, Detector, FreeStep, FreeStepOptions, LineSearch, LineSearchError, Point, PositionsError,
     Step, StepError, TriangleMesh, advance, step_size,
@@ -35,6 +35,11 @@ fn check(
     };
     let largest = keep * contact.impact.time.lower();
     assert!((0.0..=largest).contains(&found.size));
+    let places = largest.to_bits() - found.size.to_bits();
+    assert!(
+        found.size == 0.0 || places == 0 || places.is_power_of_two(),
+        "{places}"
+    );
     if found.size < largest {
         // Rounding forbids the largest size.
         assert!(!is_free(mesh, x0, &at(largest)), "{largest} is free");
@@ -182,7 +187,8 @@ fn a_search_can_be_cancelled_at_any_time_and_the_detector_used_again() {
 
     for after in [0, 1, total / 2] {
         let calls = AtomicUsize::new(0);
-        let cancel = || calls.fetch_add(1, Ordering::Relaxed) >= after;
+        // Once is enough.
+        let cancel = || calls.fetch_add(1, Ordering::Relaxed) == after;
         let options = FreeStepOptions::default().with_cancel(&cancel);
         assert_eq!(
             detector.free_step(x0, x1, &options),
@@ -238,6 +244,26 @@ fn wrong_input_is_an_error() {
         detector.free_step_along(&x0, &x1[..3], &options),
         Err(LineSearchError::Direction(count))
     );
+}
+
+/// The vertex falls from two units of the least f64 to −1: contact is a little before t = 2 · 2⁻¹⁰⁷⁴.
+#[test]
+fn the_least_f64_is_a_size() {
+    let least = f64::from_bits(1);
+    let (mesh, x0) = falling(2.0 * least);
+    let (_, x1) = falling(-1.0);
+    let options = FreeStepOptions::default().with_keep(1.0);
+    let free = Detector::new(mesh).free_step(&x0, &x1, &options).unwrap();
+    assert_eq!((free.size, free.positions[3][2]), (least, least));
+}
+
+#[test]
+fn all_is_within_the_largest_distance() {
+    let (mesh, x0) = falling(1.0);
+    let (_, x1) = falling(2.0);
+    let options = FreeStepOptions::default().with_min_distance(Separation::new(f64::MAX).unwrap());
+    let free = Detector::new(mesh).free_step(&x0, &x1, &options).unwrap();
+    assert_eq!((free.size, free.positions), (0.0, x0));
 }
 
 /// Contact is at t = 1/2.

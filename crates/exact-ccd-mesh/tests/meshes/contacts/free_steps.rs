@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use exact_ccd::{EdgeEdge, Options, Separation, Thickness, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{
+    CONTACT, EdgeEdge, Options, Separation, Thickness, VertexEdge, VertexFace, VertexVertex, exact,
+};
 use exact_ccd_mesh::{
     Detector, FreeStepOptions, FreeSteps, LineSearchError, MinDistance, Pair, PairKind, Point, Step,
     TriangleMesh,
@@ -112,6 +114,16 @@ fn check(scene: &Scene, min_distance: &MinDistance, pinned: &[u32], common: f64,
             assert_eq!(size, 1.0);
         } else if pinned.is_empty() {
             assert!(size >= common, "{size} {common}");
+        }
+    }
+    assert!(blocked.is_subset(&scene.pairs().pairs().collect()));
+    for pair in &found.blocked {
+        for vertex in pair.vertices(&scene.mesh).unwrap() {
+            let size = found.sizes[vertex as usize];
+            assert!(
+                size == 0.0 || pinned.contains(&vertex),
+                "{pair:?} {vertex} {size}"
+            );
         }
     }
     let starts_in_contact: BTreeSet<Pair> = touching(
@@ -272,6 +284,48 @@ fn rounds_are_those_that_search_all_pairs() {
     assert!(compared > 200, "{compared}");
 }
 
+/// Points in a row that move by 1: the first one is held back by a point at rest, and each of the others by
+/// the one before it, a round later. A face at rest, far away, may be so large that the step counts as short.
+fn row(keep: f64, size_of_face: f64) -> Scene {
+    let least = 0.02 * keep;
+    let (mut x0, mut size, mut kept) = (vec![[0.02, 0.0, 0.0]], least, keep);
+    for round in 2..40 {
+        // It would pass the one before it by a little, and no other one.
+        let gap = 0.999 - size;
+        kept = if round < 32 { kept * keep } else { 0.0 };
+        size = (kept * gap / (1.0 - size)).max(least);
+        x0.push([x0[round - 2][0] + gap, 0.0, 0.0]);
+    }
+    let mut x1: Vec<Point> = x0.iter().map(|[x, y, z]| [x - 1.0, *y, *z]).collect();
+    let at_rest = [
+        [0.0; 3],
+        [0.0, 0.0, 500.0],
+        [0.0, 10.0, 500.0],
+        [10.0, 0.0, 500.0],
+    ];
+    x0.extend(at_rest);
+    x1.extend(at_rest);
+    let mesh = TriangleMesh::new(43, vec![[40, 41, 42]]).unwrap();
+    Scene { mesh, x0, x1 }
+}
+
+/// From round 32 on, contacts bring vertices to the least size. Boxes of a long step before are not used.
+#[test]
+fn late_rounds_bring_vertices_to_the_least_size() {
+    let options = FreeStepOptions::default();
+    for size_of_face in [0.1, 10.0] {
+        let scene = row(options.keep, size_of_face);
+        let mut detector = Detector::new(scene.mesh.clone());
+        let common = detector.free_step(&scene.x0, &scene.x1, &options).unwrap().size;
+        let expected = rounds(&scene, &options.min_distance, options.keep, common);
+        assert_eq!(expected.1, 40);
+        let far: Vec<Point> = scene.x0.iter().map(|[x, y, z]| [*x, *y, z + 100.0]).collect();
+        assert_eq!(detector.collides(&scene.x0, &far, CONTACT), Ok(false));
+        let found = detector.free_steps(&scene.x0, &scene.x1, &[], &options).unwrap();
+        assert_eq!((found.sizes, found.rounds), expected);
+    }
+}
+
 #[test]
 fn sizes_do_not_depend_on_threads_or_on_steps_before() {
     let mut random = Rng::with_seed(63);
@@ -287,6 +341,23 @@ fn sizes_do_not_depend_on_threads_or_on_steps_before() {
         });
         assert_eq!(again, Ok(found.clone()));
     }
+}
+
+/// With all of the time of impact kept, contact at t = 1/2 and at t = 1.
+#[test]
+fn a_vertex_that_touches_at_the_end_stops_one_place_before() {
+    let mesh = TriangleMesh::new(5, vec![[0, 1, 2]]).unwrap();
+    let floor = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let at = |heights: [f64; 2]| {
+        let vertices = [[0.25, 0.25, heights[0]], [0.5, 0.25, heights[1]]];
+        [&floor[..], &vertices].concat()
+    };
+    let options = FreeStepOptions::default().with_keep(1.0);
+    let mut detector = Detector::new(mesh);
+    let steps = detector
+        .free_steps(&at([1.0, 1.0]), &at([-1.0, 0.0]), &[], &options)
+        .unwrap();
+    assert_eq!(steps.sizes[3..], [0.5_f64.next_down(), 1.0_f64.next_down()]);
 }
 
 /// A wall moves onto a cloth at rest: nothing that the cloth can do avoids it.

@@ -199,3 +199,24 @@ fn free_steps_keep_crossings_away() {
     }
     assert!(blocked > 30, "{blocked}");
 }
+
+/// The end of steps that are free is known, that of steps with a blocked pair is not.
+#[test]
+fn the_end_of_blocked_steps_is_checked() {
+    let options = FreeStepOptions::default();
+    let mut detector = Detector::new(two_faces()).with_start_check(true);
+    let mut x = above(8.0);
+    for _ in 0..3 {
+        let taken = detector.free_steps(&x, &above(-1.0), &[], &options).unwrap();
+        assert!(taken.blocked.is_empty() && taken.positions != x);
+        x = taken.positions;
+    }
+    assert_eq!(detector.start_passes(), 1);
+    let all = [0, 1, 2, 3, 4, 5];
+    let taken = detector.free_steps(&x, &above(-1.0), &all, &options).unwrap();
+    assert!(!taken.blocked.is_empty() && taken.positions == above(-1.0));
+    assert!(matches!(
+        detector.collides(&above(-1.0), &x, CONTACT),
+        Err(StepError::Crossing { edge: 3, face: 0, .. })
+    ));
+}

@@ -372,3 +372,24 @@ fn a_number_of_thicknesses_that_is_not_that_of_vertices_is_an_error() {
     let candidates = Candidates::with_options(scene.step(), &Bvh, &options);
     assert_eq!(candidates.unwrap_err(), CandidateError::ThicknessCount(expected));
 }
+
+/// A vertex above a face, which both rest or move together: every step has its own distances.
+#[test]
+fn a_detector_takes_new_distances() {
+    let mesh = TriangleMesh::new(4, vec![[0, 1, 2]]).unwrap();
+    let x0 = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, 1.0]];
+    let mut detector = Detector::new(mesh);
+    for by in [0.0, 100.0] {
+        let x1 = x0.map(|x| x.map(|x| x + by));
+        for large in [1.0, 10.0] {
+            for (size, is_near) in [(0.125, false), (large, true)] {
+                let thickness = MinDistance::thickness(Thickness::new(&[size; 4]).unwrap());
+                let uniform = MinDistance::uniform(separation(size));
+                for distance in [thickness, uniform] {
+                    let found = detector.collides(&x0, &x1, Options::within(distance));
+                    assert_eq!(found, Ok(is_near), "{by} {size}");
+                }
+            }
+        }
+    }
+}
