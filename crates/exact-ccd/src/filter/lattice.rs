@@ -14,6 +14,10 @@ use crate::query::Query;
 
 /// The points of a query in integers, each axis in a unit of its own: contact is invariant under such
 /// scalings.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a local variable, which is not moved or stored"
+)]
 pub(super) enum Integers<K> {
     Short(Lattice<K, i64>),
     Long(Lattice<K, i128>),
