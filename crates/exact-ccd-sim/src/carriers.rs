@@ -61,6 +61,7 @@ impl Carriers {
     }
 
     /// Returns true if no vertex is carried.
+    #[inline]
     pub(crate) fn is_empty(&self) -> bool {
         self.bodies.is_empty()
     }
@@ -123,7 +124,7 @@ impl Carriers {
     /// The vertices on which a term of these vertices depends, without repetition: nodes in place of those
     /// that are carried.
     pub(crate) fn unknowns<'a>(&self, vertices: &'a [u32]) -> Cow<'a, [u32]> {
-        if vertices.iter().all(|&vertex| self.of(vertex).is_none()) {
+        if self.is_empty() || vertices.iter().all(|&vertex| self.of(vertex).is_none()) {
             return Cow::Borrowed(vertices);
         }
         let mut unknowns = Vec::new();

@@ -176,7 +176,8 @@ impl Near<'_> {
         let corners = gather(self.points, &vertices);
         let first = 0..second.start;
         let farthest = thickness + self.barrier.activation_distance();
-        if are_apart(&corners[first], &corners[second], farthest) {
+        let [a, b] = [&corners[first], &corners[second]];
+        if are_apart(a, b, farthest) || are_apart_between_centers(a, b, farthest) {
             return None;
         }
         let feature = feature(&corners);
@@ -294,4 +295,21 @@ fn are_apart(a: &[Vector3<f64>], b: &[Vector3<f64>], distance: f64) -> bool {
         let ((a_lower, a_upper), (b_lower, b_upper)) = (range(a), range(b));
         b_lower - a_upper > distance || a_lower - b_upper > distance
     })
+}
+
+/// Returns true if two sets of points are more than a distance apart, up to rounding, along the line between
+/// their centers. This test rejects most neighbours in a mesh, whose boxes meet.
+#[inline]
+fn are_apart_between_centers(a: &[Vector3<f64>], b: &[Vector3<f64>], distance: f64) -> bool {
+    let origin = a[0];
+    let center = |points: &[Vector3<f64>]| {
+        let sum: Vector3<f64> = points.iter().map(|point| point - origin).sum();
+        sum / points.len() as f64
+    };
+    let axis = center(b) - center(a);
+    let along = |point: &Vector3<f64>| axis.dot(&(point - origin));
+    let last = a.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+    let first = b.iter().map(along).fold(f64::INFINITY, f64::min);
+    let gap = first - last;
+    gap > 0.0 && gap * gap > distance * distance * axis.norm_squared()
 }

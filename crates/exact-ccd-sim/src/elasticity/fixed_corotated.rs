@@ -2,9 +2,10 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::isotropic::{Isotropic, PAIRS, Principal, rotation_variant};
+use super::isotropic::{Isotropic, PAIRS, Principal};
 use super::lame::ElasticModuli;
 use super::neo_hookean::cofactor;
+use super::singular_values::rotation_variant;
 
 /// Ψ = μ |F − R|² + λ/2 (J − 1)² = μ Σ (σᵢ − 1)² + λ/2 (J − 1)², with the rotation R nearest to F.
 ///

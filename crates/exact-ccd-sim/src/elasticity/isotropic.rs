@@ -5,6 +5,7 @@ use std::fmt::Debug;
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::singular_values::rotation_variant;
 use crate::energy::Projection;
 
 /// An isotropic energy density Ψ(F), in J/m³.
@@ -100,19 +101,4 @@ impl Curvature {
         });
         self.u * block * self.u.transpose()
     }
-}
-
-/// The decomposition F = U diag(σ) Vᵀ in which U Vᵀ is a rotation. The last σ is negative if det F < 0.
-pub(super) fn rotation_variant(f: &Matrix3<f64>) -> (Matrix3<f64>, Vector3<f64>, Matrix3<f64>) {
-    let svd = f.svd(true, true);
-    let (Some(mut u), Some(v_t)) = (svd.u, svd.v_t) else {
-        return (Matrix3::identity(), f.diagonal(), Matrix3::identity());
-    };
-    let mut stretches = svd.singular_values;
-    if (u * v_t).determinant() < 0.0 {
-        stretches[2] = -stretches[2];
-        let flipped = -u.column(2);
-        u.set_column(2, &flipped);
-    }
-    (u, stretches, v_t.transpose())
 }

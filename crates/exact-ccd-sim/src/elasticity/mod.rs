@@ -13,6 +13,7 @@ mod lame;
 mod membrane;
 mod neo_hookean;
 mod saint_venant_kirchhoff;
+mod singular_values;
 mod solid_material;
 mod stable_neo_hookean;
 mod star;

@@ -4,7 +4,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::{Matrix3, SMatrix};
 
 use super::isotropic::{Curvature, Isotropic};
-use crate::energy::{Block, Energy, Projection, gather, pairs, write_each};
+use crate::energy::{Block, Energy, Projection, gather, write_each};
 
 /// A tetrahedron with constant deformation gradient.
 ///
@@ -88,10 +88,17 @@ impl<M: Isotropic> Energy for Tetrahedron<M> {
         gradient.copy_from_slice(forces.as_slice());
     }
 
+    /// F does not depend on the place of the tetrahedron, so that the blocks of the first vertex follow from
+    /// the others.
     fn write_hessian(&self, points: &[Point], projection: Projection, hessian: &mut [Block]) {
         let curvature = Curvature::new(&self.density, &self.deformation(points), projection);
-        let shape = [0, 1, 2, 3].map(|i: usize| curvature.in_frame(&self.shape.row(i).transpose()));
+        let shape = [1, 2, 3].map(|i: usize| curvature.in_frame(&self.shape.row(i).transpose()));
         let block = |[row, column]: [usize; 2]| curvature.block(&shape[row], &shape[column]) * self.volume;
-        write_each(pairs(4).map(block), hessian);
+        let [bb, cb, db, cc, dc, dd] = [[0, 0], [1, 0], [2, 0], [1, 1], [2, 1], [2, 2]].map(block);
+        let ba = -(bb + cb.transpose() + db.transpose());
+        let ca = -(cb + cc + dc.transpose());
+        let da = -(db + dc + dd);
+        let aa = -(ba + ca + da);
+        write_each([aa, ba, ca, da, bb, cb, db, cc, dc, dd], hessian);
     }
 }

@@ -1,5 +1,7 @@
 //! The contacts of a state.
 
+use std::borrow::Cow;
+
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
@@ -22,6 +24,12 @@ pub struct Contact {
     pub force: Point,
 }
 
+/// The collisions of some positions. They are computed again where these are others: no result depends on it.
+pub(super) struct KnownCollisions {
+    pub(super) positions: Vec<Point>,
+    pub(super) collisions: Collisions,
+}
+
 impl Simulation {
     /// The contacts of the current state, in an order that does not depend on threads.
     #[must_use]
@@ -32,11 +40,16 @@ impl Simulation {
     }
 
     /// The collisions of the current state.
-    pub(super) fn collisions(&self) -> Collisions {
+    pub(super) fn collisions(&self) -> Cow<'_, Collisions> {
         let positions = &self.state.positions;
+        if let Some(known) = &self.known
+            && known.positions == *positions
+        {
+            return Cow::Borrowed(&known.collisions);
+        }
         let candidates = self.system.geometry.near_at(positions, &self.barrier);
         let surface = self.system.contact_surface(self.settings.formulation);
-        Collisions::new(surface, &candidates, positions, self.barrier)
+        Cow::Owned(Collisions::new(surface, &candidates, positions, self.barrier))
     }
 
     fn contact(&self, collision: &Collision) -> Contact {

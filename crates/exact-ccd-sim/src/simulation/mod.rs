@@ -30,6 +30,7 @@ use crate::state::State;
 use crate::system::{Fingerprint, System};
 
 pub use contacts::Contact;
+use contacts::KnownCollisions;
 pub use error::SimulationError;
 pub use primitive::{BodyPrimitive, Primitive};
 pub use warning::Warning;
@@ -54,6 +55,7 @@ pub struct Simulation {
     coefficients: Coefficients,
     memory: Memory,
     state: State,
+    known: Option<KnownCollisions>,
     fingerprint: Fingerprint,
     interrupt: Arc<AtomicBool>,
     watch: Option<Arc<Watch>>,
@@ -139,6 +141,7 @@ impl Simulation {
             barrier,
             memory: Memory::default(),
             state,
+            known: None,
             interrupt: Arc::default(),
             watch: None,
         })

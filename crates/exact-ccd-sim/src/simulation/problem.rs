@@ -68,12 +68,13 @@ impl<'a> Problem<'a> {
     /// The iterate at the start.
     pub(super) fn first(&self) -> Iterate<'a> {
         let dirichlet = Dirichlet::new(self.paths, &self.newton.held);
-        let collisions = self.simulation.collisions();
+        let collisions = self.simulation.collisions().into_owned();
         let twists = self.newton.chains.twists(&dirichlet);
         Iterate {
             positions: self.simulation.state.positions.clone(),
             stiffness: self.stiffness(&collisions, &twists),
             collisions,
+            value: None,
             dirichlet,
         }
     }

@@ -4,14 +4,15 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::problem::Problem;
+use crate::contact::Collisions;
 use crate::elasticity::Twist;
 use crate::solver::{Form, Iterate};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Statistics};
 
 impl Problem<'_> {
-    /// The state with the positions of an iterate. Adds its figures to the statistics.
-    pub(super) fn record(&self, now: Iterate<'_>, statistics: &mut Statistics) -> State {
+    /// The state with the positions of an iterate, and its collisions. Adds its figures to the statistics.
+    pub(super) fn record(&self, now: Iterate<'_>, statistics: &mut Statistics) -> (State, Collisions) {
         let before = &self.simulation.state;
         let twists = self.newton.chains.twists(&now.dirichlet);
         let velocities = self.scheme.velocities(&now.positions);
@@ -21,7 +22,7 @@ impl Problem<'_> {
         statistics.script_lag = now.dirichlet.lag(&now.positions);
         statistics.energies = self.energies(&now, &twists, &velocities);
         statistics.stiffness = touched.then_some(now.stiffness);
-        State {
+        let state = State {
             // Parts of a time step do not count.
             step: before.step,
             velocities,
@@ -34,7 +35,8 @@ impl Problem<'_> {
             behind: now.dirichlet.behind(),
             twists: self.newton.chains.angles(&twists, &now.positions),
             positions: now.positions,
-        }
+        };
+        (state, now.collisions)
     }
 
     fn energies(&self, now: &Iterate<'_>, twists: &[Twist], velocities: &[Point]) -> Energies {

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use exact_ccd_mesh::Point;
 
+use super::contacts::KnownCollisions;
 use super::problem::Problem;
 use super::{Simulation, SimulationError};
 use crate::integrator::Integrator;
@@ -152,7 +153,12 @@ impl Simulation {
         let mut problem = Problem::new(self, &paths);
         let mut now = problem.first();
         let mut statistics = problem.minimise(&mut memory, &mut now, visit)?;
-        self.state = problem.record(now, &mut statistics);
+        let (state, collisions) = problem.record(now, &mut statistics);
+        self.known = Some(KnownCollisions {
+            positions: state.positions.clone(),
+            collisions,
+        });
+        self.state = state;
         self.memory = memory;
         statistics.seconds.total = clock.elapsed().as_secs_f64();
         Ok(statistics)

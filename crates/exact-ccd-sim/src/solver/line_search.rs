@@ -21,8 +21,18 @@ const HALVINGS: usize = 60;
 pub(super) struct Taken {
     pub(super) positions: Vec<Point>,
     pub(super) collisions: Collisions,
+    /// The value of the potential there.
+    pub(super) value: f64,
     /// The length of the step, relative to that of the Newton direction.
     pub(super) size: f64,
+}
+
+impl Iterate<'_> {
+    /// The value of the potential.
+    pub(super) fn potential(&self, potential: &Potential<'_>) -> f64 {
+        let value = || potential.value(&self.positions, self.collisions.as_slice());
+        self.value.unwrap_or_else(value)
+    }
 }
 
 impl Newton<'_> {
@@ -65,7 +75,7 @@ impl Newton<'_> {
             return Ok(true);
         }
 
-        let before = potential.value(&now.positions, now.collisions.as_slice());
+        let before = now.potential(potential);
         for _ in 0..HALVINGS {
             let clock = Instant::now();
             let along = step.at(part);
@@ -94,6 +104,7 @@ impl Newton<'_> {
                     let taken = Taken {
                         positions,
                         collisions,
+                        value: after,
                         size: part * longest,
                     };
                     self.take(now, taken, statistics);
@@ -118,7 +129,9 @@ impl Newton<'_> {
     /// Takes a step, and adapts the stiffness of the barrier.
     fn take(&self, now: &mut Iterate<'_>, taken: Taken, statistics: &mut Statistics) {
         let [before, after] = [&now.collisions, &taken.collisions].map(Collisions::minimal_distance);
-        now.stiffness = self.range.adapt(now.stiffness, before, after);
+        let stiffness = self.range.adapt(now.stiffness, before, after);
+        now.value = (stiffness == now.stiffness).then_some(taken.value);
+        now.stiffness = stiffness;
         now.positions = taken.positions;
         now.collisions = taken.collisions;
         statistics.step_sizes.push(taken.size);

@@ -51,6 +51,8 @@ pub(crate) struct Memory {
 pub(crate) struct Iterate<'a> {
     pub(crate) positions: Vec<Point>,
     pub(crate) collisions: Collisions,
+    /// The value of the potential here, if the line search before found it.
+    pub(crate) value: Option<f64>,
     /// κ.
     pub(crate) stiffness: f64,
     pub(crate) dirichlet: Dirichlet<'a>,
@@ -71,6 +73,8 @@ impl Newton<'_> {
         let mass = self.system.free_mass();
         let unknowns = &Unknowns::new(&self.held);
         let tolerance = self.settings.newton_tolerance(self.system.size());
+        // The terms of the last minimisation can be others.
+        now.value = None;
         for iteration in 0..self.settings.max_iterations {
             if self.interrupt.load(Ordering::Relaxed) {
                 let step = self.times.step;
@@ -121,6 +125,7 @@ impl Newton<'_> {
                 });
             }
             if now.dirichlet.is_prescribed() {
+                now.value = None;
                 if self.prescribe(&mut memory.steps, now, &direction, &potential, statistics) {
                     visit(&now.positions);
                 }

@@ -44,7 +44,7 @@ impl Newton<'_> {
             .collect();
         let slope = direction.slope(&moves);
         let promised = common * (1.0 - 0.5 * common) * direction.decrease;
-        let before = potential.value(&now.positions, now.collisions.as_slice());
+        let before = now.potential(potential);
         let mut part = 1.0;
         while promised > 0.0 && -slope * part >= promised {
             let clock = Instant::now();
@@ -61,6 +61,7 @@ impl Newton<'_> {
                     return Some(Taken {
                         positions,
                         collisions,
+                        value: after,
                         size: part * direction.share(&moves),
                     });
                 }
