@@ -60,8 +60,9 @@ impl Rotation {
     fn between(columns: &[Vector3<f64>; 3], [i, j]: [usize; 2]) -> Option<Self> {
         let (x, y) = (&columns[i], &columns[j]);
         let (xx, yy, xy) = (x.norm_squared(), y.norm_squared(), x.dot(y));
-        // NaN is orthogonal to everything.
-        if !(xy * xy > f64::EPSILON * f64::EPSILON * xx * yy) {
+        // False for NaN.
+        let are_oblique = xy * xy > f64::EPSILON * f64::EPSILON * xx * yy;
+        if !are_oblique {
             return None;
         }
         let ratio = (yy - xx) / (2.0 * xy);

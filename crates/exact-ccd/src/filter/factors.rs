@@ -130,15 +130,11 @@ mod tests {
     /// Mirrored points of few coordinates, of which many are multiples of the same linear functions.
     fn mirrored(random: &mut fastrand::Rng) -> Points<i64> {
         let functions = [(); 4].map(|()| [random.i64(1..5), -random.i64(1..5)]);
-        let mut points = Points::default();
-        for point in 0..4 {
-            for axis in 0..3 {
-                let [start, end] = functions[random.usize(..4)];
-                let multiple = random.i64(-1..=1);
-                (points[0][point][axis], points[1][point][axis]) = (multiple * start, multiple * end);
-            }
-        }
-        points
+        let coordinates = [(); 12].map(|()| {
+            let multiple = random.i64(-1..=1);
+            functions[random.usize(..4)].map(|end| multiple * end)
+        });
+        [0, 1].map(|time: usize| from_fn(|point| from_fn(|axis| coordinates[3 * point + axis][time])))
     }
 
     #[test]
