@@ -300,8 +300,8 @@ fn row(keep: f64, size_of_face: f64) -> Scene {
     let at_rest = [
         [0.0; 3],
         [0.0, 0.0, 500.0],
-        [0.0, 10.0, 500.0],
-        [10.0, 0.0, 500.0],
+        [0.0, size_of_face, 500.0],
+        [size_of_face, 0.0, 500.0],
     ];
     x0.extend(at_rest);
     x1.extend(at_rest);
