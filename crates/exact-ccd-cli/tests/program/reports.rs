@@ -32,6 +32,7 @@ fn every_report_has_its_schema() {
             &["--with", "end.ply"],
             &["--half-space", "0,0,0.25,0,0,1", "--any"],
             &["--all", "all.csv", "--view", "page.html"],
+            &["--certificate", "step.cert"],
         ] {
             let run = folder.run(&[&["step", "start.ply", "end.ply", "--json"], options].concat());
             schema.assert("motion", &json_of(&run));
@@ -42,6 +43,7 @@ fn every_report_has_its_schema() {
             &["--min-distance", "0.125"],
             &["--with", "end.ply"],
             &["--half-space", "0,0,0.25,0,0,1", "--all", "all.jsonl"],
+            &["--certificate", "audit.cert"],
         ] {
             let run = folder.run(&[&["audit", "start.ply", "end.ply", "--json"], options].concat());
             schema.assert("motion", &json_of(&run));
