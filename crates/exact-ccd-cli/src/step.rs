@@ -53,7 +53,7 @@ pub(crate) struct Arguments {
     /// Do not search for places where the mesh passes through itself at t = 0.
     #[arg(long)]
     no_start_check: bool,
-    /// Find the earliest contact only: contacts that are found cull the rest, and nothing is
+    /// Find the earliest contact only. Pairs that cannot be earlier are skipped, and nothing is
     /// counted.
     #[arg(long, conflicts_with = "any")]
     toi: bool,

@@ -1,4 +1,4 @@
-//! A search that examines few candidates: contacts that are found cull the rest.
+//! A search that examines few candidates: those that cannot be earlier than a contact found are left out.
 
 use std::ops::ControlFlow;
 
