@@ -51,12 +51,11 @@ impl<L: Length> Factors<L> {
         for axis in 0..3 {
             let since_first = |i: usize| points.map(|end| end[i][axis].minus(end[0][axis]));
             if let Some(zero) = common_zero([1, 2, 3].map(since_first)) {
-                at_rest[1] = from_fn(|i| {
-                    let mut point = at_rest[1][i];
-                    point[axis] = at_rest[0][i][axis];
-                    point
-                });
-                // More than three have a product of zero.
+                let [start, end] = &mut at_rest;
+                for (end, start) in end.iter_mut().zip(start) {
+                    end[axis] = start[axis];
+                }
+                // With more than three factors, the determinant is zero.
                 let _ = zeros.try_push(zero);
             }
         }
