@@ -95,8 +95,7 @@ pub(crate) struct Arguments {
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = distances::parse, allow_hyphen_values = true)]
     min_distance: Separation,
-    /// The method, in upper or lower case: exact, parity, parity-rational, or one of `exact-ccd bench`.
-    #[arg(long, default_value = "exact")]
+    #[arg(long, default_value = "exact", help = Method::help())]
     method: Method,
     /// Round coordinates that are not exactly f64 to the nearest, instead of refusing them.
     #[arg(long)]
