@@ -52,7 +52,8 @@ const BATCH: usize = 4096;
 ///
 /// Without --kind, the kind is that of the folder, vertex-face or edge-edge, of
 /// the column kind of a Parquet file, or the only one whose queries fill the rows
-/// of a file, which is noted. If it is not certain, that is an error.
+/// of a file, which is noted. If it is not certain, that is an error. A --kind that
+/// is not that of the folder is noted.
 ///
 /// The answers are CSV, a row for each query:
 ///   query    the number of the query, from 0, over all files
