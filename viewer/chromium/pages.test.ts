@@ -133,6 +133,19 @@ describe("the page of a step", () => {
     expect(await text(page, "#moment")).toBe(stopped);
   });
 
+  it("has room for each part of the toolbar, in narrow windows too", async () => {
+    for (const width of [400, 730, 1200]) {
+      await page.setViewportSize({ width, height: 760 });
+      const cut = await page.evaluate(() => {
+        const parts = [...document.querySelectorAll("footer > *")];
+        const isCut = (part: Element): boolean =>
+          part.scrollWidth > part.clientWidth || part.getBoundingClientRect().right > window.innerWidth;
+        return parts.filter(isCut).map((part) => part.id);
+      });
+      expect(cut, `${width} pixels`).toEqual([]);
+    }
+  });
+
   it("is light or dark", async () => {
     const background = (): Promise<string> => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     expect(await background()).toBe("rgb(255, 255, 255)");

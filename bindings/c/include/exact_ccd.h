@@ -339,7 +339,7 @@ enum exact_ccd_status_t exact_ccd_detector_set_thickness(struct exact_ccd_detect
 
 /// A uniform distance as in `exact_ccd_detector_set_min_distance`, and a smaller one for pairs that
 /// start within it: these are in contact only if they come within `inner_distance`. For a line search
-/// that has to move on from there.
+/// that has to move on from there. One that is not smaller changes nothing.
 enum exact_ccd_status_t exact_ccd_detector_set_inner_distance(struct exact_ccd_detector_t *detector,
                                                               double min_distance,
                                                               double inner_distance);

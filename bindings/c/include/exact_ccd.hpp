@@ -410,7 +410,8 @@ public:
         check(exact_ccd_detector_set_min_distance(handle(), min_distance));
     }
 
-    /// Pairs that start within `min_distance` are in contact only if they come within `inner_distance`.
+    /// Pairs that start within `min_distance` are in contact only if they come within `inner_distance`, if that is
+    /// smaller.
     void set_inner_distance(double min_distance, double inner_distance)
     {
         check(exact_ccd_detector_set_inner_distance(handle(), min_distance, inner_distance));

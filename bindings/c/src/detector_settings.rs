@@ -49,7 +49,7 @@ pub unsafe extern "C" fn exact_ccd_detector_set_thickness(
 
 /// A uniform distance as in `exact_ccd_detector_set_min_distance`, and a smaller one for pairs that
 /// start within it: these are in contact only if they come within `inner_distance`. For a line search
-/// that has to move on from there.
+/// that has to move on from there. One that is not smaller changes nothing.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_set_inner_distance(
     detector: *mut Detector,

@@ -17,7 +17,7 @@ use crate::mesh_arguments::MeshArguments;
 use crate::notes::Notes;
 use crate::progress::{self, during};
 use crate::report::{Report, Violations};
-use crate::scene::{Scene, note_split_vertices};
+use crate::scene::Scene;
 use crate::seconds::Seconds;
 use crate::view::Recording;
 use crate::{impact_files, view};
@@ -168,8 +168,8 @@ impl<'a> Run<'a> {
             .map(|violation| record(start, last, violation))
             .collect();
         if let Some(first) = found.first().filter(|_| index == 0) {
-            let options = &self.arguments.mesh.scene;
-            note_split_vertices(first, &[&last.positions], options, &mut self.report.notes);
+            self.scene
+                .note_split_vertices(first, &[&last.positions], &mut self.report.notes);
         }
         let all = found.into_iter().chain(self.half_spaces.touching(index, last));
         let in_file = |record: ContactRecord| record.in_file(self.scene.ids());

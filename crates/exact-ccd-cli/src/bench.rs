@@ -47,9 +47,7 @@ pub(crate) struct Arguments {
     /// The folder.
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// A method that takes part, in upper or lower case; may be repeated, or several with commas between
-    /// them [default: all]
-    #[arg(long, value_name = "NAME", value_delimiter = ',', alias = "methods")]
+    #[arg(long, value_name = "NAME", value_delimiter = ',', alias = "methods", help = method_help())]
     method: Vec<String>,
     /// The size of the random sample of each data set and kind. Half of it are queries in contact,
     /// if there are enough.
@@ -68,6 +66,14 @@ pub(crate) struct Arguments {
     /// schema.
     #[arg(long)]
     json: bool,
+}
+
+fn method_help() -> String {
+    let names = exact_ccd_methods::names().join(", ");
+    format!(
+        "A method that takes part, in upper or lower case, of {names} and those of --peer; may be repeated, or several \
+         with commas between them [default: all]"
+    )
 }
 
 /// The time that a peer has to start, and for an answer beyond its budget.

@@ -24,6 +24,15 @@ impl Distances {
             inner_distance: inner_distance.map(Separation::get),
         }
     }
+
+    /// The words for primitives that touch at the start of a step.
+    pub(crate) fn touching(&self) -> &'static str {
+        if self.min_distance == 0.0 {
+            "that touch"
+        } else {
+            "within the minimum distance"
+        }
+    }
 }
 
 /// The distances of a mesh in which one holds for all pairs, or another one for those that start within it.

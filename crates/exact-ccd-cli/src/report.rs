@@ -226,7 +226,7 @@ impl fmt::Display for Report {
         if self.contact.is_none() && (self.collision_free || self.command == "step") {
             writeln!(f, "{}", self.decision())?;
         }
-        self.counts.fmt(f)?;
+        self.counts.write(f, &self.distances)?;
         if self.command == "audit" {
             writeln!(f, "frames: {} of {} examined", self.examined, self.frames)?;
         }
@@ -234,21 +234,25 @@ impl fmt::Display for Report {
     }
 }
 
-/// A line of text for each count.
-impl fmt::Display for Counts {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Counts {
+    /// Writes a line of text for each count.
+    fn write(&self, f: &mut fmt::Formatter<'_>, distances: &Distances) -> fmt::Result {
+        let touching = distances.touching();
         if let Some(count) = self.intersections.filter(|count| *count > 0) {
             writeln!(f, "pairs that intersect at t = 0: {count}")?;
         }
         if let Some(pairs) = &self.pairs {
             writeln!(f, "candidate pairs: {}", pairs.candidates)?;
-            writeln!(f, "pairs that touch at t = 0: {}", pairs.touching_at_start)?;
+            if pairs.colliding.total() > 0 {
+                writeln!(f, "pairs in contact: {}", pairs.colliding)?;
+            }
+            writeln!(f, "pairs {touching} at t = 0: {}", pairs.touching_at_start)?;
         }
         if let Some(vertices) = &self.half_spaces {
-            let (colliding, touching) = (vertices.colliding, vertices.touching_at_start);
+            let (colliding, at_start) = (vertices.colliding, vertices.touching_at_start);
             writeln!(
                 f,
-                "vertices that touch half spaces: {colliding}, at t = 0: {touching}"
+                "vertices in contact with half spaces: {colliding}; those {touching} at t = 0: {at_start}"
             )?;
         }
         match self.violations {
@@ -258,6 +262,12 @@ impl fmt::Display for Counts {
             ),
             _ => Ok(()),
         }
+    }
+}
+
+impl OfKinds {
+    fn total(&self) -> usize {
+        self.vf + self.ee + self.ve + self.vv
     }
 }
 

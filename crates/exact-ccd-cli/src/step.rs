@@ -20,7 +20,7 @@ use crate::mesh_arguments::MeshArguments;
 use crate::notes::Notes;
 use crate::progress::{self, during};
 use crate::report::{Counts, Pairs, Report, Violations};
-use crate::scene::{Scene, note_split_vertices};
+use crate::scene::Scene;
 use crate::seconds::Seconds;
 use crate::timed::Timed;
 
@@ -62,7 +62,7 @@ pub(crate) struct Arguments {
     any: bool,
     /// Count pairs that start within the minimum distance as touching only if they come within D, a
     /// smaller distance, which may be 0. A line search that starts there can move on so. For all
-    /// other pairs, the minimum distance holds.
+    /// other pairs, the minimum distance holds. A D that is not smaller changes nothing.
     #[arg(
         long,
         value_name = "D",
@@ -82,7 +82,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let Arguments { mesh, .. } = arguments;
     mesh.check_places()?;
     let mut certificate = mesh.certificate.begin(&arguments.files, mesh.min_distance)?;
-    if certificate.is_wanted() && (arguments.files.len() != 2 || arguments.inner_distance.is_some()) {
+    if certificate.is_wanted() && (arguments.files.len() != 2 || arguments.inner_distance().is_some()) {
         return Err(Failure::new(
             "a certificate is about one pair of files, without --inner-distance",
         ));
@@ -95,7 +95,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     clock.end("read");
 
     let found = arguments.find(&problem, &mut detector, &mut clock)?;
-    let distances = Distances::new(mesh.min_distance, arguments.inner_distance);
+    let distances = Distances::new(mesh.min_distance, arguments.inner_distance());
     let mut report = Report::new("step", &scene, notes, distances);
     arguments.tell(&scene, &problem, &found, &mut report);
     if mesh.has_files() {
@@ -182,6 +182,12 @@ impl Problem {
 }
 
 impl Arguments {
+    /// The distance of pairs that start within the minimum distance, if it is a smaller one.
+    fn inner_distance(&self) -> Option<Separation> {
+        let is_smaller = |inner: &Separation| *inner < self.mesh.min_distance;
+        self.inner_distance.filter(is_smaller)
+    }
+
     fn read(&self, notes: &mut Notes) -> Result<(Scene, Motion), Failure> {
         let mut scene = Scene::of_pairs(&self.files, &self.mesh.scene, notes)?;
         self.mesh.check(&scene)?;
@@ -191,7 +197,7 @@ impl Arguments {
     }
 
     fn problem(&self, scene: &Scene, motion: Motion) -> Problem {
-        let (min_distance, inner_distance) = (self.mesh.min_distance, self.inner_distance);
+        let (min_distance, inner_distance) = (self.mesh.min_distance, self.inner_distance());
         let half_spaces = &self.mesh.half_spaces;
         Problem {
             can_collide: scene.can_collide(),
@@ -247,7 +253,7 @@ impl Arguments {
         let touches = |record: &&ContactRecord| !self.any && record.toi() == 0.0;
         if let Some(first) = at_start.as_ref().or(earliest.as_ref().filter(touches)) {
             let Motion { x0, x1, .. } = &problem.motion;
-            note_split_vertices(first, &[x0, x1], &self.mesh.scene, &mut report.notes);
+            scene.note_split_vertices(first, &[x0, x1], &mut report.notes);
         }
         if let Some(record) = &at_start {
             report.add(scene, 1, record);

@@ -75,7 +75,8 @@ impl fmt::Display for Place {
     }
 }
 
-/// An error at a place in a mesh file. Elements and vertices are counted from 0 unless stated otherwise.
+/// An error at a place in a mesh file. Elements and vertices are counted as in the format: from 1 in OBJ,
+/// from 0 in all others.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
@@ -96,7 +97,7 @@ pub enum Fault {
     /// A face has fewer than three corners.
     #[error("face {face} has {corners} corners, expected at least 3")]
     Corners {
-        /// The index of the face.
+        /// The number of the face.
         face: usize,
         /// The number of its corners.
         corners: i64,
@@ -105,7 +106,7 @@ pub enum Fault {
     /// triangles.
     #[error("face {face} has {corners} corners, but only triangles are allowed")]
     Polygon {
-        /// The index of the face in the file, or of the side of a cell.
+        /// The number of the face in the file, or of the side of a cell.
         face: usize,
         /// The number of its corners.
         corners: usize,
@@ -156,7 +157,7 @@ pub enum Fault {
     Index {
         /// `face`, `edge`, `polyline` or `point`.
         element: &'static str,
-        /// The index of that element.
+        /// The number of that element.
         number: usize,
         /// The vertex, with the numbering of the file.
         index: i64,

@@ -25,11 +25,12 @@ pub struct FrameOrder {
     pub uncertain: Option<[PathBuf; 2]>,
     /// True if the files were given in another order.
     pub is_changed: bool,
-    /// The numbers that are missing in the row, if the names differ in one whole number only.
+    /// The numbers that are missing, if the names differ in numbers only: in the first place where they
+    /// differ, as the time steps in `000012-003.ply`, if these are whole numbers in increasing order.
     pub missing: Vec<Missing>,
 }
 
-/// Missing numbers in a row of files: `first`, `first + stride`, … up to `last`.
+/// Missing numbers in the names of files: `first`, `first + stride`, … up to `last`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Missing {
     /// The first missing number.
@@ -68,15 +69,18 @@ impl FrameOrder {
     #[must_use]
     pub fn of_row(given: Vec<PathBuf>) -> Self {
         let ordered = Self::of(given.clone());
-        let is_increasing = |row: Vec<Piece>| row.windows(2).all(|pair| pair[0] < pair[1]);
-        if row(&ordered.files).is_some_and(is_increasing) {
+        let is_row = match columns(&ordered.files).as_deref() {
+            Some([row]) => row.windows(2).all(|pair| pair[0] < pair[1]),
+            _ => false,
+        };
+        if is_row {
             ordered
         } else {
             Self {
+                missing: missing(&given),
                 files: given,
                 uncertain: None,
                 is_changed: false,
-                missing: Vec::new(),
             }
         }
     }
@@ -87,14 +91,13 @@ impl FrameOrder {
     pub fn of(given: Vec<PathBuf>) -> Self {
         let mut files = given.clone();
         files.sort_by(|a, b| by_number(Reading::Decimals, a, b));
-        let numbers = row(&files).and_then(|row| row.iter().map(Piece::whole).collect::<Option<Vec<_>>>());
         Self {
             is_changed: files != given,
             uncertain: files
                 .windows(2)
                 .find(|pair| is_uncertain(pair))
                 .map(|pair| [pair[0].clone(), pair[1].clone()]),
-            missing: numbers.map_or(Vec::new(), |numbers| gaps(&numbers)),
+            missing: missing(&files),
             files,
         }
     }
@@ -182,28 +185,34 @@ fn pieces(reading: Reading, path: &Path) -> Vec<Piece<'_>> {
     pieces
 }
 
-/// The numbers of files whose names differ in one number only.
-fn row(files: &[PathBuf]) -> Option<Vec<Piece<'_>>> {
+/// The numbers of all files, for each place in which names differ that differ in numbers only.
+fn columns(files: &[PathBuf]) -> Option<Vec<Vec<Piece<'_>>>> {
     let files: Vec<_> = files.iter().map(|file| pieces(Reading::Decimals, file)).collect();
-    let first = files.first()?;
-    let mut place = None;
-    for file in &files {
-        if file.len() != first.len() {
-            return None;
-        }
-        for (at, (a, b)) in first.iter().zip(file).enumerate() {
-            if a != b && *place.get_or_insert(at) != at {
-                return None;
-            }
-        }
+    let length = files.first()?.len();
+    if files.iter().any(|file| file.len() != length) {
+        return None;
     }
-    let place = place?;
-    let numbers: Vec<_> = files.into_iter().map(|file| file[place]).collect();
-    let are_numbers = numbers.iter().all(|piece| matches!(piece, Piece::Number(..)));
-    are_numbers.then_some(numbers)
+    let column = |at: usize| -> Vec<Piece> { files.iter().map(|file| file[at]).collect() };
+    let columns = (0..length).map(column);
+    let columns: Vec<_> = columns
+        .filter(|column| column.iter().any(|piece| *piece != column[0]))
+        .collect();
+    let is_number = |piece: &Piece| matches!(piece, Piece::Number(..));
+    columns.iter().flatten().all(is_number).then_some(columns)
 }
 
-/// The gaps in increasing numbers.
+/// The numbers that are missing in the first place in which the names differ.
+fn missing(files: &[PathBuf]) -> Vec<Missing> {
+    let columns = columns(files).unwrap_or_default();
+    let first = columns.first().map_or(&[][..], Vec::as_slice);
+    let numbers: Option<Vec<u64>> = first.iter().map(Piece::whole).collect();
+    match numbers {
+        Some(numbers) if numbers.is_sorted() => gaps(&numbers),
+        _ => Vec::new(),
+    }
+}
+
+/// The gaps in numbers that do not decrease.
 fn gaps(numbers: &[u64]) -> Vec<Missing> {
     let pairs = || numbers.windows(2).map(|pair| (pair[0], pair[1]));
     let stride = pairs().fold(0, |stride, (a, b)| greatest_common_divisor(stride, b - a));

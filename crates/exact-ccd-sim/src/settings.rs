@@ -82,7 +82,7 @@ impl Settings {
         check_positive("time-step", self.time_step)?;
         check_positive("contact-distance", distance)?;
         let square = distance * distance;
-        let expected = "a length whose square is a normal number";
+        let expected = "a length from about 1e-153 to 1e154 m";
         check(square.is_normal(), "contact-distance", distance, expected)?;
         // A larger distance would put all pairs of primitives in contact.
         let expected = "a length not above the diagonal of the bounding box of the bodies with mass";

@@ -45,12 +45,12 @@ export function answerOf({ verdict, summary }: Page): [string, string[]] {
   return verdict === "" ? [summary[0] ?? "", summary.slice(1)] : [verdict, summary];
 }
 
-export function showSummary(headline: HTMLElement, parent: HTMLElement, page: Page, partCount: number): void {
+export function showSummary(headline: HTMLElement, parent: HTMLElement, page: Page, componentCount: number): void {
   const count = (number: number, name: string): string => `${number} ${name}${number === 1 ? "" : "s"}`;
   const { vertices, faces, edges } = page;
   const mesh = [vertices === 1 ? "1 vertex" : `${vertices} vertices`, count(faces, "face")];
   if (edges > 0) mesh.push(count(edges, "loose edge"));
-  mesh.push(count(partCount, "part"));
+  mesh.push(count(componentCount, "component"));
   const [verdict, others] = answerOf(page);
   headline.textContent = verdict;
   headline.hidden = verdict === "";

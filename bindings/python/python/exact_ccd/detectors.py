@@ -103,8 +103,8 @@ class Detector(Searcher):
         largest of its vertices, and the distance of a pair is the sum of both, rounded up.
         A vertex and an edge of rods that another edge connects touch at distance 0 only (docs/pairs.md).
     inner_distance : float, optional
-        In place of `min_distance` for pairs that start within that: for a line search that has to move on
-        from there.
+        A smaller distance in place of `min_distance` for pairs that start within that: for a line search that
+        has to move on from there. One that is not smaller changes nothing.
     threads : int, optional
         The number of threads; by default that of the cores. The answers do not depend on it.
     start_check : bool

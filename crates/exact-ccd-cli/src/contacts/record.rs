@@ -181,11 +181,11 @@ impl ContactRecord {
         self.time.lower
     }
 
-    /// Returns true if the primitives have vertices that are in the same place in all of these frames.
-    pub(crate) fn has_common_place(&self, frames: &[&[Point]]) -> bool {
+    /// The vertices of both primitives, one of each, that are in the same place in all of these frames.
+    pub(crate) fn vertices_in_same_place(&self, frames: &[&[Point]]) -> impl Iterator<Item = [u32; 2]> {
         let [first, second] = &self.mesh_vertices;
-        let coincide = |v: u32, w: u32| frames.iter().all(|frame| frame[v as usize] == frame[w as usize]);
-        first.iter().any(|&v| second.iter().any(|&w| coincide(v, w)))
+        let pairs = first.iter().flat_map(|&v| second.iter().map(move |&w| [v, w]));
+        pairs.filter(|&[v, w]| frames.iter().all(|frame| frame[v as usize] == frame[w as usize]))
     }
 
     pub(crate) fn is_intersection(&self) -> bool {

@@ -35,15 +35,27 @@ impl FromStr for Method {
             PARITY_RATIONAL => Ok(Self::ParityRational),
             _ => by_name(name)
                 .map(|method| Self::Other(method.into()))
-                .map_err(|mut unknown| {
-                    unknown.known.push(PARITY_RATIONAL.to_owned());
-                    unknown
+                .map_err(|unknown| UnknownMethod {
+                    known: Self::names(),
+                    ..unknown
                 }),
         }
     }
 }
 
 impl Method {
+    /// The names of all methods.
+    fn names() -> Vec<String> {
+        let mut names = exact_ccd_methods::names();
+        names.push(PARITY_RATIONAL.to_owned());
+        names
+    }
+
+    /// The help of `--method`.
+    pub(crate) fn help() -> String {
+        format!("The method, in upper or lower case: {}", Self::names().join(", "))
+    }
+
     fn name(&self) -> &str {
         match self {
             Self::Exact => "exact",

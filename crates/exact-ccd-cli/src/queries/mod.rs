@@ -52,7 +52,8 @@ const BATCH: usize = 4096;
 ///
 /// Without --kind, the kind is that of the folder, vertex-face or edge-edge, of
 /// the column kind of a Parquet file, or the only one whose queries fill the rows
-/// of a file, which is noted. If it is not certain, that is an error.
+/// of a file, which is noted. If it is not certain, that is an error. A --kind that
+/// is not that of the folder is noted.
 ///
 /// The answers are CSV, a row for each query:
 ///   query    the number of the query, from 0, over all files
@@ -95,8 +96,7 @@ pub(crate) struct Arguments {
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = distances::parse, allow_hyphen_values = true)]
     min_distance: Separation,
-    /// The method, in upper or lower case: exact, parity, parity-rational, or one of `exact-ccd bench`.
-    #[arg(long, default_value = "exact")]
+    #[arg(long, default_value = "exact", help = Method::help())]
     method: Method,
     /// Round coordinates that are not exactly f64 to the nearest, instead of refusing them.
     #[arg(long)]

@@ -13,9 +13,10 @@ use crate::notes::Notes;
 use crate::output::is_dash;
 
 /// The given kind, or that of all files. A kind that follows from the number of rows is noted: a file that
-/// ends too early may have the rows of another one.
+/// ends too early may have the rows of another one. So is a given kind that is not that of the folder.
 pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes) -> Result<Kind, Failure> {
     if let Some(kind) = given {
+        note_other_folders(kind, files, notes);
         return Ok(kind);
     }
     let mut found: Option<Kind> = None;
@@ -59,6 +60,19 @@ fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
         file.display()
     ));
     Ok(kind)
+}
+
+/// Notes the first file in a folder of another kind than the given one.
+pub(crate) fn note_other_folders(given: Kind, files: &[PathBuf], notes: &mut Notes) {
+    let other = files.iter().filter(|file| !is_dash(file)).find_map(|file| {
+        let kind = of_folder(file).filter(|kind| *kind != given)?;
+        Some((file.display(), kind))
+    });
+    if let Some((file, kind)) = other {
+        notes.note(format!(
+            "{file}: read as queries of the kind {given} by --kind; the folder is one of the kind {kind}"
+        ));
+    }
 }
 
 fn uncertain(file: &Path) -> Failure {

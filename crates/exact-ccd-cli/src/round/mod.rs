@@ -17,9 +17,12 @@ use exact_ccd_methods::parity::{Displacement, RoundingError};
 use crate::failure::Failure;
 use crate::inputs::check_file;
 use crate::json::to_json;
+use crate::notes::Notes;
 use crate::output::{print, write_file};
 use crate::progress::{self, during};
+use crate::queries::kind::Kind as AnyKind;
 use crate::queries::query_files;
+use crate::queries::recognise::note_other_folders;
 
 /// Shift and round queries or meshes, so that differences of coordinates are exact
 ///
@@ -76,10 +79,22 @@ enum Kind {
     Ee,
 }
 
+impl From<Kind> for AnyKind {
+    fn from(kind: Kind) -> Self {
+        match kind {
+            Kind::Vf => Self::Vf,
+            Kind::Ee => Self::Ee,
+        }
+    }
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     query_files::check(&arguments.inputs, |input| {
         check_file(input, "a mesh file, or a query file with --kind")
     })?;
+    if let Some(kind) = arguments.kind {
+        note_other_folders(kind.into(), &arguments.inputs, &mut Notes::default());
+    }
     let report = during(progress::stage("rounding"), |_| match arguments.kind {
         None => meshes::round(arguments),
         Some(Kind::Vf) => queries::round::<VertexFace>(arguments),

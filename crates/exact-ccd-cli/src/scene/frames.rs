@@ -22,7 +22,7 @@ impl Frames {
         )?;
         let sequence = Arc::new(FrameSequence::open(file, options)?);
         if sequence.is_empty() {
-            return Err(no_frames(file));
+            return Err(Failure::of(file, "no frame, expected at least one"));
         }
         let frames = (0..sequence.len()).map(|frame| (sequence.clone(), frame));
         Ok(Self(frames.collect()))
@@ -129,12 +129,27 @@ fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> 
     let order = FrameOrder::of(files);
     check_certain(&order)?;
     warn_of_missing(&order, notes);
-    let one_format = order
+    let formats = order
         .files
-        .windows(2)
-        .all(|pair| Format::of_path(&pair[0]) == Format::of_path(&pair[1]));
-    if order.files.is_empty() || !one_format {
-        return Err(no_frames(folder));
+        .iter()
+        .filter_map(|file| Some((Format::of_path(file)?, file)));
+    let mut formats = formats.map(|(format, file)| (format, file.display()));
+    let Some((first, file)) = formats.next() else {
+        return Err(Failure::of(
+            folder,
+            format_args!("no mesh file in the folder, expected {}", Format::extensions()),
+        ));
+    };
+    if let Some((second, other)) = formats.find(|(format, _)| *format != first) {
+        return Err(Failure::of(
+            folder,
+            format_args!(
+                "meshes of several formats, {} ({file}) and {} ({other}), expected one: name the files of one of \
+                 them in place of the folder",
+                first.name(),
+                second.name()
+            ),
+        ));
     }
     Ok(order.files)
 }
@@ -150,13 +165,6 @@ fn check_certain(order: &FrameOrder) -> Result<(), Failure> {
             b.display()
         ))),
     }
-}
-
-fn no_frames(path: &Path) -> Failure {
-    Failure::of(
-        path,
-        "expected meshes of one format, such as .ply, .obj, .stl or .vtu",
-    )
 }
 
 /// The failure of a number of frames that a step cannot have.

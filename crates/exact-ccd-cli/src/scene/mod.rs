@@ -21,7 +21,6 @@ pub(crate) use frames::Frames;
 pub(crate) use options::SceneOptions;
 use part::{Part, named};
 use rules::Rules;
-pub(crate) use split::note_split_vertices;
 pub(crate) use summary::Summary;
 
 /// Parts with the same number of frames, or with one frame, which rest.

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_files::{Contents, FileIds, Group, MeshFile, ReadMotionError};
-use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
+use exact_ccd_mesh::{Frame, MotionError, Point, TriangleMesh, Welding};
 use exact_ccd_view::Body;
 
 use super::Frames;
@@ -95,6 +95,21 @@ impl Part {
             .mesh(&self.mesh)
             .map_err(|error| self.mismatch(0, error))?;
         Ok((welding, mesh))
+    }
+
+    /// Returns true if `--weld` makes one vertex of these two of the scene, where all frames are like these.
+    pub(super) fn would_weld(&self, vertices: [u32; 2], frames: &[&[Point]]) -> bool {
+        if self.welded.is_some() {
+            return false;
+        }
+        let mut welding = Welding::default();
+        for positions in frames {
+            let Range { start, end } = self.vertices;
+            welding.restrict(&positions[start as usize..end as usize]);
+        }
+        let welding = welding.along_edges(&self.mesh);
+        let [v, w] = vertices.map(|vertex| welding.vertex_of(vertex - self.vertices.start));
+        v == w
     }
 
     /// The frame, welded. A part at rest has the same one at all times.

@@ -2,26 +2,42 @@
 
 use exact_ccd_mesh::Point;
 
-use super::options::SceneOptions;
+use super::Scene;
 use crate::contacts::ContactRecord;
 use crate::notes::Notes;
 
-/// Adds a note that names `--weld`, if the primitives of a contact have vertices that are in the same place
-/// in all of these frames.
-///
-/// The contact is the one that is reported: a search for all pairs that touch would take much longer than
-/// that for the first one.
-pub(crate) fn note_split_vertices(
-    contact: &ContactRecord,
-    frames: &[&[Point]],
-    options: &SceneOptions,
-    notes: &mut Notes,
-) {
-    if !options.weld && contact.has_common_place(frames) {
-        notes.note(
-            "the first pair that touches at the start has vertices in the same place, as exporters split them at \
-             seams; --weld makes one vertex of such vertices"
-                .to_owned(),
-        );
+impl Scene {
+    /// Adds a note if the primitives of a contact have vertices in the same place in all of these frames:
+    /// vertices of one part that `--weld` makes one, or vertices of two parts, which it does not join.
+    ///
+    /// The contact is the one that is reported: a search for all pairs that touch would take much longer than
+    /// that for the first one.
+    pub(crate) fn note_split_vertices(
+        &self,
+        contact: &ContactRecord,
+        frames: &[&[Point]],
+        notes: &mut Notes,
+    ) {
+        let part_of = |vertex| self.parts.iter().find(|part| part.vertices.contains(&vertex));
+        for [v, w] in contact.vertices_in_same_place(frames) {
+            let (Some(first), Some(second)) = (part_of(v), part_of(w)) else {
+                continue;
+            };
+            let remedy = if first.name != second.name {
+                let (a, b) = (&first.name, &second.name);
+                format!(
+                    "of the parts {a} and {b}, which --weld does not join; write them to one file, or leave their \
+                     pairs out with --ignore {a}:{b}"
+                )
+            } else if first.would_weld([v, w], frames) {
+                "as exporters split them at seams; --weld makes one vertex of such vertices".to_owned()
+            } else {
+                continue;
+            };
+            notes.note(format!(
+                "the first pair that touches at the start has vertices in the same place, {remedy}"
+            ));
+            return;
+        }
     }
 }

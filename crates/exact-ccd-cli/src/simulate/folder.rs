@@ -1,6 +1,6 @@
 //! The output folder of a simulation.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -12,13 +12,13 @@ use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 use super::grid::Grid;
 use super::layout::{
     BODIES, CHECKPOINT, COLLECTION, CONTACT_COLLECTION, CONTACTS, FRAMES, GRIDS, PATH, STATISTICS, files,
-    frames_until, missing, remove_after, remove_index_files,
+    frames_until, missing, missing_in_path, remove_after, remove_index_files,
 };
 use super::log::Log;
 use super::path::{Path as PathWriter, named_parts};
 use super::statistics::Row;
 use super::steps;
-use super::{bodies, contact_points};
+use super::{Arguments, bodies, contact_points};
 use crate::failure::Failure;
 use crate::output::{make_folder, write_file, write_file_soon};
 
@@ -38,6 +38,8 @@ pub(super) struct OutputFolder {
     frames: Vec<u64>,
     /// The number of time steps from one with files to the next.
     every: u64,
+    /// True if the path is written: the folder has a subfolder for it.
+    has_path: bool,
     /// The files that have been written since the last checkpoint.
     pending: Vec<PathBuf>,
     saved: Instant,
@@ -69,14 +71,13 @@ impl OutputFolder {
     }
 
     /// Writes the initial state. If `overwrite`, the results of an earlier run are removed; otherwise they
-    /// are an error. Every `every`th time step gets files.
+    /// are an error.
     pub(super) fn begin(
         folder: &Path,
         simulation: &Simulation,
-        every: u64,
-        overwrite: bool,
+        arguments: &Arguments,
     ) -> Result<Self, Failure> {
-        if !overwrite
+        if !arguments.overwrite
             && [CHECKPOINT, STATISTICS]
                 .iter()
                 .any(|name| folder.join(name).exists())
@@ -92,29 +93,49 @@ impl OutputFolder {
         make_folder(&folder.join(CONTACTS))?;
         remove_index_files(folder)?;
         remove_after(folder, None)?;
+        if !arguments.path {
+            // Files of other origin stay, with their folder.
+            let _ = fs::remove_dir(folder.join(PATH));
+        }
         let log = Log::begin(folder.join(STATISTICS))?;
         bodies::write(&folder.join(BODIES), simulation.system())?;
-        let mut this = Self::with(folder, simulation, log, every, Vec::new());
+        let mut this = Self::with(folder, simulation, log, Vec::new(), arguments)?;
         this.write_frame(simulation)?;
         this.save(simulation)?;
         Ok(this)
     }
 
-    fn with(folder: &Path, simulation: &Simulation, log: Log<Row>, every: u64, frames: Vec<u64>) -> Self {
-        Self {
+    /// The folder, which has the results up to the state of a simulation.
+    fn with(
+        folder: &Path,
+        simulation: &Simulation,
+        log: Log<Row>,
+        frames: Vec<u64>,
+        arguments: &Arguments,
+    ) -> Result<Self, Failure> {
+        let path = folder.join(PATH);
+        if arguments.path {
+            make_folder(&path)?;
+        }
+        Ok(Self {
             folder: folder.to_owned(),
             log,
             grid: Grid::new(simulation.system()),
             frames,
-            every,
+            every: arguments.every,
+            has_path: path.is_dir(),
             pending: Vec::new(),
             saved: Instant::now(),
-        }
+        })
     }
 
     /// Continues after the state of a resumed simulation. Removes everything that the earlier run wrote after
     /// its last checkpoint.
-    pub(super) fn resume(folder: &Path, simulation: &Simulation, every: u64) -> Result<Self, Failure> {
+    pub(super) fn resume(
+        folder: &Path,
+        simulation: &Simulation,
+        arguments: &Arguments,
+    ) -> Result<Self, Failure> {
         let last = simulation.state().step;
         let [_, grid, _] = files(folder, last);
         if !grid.is_file() {
@@ -139,8 +160,17 @@ impl OutputFolder {
                 ),
             ));
         }
+        if let Some(step) = missing_in_path(folder, last) {
+            return Err(Failure::of(
+                &folder.join(PATH),
+                format_args!(
+                    "the checkpoint has time step {last}, but the path has none of the files of time step {step}: \
+                     restore them, or remove this folder to continue without the path"
+                ),
+            ));
+        }
         bodies::write(&folder.join(BODIES), simulation.system())?;
-        let mut this = Self::with(folder, simulation, log, every, frames);
+        let mut this = Self::with(folder, simulation, log, frames, arguments)?;
         // The collections are written first, so that they never name a removed file.
         this.write_collections(simulation)?;
         remove_after(folder, Some(last))?;
@@ -189,12 +219,16 @@ impl OutputFolder {
         Ok(())
     }
 
-    /// The writer for the path of the next time step, which starts at the current state.
-    pub(super) fn path(&self, simulation: &Simulation) -> PathWriter {
+    /// The writer for the path of the next time step, which starts at the current state, if the folder has
+    /// a path.
+    pub(super) fn path(&self, simulation: &Simulation) -> Option<PathWriter> {
+        if !self.has_path {
+            return None;
+        }
         let state = simulation.state();
         let mut path = PathWriter::new(self.file(PATH), simulation.system().clone(), state.step + 1);
         path.add(&state.positions);
-        path
+        Some(path)
     }
 
     fn write_frame(&mut self, simulation: &Simulation) -> Result<(), Failure> {

@@ -28,7 +28,7 @@ pub(super) fn flag() -> Arc<AtomicBool> {
 /// its arguments.
 pub(super) fn message(step: u64, arguments: &Arguments, command: &[OsString]) -> String {
     if arguments.output.is_none() {
-        return format!("interrupted after time step {step}; without --output, nothing was saved");
+        return format!("interrupted after time step {step}; without --output, the run cannot be continued");
     }
     let words = command.iter().map(|word| word.to_string_lossy());
     let kept = words.filter(|word| word != "--overwrite" && word != "--resume");

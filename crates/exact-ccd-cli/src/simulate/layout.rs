@@ -1,5 +1,6 @@
 //! The files and subfolders of the output folder of a simulation.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -47,22 +48,30 @@ pub(super) fn remove_index_files(folder: &Path) -> Result<(), Failure> {
 /// The time steps with files that the collection in a folder lists, up to the last one. If there is no
 /// readable collection, these are all files.
 pub(super) fn frames_until(folder: &Path, last: u64) -> Vec<u64> {
-    let step = |file: &Path| {
-        file.file_name()
-            .and_then(|name| name.to_str())
-            .and_then(steps::step_of)
-    };
-    let mut frames: Vec<u64> = match read_pvd(folder.join(COLLECTION)) {
+    let steps: BTreeSet<u64> = match read_pvd(folder.join(COLLECTION)) {
         Ok(collection) => collection.iter().filter_map(|(_, file)| step(file)).collect(),
-        Err(_) => {
-            let entries = fs::read_dir(folder.join(GRIDS)).into_iter().flatten().flatten();
-            entries.filter_map(|entry| step(&entry.path())).collect()
-        }
+        Err(_) => steps_in(&folder.join(GRIDS)),
     };
-    frames.retain(|&step| step <= last);
-    frames.sort_unstable();
-    frames.dedup();
-    frames
+    steps.range(..=last).copied().collect()
+}
+
+/// The time step of a file.
+fn step(file: &Path) -> Option<u64> {
+    file.file_name()
+        .and_then(|name| name.to_str())
+        .and_then(steps::step_of)
+}
+
+/// The time steps with files in a folder, none if there is no such folder.
+fn steps_in(folder: &Path) -> BTreeSet<u64> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter_map(|entry| step(&entry.path())).collect()
+}
+
+/// The first time step, up to the last one, that is missing in the path after the first one that it has.
+pub(super) fn missing_in_path(folder: &Path, last: u64) -> Option<u64> {
+    let steps = steps_in(&folder.join(PATH));
+    (*steps.first()?..=last).find(|step| !steps.contains(step))
 }
 
 /// The first result up to a time step that is missing.

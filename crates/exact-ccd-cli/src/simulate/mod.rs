@@ -37,7 +37,7 @@ use crate::json::to_json;
 use crate::notes::Notes;
 use crate::output::print;
 use crate::progress::{self, during};
-use crate::view::View;
+use crate::view::SimulationView;
 use folder::OutputFolder;
 use pictures::Pictures;
 use queries::QueryFolder;
@@ -62,7 +62,7 @@ use queries::QueryFolder;
 /// An interrupted run continues with --resume from the last checkpoint, at most about a
 /// second of work earlier. On the same machine, its results are identical to those of an
 /// uninterrupted run. The results of an earlier run in DIR are an error without --resume
-/// or --overwrite. Without --output, nothing is saved.
+/// or --overwrite. Without --output, only the files of --view and --dump-queries are written.
 ///
 /// Ctrl-C ends the run after the last complete time step, which is saved, and prints the
 /// command that continues it; a second Ctrl-C ends the process at once.
@@ -92,7 +92,7 @@ pub(crate) struct Arguments {
     steps: Option<u64>,
     /// Write the surface after each Newton step, as `path/STEP-INCREMENT.ply`. These increments are free of
     /// contact, and `exact-ccd audit DIR/path` certifies it. The straight motion from one time step to the
-    /// next may have contacts.
+    /// next may have contacts. With --resume, a path in DIR is continued in any case.
     #[arg(long, requires = "output")]
     path: bool,
     /// Draw each time step as `pictures/N.png`, and at the end all as the animations `motion.png` and
@@ -135,12 +135,19 @@ pub(crate) struct Arguments {
     #[arg(long)]
     no_seconds: bool,
     #[command(flatten)]
-    view: View,
+    view: SimulationView,
 }
 
 fn method_help() -> String {
     let names = filters::names().join(", ");
     format!("The method, in upper or lower case, in place of that of the scene: {names}")
+}
+
+impl Arguments {
+    /// Returns true if anything is written to files.
+    fn has_files(&self) -> bool {
+        self.output.is_some() || self.dump_queries.is_some() || self.view.file().is_some()
+    }
 }
 
 /// The end of the time steps.
@@ -193,7 +200,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
 
     let steps = arguments.steps.unwrap_or(scene.steps);
     let remaining = steps.saturating_sub(simulation.state().step);
-    let scene_line = line::of_scene(&simulation, steps, arguments.output.is_some());
+    let scene_line = line::of_scene(&simulation, steps, arguments.has_files());
     if arguments.json {
         print(&json::of_scene(&simulation, steps))?;
     } else {
@@ -227,10 +234,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     simulation = iterations::watched(simulation, &bar);
     let ended = during(bar, |progress| -> Result<Ended, Failure> {
         while simulation.state().step < steps {
-            let mut path = folder
-                .as_ref()
-                .filter(|_| arguments.path)
-                .map(|folder| folder.path(&simulation));
+            let mut path = folder.as_ref().and_then(|folder| folder.path(&simulation));
             let stepped = simulation.step_along(&mut |positions| {
                 if let Some(path) = &mut path {
                     path.add(positions);
@@ -306,15 +310,14 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
 
 /// A simulation from its start or from the checkpoint in a folder, with the opened folder.
 fn open(folder: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Simulation, OutputFolder), Failure> {
-    let every = arguments.every;
     if arguments.resume {
         let simulation = OutputFolder::simulation(folder, scene)?;
-        let folder = OutputFolder::resume(folder, &simulation, every)?;
+        let folder = OutputFolder::resume(folder, &simulation, arguments)?;
         Ok((simulation, folder))
     } else {
         let simulation = scene.simulation();
         let simulation = simulation.map_err(|error| Failure::of(&arguments.scene, error))?;
-        let folder = OutputFolder::begin(folder, &simulation, every, arguments.overwrite)?;
+        let folder = OutputFolder::begin(folder, &simulation, arguments)?;
         Ok((simulation, folder))
     }
 }

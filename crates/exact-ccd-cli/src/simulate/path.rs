@@ -8,7 +8,7 @@ use exact_ccd_mesh::Point;
 use exact_ccd_sim::System;
 
 use crate::failure::Failure;
-use crate::output::{make_folder, write_file_soon};
+use crate::output::write_file_soon;
 
 /// Writes the surface after each Newton step of a time step.
 pub(super) struct Path {
@@ -24,7 +24,6 @@ pub(super) struct Path {
 impl Path {
     /// The writer for a time step, in a folder.
     pub(super) fn new(folder: PathBuf, system: System, step: u64) -> Self {
-        let result = make_folder(&folder);
         Self {
             folder,
             parts: named_parts(&system),
@@ -32,7 +31,7 @@ impl Path {
             step,
             increments: 0,
             files: Vec::new(),
-            result,
+            result: Ok(()),
         }
     }
 

@@ -21,15 +21,16 @@ use crate::scene::Scene;
 pub(crate) use query::{ChosenQuery, QueryView};
 pub(crate) use recording::Recording;
 use setup::Setup;
+#[cfg(feature = "simulate")]
+pub(crate) use simulation::SimulationView;
 
-/// The options `--view` and `--view-up`.
+/// The options `--view` and `--view-up` of the commands that read meshes.
 #[derive(clap::Args)]
 pub(crate) struct View {
     /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
     #[arg(long, value_name = "FILE.html")]
     view: Option<PathBuf>,
-    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z; of a
-    /// simulation, `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]
+    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z]
     #[arg(long, value_name = "AXIS", requires = "view", value_parser = up::parse, allow_hyphen_values = true)]
     view_up: Option<Point>,
 }
@@ -42,12 +43,8 @@ impl View {
 
     /// The recording of frames from files, which does nothing if there is to be no page of them.
     pub(crate) fn recording(&self, files: &[PathBuf], scene: &Scene, half_spaces: &[HalfSpace]) -> Recording {
-        let setup = || Setup::of_scene(scene, half_spaces.to_vec()).with_up(self.up());
+        let setup = || Setup::of_scene(scene, half_spaces.to_vec()).with_up(self.view_up);
         Recording::new(self.view.clone(), title(files), setup)
-    }
-
-    fn up(&self) -> Option<Point> {
-        self.view_up
     }
 }
 

@@ -198,7 +198,8 @@ fn formats_may_be_mixed_if_named_one_by_one() {
     let error = folder.run(&["audit", "."]);
     assert_eq!(
         error.error(),
-        ".: expected meshes of one format, such as .ply, .obj, .stl or .vtu"
+        ".: meshes of several formats, PLY (./0.ply) and OFF (./1.off), expected one: name the files of one of them in \
+         place of the folder"
     );
 }
 
@@ -254,7 +255,8 @@ fn errors_name_the_file() {
     let error = folder.run(&["audit", "empty"]);
     assert_eq!(
         error.error(),
-        "empty: expected meshes of one format, such as .ply, .obj, .stl or .vtu"
+        "empty: no mesh file in the folder, expected .ply, .obj, .stl, .off, .msh, .vtu, .vtp, .vtk, .glb, .gltf, \
+         .npy or .npz"
     );
 }
 
@@ -306,7 +308,7 @@ fn a_collection_is_taken_in_the_order_of_its_times() {
         folder
             .run(&["audit", "nothing.pvd"])
             .error()
-            .starts_with("nothing.pvd: expected meshes")
+            .starts_with("nothing.pvd: no frame, expected at least one")
     );
     folder.write("broken.pvd", "<VTKFile/>");
     let run = folder.run(&["audit", "broken.pvd"]);

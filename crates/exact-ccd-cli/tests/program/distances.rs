@@ -19,6 +19,25 @@ fn json_of(run: &Run) -> Value {
     serde_json::from_str(&run.stdout).unwrap()
 }
 
+/// A vertex that starts within the distance, of a face and of a half space.
+#[test]
+fn an_inner_distance_that_is_not_smaller_changes_nothing() {
+    let folder = fall(0.25, -1.0);
+    let half_space = [
+        "--half-space",
+        "0,0,0,0,0,1",
+        "--no-seconds",
+        "--min-distance",
+        "0.5",
+    ];
+    let without = step(&folder, &half_space);
+    assert_eq!(without.status, 1);
+    for inner in ["0.5", "2"] {
+        let with = step(&folder, &[&half_space[..], &["--inner-distance", inner]].concat());
+        assert_eq!(with, without, "{inner}");
+    }
+}
+
 #[test]
 fn primitives_at_the_distance_touch() {
     let folder = fall(1.0, -1.0);
@@ -72,7 +91,7 @@ fn pairs_that_start_within_the_distance_are_counted() {
     assert!(run.stdout.contains("contact at t = 0: vertex 4"), "{run:?}");
     assert!(
         run.stdout
-            .contains(&format!("pairs that touch at t = 0: {count}\n")),
+            .contains(&format!("pairs within the minimum distance at t = 0: {count}\n")),
         "{run:?}"
     );
 }
@@ -149,7 +168,8 @@ fn loose_vertices_and_edges_have_pairs_of_their_own() {
         "minimum distance: 1\n\
          contact at t = 0.5: vertex 0 and vertex 1, 1 apart\n\
          candidate pairs: 0 vertex-face, 0 edge-edge, 0 vertex-edge, 1 vertex-vertex\n\
-         pairs that touch at t = 0: 0\n"
+         pairs in contact: 0 vertex-face, 0 edge-edge, 0 vertex-edge, 1 vertex-vertex\n\
+         pairs within the minimum distance at t = 0: 0\n"
     );
 }
 

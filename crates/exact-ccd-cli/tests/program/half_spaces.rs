@@ -91,7 +91,7 @@ fn every_form_of_the_answer_has_the_half_spaces() {
     let [first, place, counts] = [
         "contact at t = 0.5: vertex 0 and half space 0\n",
         "  at (0.25, 0.25, 0.5), normal (0, 0, 1); ids count from 0\n",
-        "vertices that touch half spaces: 1, at t = 0: 0\n",
+        "vertices in contact with half spaces: 1; those that touch at t = 0: 0\n",
     ];
     assert!(
         run.stdout.contains(&format!("{first}{place}")) && run.stdout.contains(counts),

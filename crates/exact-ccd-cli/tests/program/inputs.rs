@@ -93,7 +93,7 @@ fn a_folder_in_place_of_a_file_is_named() {
     assert_error(
         &folder,
         &["audit", "empty"],
-        "empty: expected meshes of one format",
+        "empty: no mesh file in the folder, expected .ply, .obj,",
     );
     assert_error(
         &folder,

@@ -141,6 +141,29 @@ fn the_kind_is_recognised_where_it_is_certain() {
     );
 }
 
+/// A kind that is not that of the folder is used, and noted for the first file.
+#[test]
+fn a_kind_other_than_that_of_the_folder_is_noted() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("edge-edge")).unwrap();
+    for name in ["edge-edge/0.csv", "edge-edge/1.csv", "0.csv"] {
+        folder.write(name, rows(&pass(), ""));
+    }
+    let note = "exact-ccd: note: edge-edge/0.csv: read as queries of the kind vf by --kind; the folder is one of the \
+                kind ee\n";
+    for command in [
+        &["queries", "--kind", "vf"][..],
+        &["round", "--kind", "vf"],
+        &["convert", "-o", "-", "--kind", "vf"],
+    ] {
+        let run = |names: &[&str]| folder.run(&[command, names].concat());
+        let noted = run(&["edge-edge/0.csv", "edge-edge/1.csv"]);
+        let silent = run(&["0.csv", "0.csv"]);
+        assert_eq!((noted.status, &noted.stdout), (0, &silent.stdout), "{noted:?}");
+        assert_eq!(noted.stderr, [note, &silent.stderr].concat());
+    }
+}
+
 #[test]
 fn an_empty_input_is_an_error() {
     let folder = Folder::new();

@@ -228,6 +228,28 @@ fn frames_are_taken_in_the_order_of_their_numbers() {
         note(&run).starts_with("exact-ccd: warning: numbers are missing in the names of the frames: 2; "),
         "{run:?}"
     );
+
+    // And in the path of a simulation, the time steps that it does not have.
+    std::fs::create_dir(folder.path("path")).unwrap();
+    let names = [
+        "000001-000",
+        "000001-001",
+        "000002-000",
+        "000005-000",
+        "000005-003",
+    ];
+    let files = names.map(|name| format!("path/{name}.ply"));
+    for file in &files {
+        folder.write(file, ply(&tip_above_square(1.0)));
+    }
+    for frames in [vec!["path"], files.iter().map(String::as_str).collect()] {
+        let run = folder.run(&[vec!["audit"], frames].concat());
+        assert_eq!(
+            note(&run),
+            "exact-ccd: warning: numbers are missing in the names of the frames: 3 to 4; the frames around a gap are \
+             one step"
+        );
+    }
 }
 
 #[test]
@@ -247,7 +269,7 @@ fn polygons_are_counted_or_refused() {
         let run = folder.run(&[command, &["--triangles-only"]].concat());
         assert_eq!(
             run.error(),
-            "start.obj: line 5: face 0 has 4 corners, but only triangles are allowed"
+            "start.obj: line 5: face 1 has 4 corners, but only triangles are allowed"
         );
     }
 }

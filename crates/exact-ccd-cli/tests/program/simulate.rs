@@ -214,7 +214,7 @@ fn one_time_step_is_singular() {
     assert!(two.ends_with("; time steps 3 to 4 of 0.02 s"), "{two}");
 }
 
-/// Without a folder, the first line says that nothing is saved.
+/// Without a file to write, the first line says that nothing is saved.
 #[test]
 fn a_run_without_a_folder_is_not_saved() {
     let folder = folder();
@@ -224,6 +224,11 @@ fn a_run_without_a_folder_is_not_saved() {
         line.ends_with("; 1 time step of 0.02 s; without --output, nothing is saved"),
         "{run:?}"
     );
+    for written in [["--view", "page.html"], ["--dump-queries", "queries"]] {
+        let run = folder.run(&[&["simulate", "scene.toml", "--steps", "1"][..], &written].concat());
+        let line = run.stdout.lines().next().unwrap();
+        assert!(line.ends_with("; 1 time step of 0.02 s"), "{run:?}");
+    }
 }
 
 /// Every Nth time step has files, and the last one. The statistics have all.

@@ -167,6 +167,45 @@ fn overwriting_replaces_an_earlier_simulation() {
     assert_eq!(folder.read("again/.notes.7"), "mine");
 }
 
+/// A path goes on with or without --path, and has no gap.
+#[test]
+fn a_path_is_continued() {
+    let folder = folder();
+    let simulate = |out: &str, more: &[&str]| {
+        folder.run(&[&["simulate", "scene.toml", "--out", out][..], more].concat())
+    };
+    let names = || {
+        let files = files(&folder, "parts").into_keys();
+        files.filter(|name| name.starts_with("path/")).collect::<Vec<_>>()
+    };
+    assert_eq!(simulate("whole", &["--path", "--steps", "4"]).status, 0);
+    assert_eq!(simulate("parts", &["--path", "--steps", "2"]).status, 0);
+    let run = simulate("parts", &["--resume", "--steps", "4"]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
+    assert_same(&folder, "parts", "whole");
+
+    // A time step of the path that is missing, as after a run of another version.
+    for name in names().iter().filter(|name| name.starts_with("path/000003-")) {
+        fs::remove_file(folder.path(&format!("parts/{name}"))).unwrap();
+    }
+    assert_eq!(
+        simulate("parts", &["--resume"]).error(),
+        "parts/path: the checkpoint has time step 4, but the path has none of the files of time step 3: restore \
+         them, or remove this folder to continue without the path"
+    );
+    fs::remove_dir_all(folder.path("parts/path")).unwrap();
+    assert_eq!(simulate("parts", &["--resume", "--steps", "5"]).status, 0);
+    assert_eq!(names(), [""; 0]);
+    // A path may begin later.
+    assert_eq!(
+        simulate("parts", &["--resume", "--steps", "6", "--path"]).status,
+        0
+    );
+    assert_eq!(names()[0], "path/000006-000.ply");
+    assert_eq!(simulate("parts", &["--overwrite", "--steps", "1"]).status, 0);
+    assert!(!folder.path("parts/path").exists());
+}
+
 #[test]
 fn a_broken_row_is_an_error() {
     let folder = folder();
@@ -228,7 +267,7 @@ fn an_interrupted_simulation_says_how_to_continue() {
     };
     let nothing = interrupt(&[]);
     assert!(
-        nothing.ends_with("; without --output, nothing was saved\n"),
+        nothing.ends_with("; without --output, the run cannot be continued\n"),
         "{nothing}"
     );
 

@@ -84,6 +84,45 @@ fn the_note_is_about_the_reported_pair() {
     }
 }
 
+/// Vertices of two parts in one place stay apart, with --weld too, and so do loose vertices of one part.
+#[test]
+fn the_note_names_weld_only_where_it_joins() {
+    let folder = Folder::new();
+    let triangle = |z: f64, corner: [f64; 3]| {
+        let positions = vec![[0.0, 0.0, z], corner, [0.0, 1.0, z]];
+        obj(&Frame::new(positions, vec![[0, 1, 2]]).unwrap())
+    };
+    for (time, z) in [("start", 0.0), ("end", 1.0)] {
+        folder.write(&format!("a-{time}.obj"), triangle(z, [1.0, 0.0, z]));
+        folder.write(&format!("b-{time}.obj"), triangle(z, [-1.0, 0.0, z]));
+        folder.write(
+            &format!("points-{time}.obj"),
+            format!("v 0 0 {z}\nv 0 0 {z}\np 1 2\n"),
+        );
+    }
+    let parts = ["step", "a=a-start.obj", "a-end.obj", "b=b-start.obj", "b-end.obj"];
+    for weld in [&[][..], &["--weld"]] {
+        let run = folder.run(&[&parts, weld].concat());
+        assert_eq!(run.status, 1, "{run:?}");
+        assert_eq!(
+            note(&run),
+            "exact-ccd: note: the first pair that touches at the start has vertices in the same place, of the parts a and \
+             b, which --weld does not join; write them to one file, or leave their pairs out with --ignore a:b"
+        );
+    }
+    let points = [
+        "step",
+        "points-start.obj",
+        "points-end.obj",
+        "--min-distance",
+        "0.5",
+        "--no-seconds",
+    ];
+    let run = folder.run(&points);
+    assert_eq!((run.status, run.stderr.as_str()), (1, ""), "{run:?}");
+    assert_eq!(folder.run(&[&points[..], &["--weld"]].concat()), run);
+}
+
 #[test]
 fn welding_keeps_bodies_that_touch_in_a_point_apart() {
     let folder = Folder::new();

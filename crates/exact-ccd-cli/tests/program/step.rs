@@ -104,6 +104,7 @@ fn a_step_with_contact_has_status_1_and_names_the_pair() {
         answer(&run),
         "contact at t = 0.3333333333333333: vertex 4 and face 1 (vertices 2, 1, 3)\n\
          candidate pairs: 8 vertex-face, 5 edge-edge\n\
+         pairs in contact: 4 vertex-face, 4 edge-edge\n\
          pairs that touch at t = 0: 0\n"
     );
 }
@@ -212,6 +213,7 @@ fn a_pair_in_contact_at_the_start_is_counted() {
         answer(&run),
         "contact at t = 0: vertex 4 and face 1 (vertices 2, 1, 3)\n\
          candidate pairs: 4 vertex-face, 3 edge-edge\n\
+         pairs in contact: 1 vertex-face, 0 edge-edge\n\
          pairs that touch at t = 0: 1\n"
     );
 }

@@ -68,3 +68,35 @@ fn help_documents_the_exit_status() {
         assert!(run.stdout.contains("Exit status"), "{command}");
     }
 }
+
+/// The help of a command on one line.
+fn help(command: &str) -> String {
+    let run = Folder::new().run(&[command, "--help"]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    run.stdout.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn help_names_all_methods() {
+    let names = exact_ccd_methods::names().join(", ");
+    assert!(help("bench").contains(&names));
+    assert!(help("queries").contains(&format!("{names}, parity-rational")));
+}
+
+/// Scenes say which direction is upwards; meshes do not.
+#[test]
+fn help_has_the_direction_upwards_of_each_command() {
+    for (command, default) in [
+        ("step", "[default: z]"),
+        ("audit", "[default: z]"),
+        (
+            "simulate",
+            "[default: `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]",
+        ),
+    ] {
+        let help = help(command);
+        let (_, option) = help.split_once("--view-up").unwrap();
+        let (_, found) = option.split_once("three numbers ").unwrap();
+        assert!(found.starts_with(default), "{command}: {found}");
+    }
+}

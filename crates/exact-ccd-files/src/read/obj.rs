@@ -1,4 +1,6 @@
 //! Wavefront OBJ: the statements `v`, `f`, `l`, `p`, `o` and `g`. All others are skipped.
+//!
+//! The format counts from 1, and so do errors.
 
 use std::ops::Range;
 
@@ -9,6 +11,9 @@ use super::cells::Cells;
 use super::group::Group;
 use super::tokens::{Number, Syntax, Tokens};
 use crate::error::{Fault, ParseError, Place};
+
+/// The number of the first vertex, and of the first element of a kind.
+const FIRST: usize = 1;
 
 /// The elements of one kind.
 struct Elements {
@@ -77,9 +82,9 @@ impl Elements {
     fn out_of_range(&self, number: usize, index: i64, vertex_count: usize) -> ParseError {
         Fault::Index {
             element: self.kind,
-            number,
+            number: FIRST + number,
             index,
-            first: 1,
+            first: FIRST as i64,
             vertex_count: vertex_count as u64,
         }
         .at(self.places[number])
@@ -191,6 +196,7 @@ impl<'a> Statements<'a> {
     fn into_cells(mut self) -> Result<Cells, ParseError> {
         let vertex_count = self.positions.len();
         let mut cells = Cells::default();
+        cells.faces.first = FIRST;
         for face in self.faces.resolved(vertex_count) {
             let (place, vertices) = face?;
             cells.faces.add(&vertices, || place)?;

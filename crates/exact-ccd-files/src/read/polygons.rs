@@ -9,6 +9,8 @@ use crate::error::{Fault, ParseError, Place};
 /// frames in which programs begin faces at different corners still are frames of one mesh.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Faces {
+    /// The number of the first face in errors: 0 or, where the format counts from there, 1.
+    pub(super) first: usize,
     pub(super) triangles: Vec<[u32; 3]>,
     /// The number of faces in the file.
     pub(super) count: usize,
@@ -53,22 +55,22 @@ impl Faces {
     /// # Errors
     /// For fewer than three corners.
     pub(super) fn add(&mut self, corners: &[u32], place: impl FnOnce() -> Place) -> Result<(), ParseError> {
-        let face = self.count;
-        let count = corners.len();
+        let (index, count) = (self.count, corners.len());
+        let face = self.first + index;
         self.count += 1;
         match *corners {
             [a, b, c] => {
                 self.triangles.push([a, b, c]);
                 if self.polygons > 0 {
-                    self.ids.push(face as u32);
+                    self.ids.push(index as u32);
                 }
             }
             [_, _, _, ..] => {
                 if self.polygons == 0 {
-                    self.ids = (0..face as u32).collect();
+                    self.ids = (0..index as u32).collect();
                 }
                 self.polygons += 1;
-                self.ids.extend(std::iter::repeat_n(face as u32, count - 2));
+                self.ids.extend(std::iter::repeat_n(index as u32, count - 2));
                 self.first_polygon
                     .get_or_insert_with(|| Fault::Polygon { face, corners: count }.at(place()));
                 self.triangles.extend(fan(corners));

@@ -49,7 +49,12 @@ fn missing_numbers_follow_from_the_common_step() {
     ] {
         assert!(missing(complete).is_empty(), "{complete:?}");
     }
-    // Names that differ in text, in two numbers, or not at all are not a row.
+    // The first number of names that differ in two: the time steps of a path.
+    assert_eq!(
+        missing(&["1-0.ply", "1-1.ply", "2-0.ply", "5-0.ply", "5-3.ply"]),
+        ["3 to 4"]
+    );
+    // Names that differ in text, or not at all, have no numbers in common.
     for other in [
         ["a1.ply", "b9.ply"],
         ["a1b1.ply", "a9b9.ply"],
@@ -59,6 +64,16 @@ fn missing_numbers_follow_from_the_common_step() {
     }
     assert!(missing(&["f1.ply", "f99999999999999999999.ply"]).is_empty());
     assert!(missing(&["t0.25.ply", "t0.50.ply", "t1.00.ply"]).is_empty());
+}
+
+#[test]
+fn numbers_are_missing_in_the_order_given_too() {
+    let missing = |names: &[&str]| {
+        let order = FrameOrder::of_row(names.iter().map(PathBuf::from).collect());
+        (order.is_changed, order.missing.len())
+    };
+    assert_eq!(missing(&["1-0.ply", "1-1.ply", "2-0.ply", "5-0.ply"]), (false, 1));
+    assert_eq!(missing(&["5-0.ply", "1-0.ply", "2-0.ply", "1-1.ply"]), (false, 0));
 }
 
 #[test]

@@ -82,11 +82,11 @@ fn obj_errors_name_the_line_and_the_element() {
         ),
         (
             "l 1 2\nl 1 7 2\n",
-            "line 8: polyline 1 names vertex 7, but there are 6 vertices, counted from 1",
+            "line 8: polyline 2 names vertex 7, but there are 6 vertices, counted from 1",
         ),
         (
             "l 1 -7\n",
-            "line 7: polyline 0 names vertex -7, but there are 6 vertices, counted from 1",
+            "line 7: polyline 1 names vertex -7, but there are 6 vertices, counted from 1",
         ),
         (
             "l 1 b\n",
@@ -94,7 +94,7 @@ fn obj_errors_name_the_line_and_the_element() {
         ),
         (
             "\np 0\n",
-            "line 8: point 0 names vertex 0, but there are 6 vertices, counted from 1",
+            "line 8: point 1 names vertex 0, but there are 6 vertices, counted from 1",
         ),
     ] {
         assert_error(obj(statements), Format::Obj, message);
@@ -154,7 +154,7 @@ fn ply_errors_name_the_line_and_the_edge() {
     assert_error(
         ply("element edge 0\nproperty int vertex1\n", ""),
         Format::Ply,
-        "expected an element `face`, found none",
+        "line 9: expected an element `face` in the header, found none; export the mesh with its vertices and faces",
     );
 }
 

@@ -58,10 +58,7 @@ fn errors_name_the_files() {
     );
     assert_eq!(
         message(&good, &bad),
-        format!(
-            "{}: vertex 1 has z = NaN, expected a finite number",
-            bad.display()
-        ),
+        format!("{}: line 4: expected a finite number, found `nan`", bad.display()),
     );
     assert!(message(&missing, &good).starts_with(&format!("{}: ", missing.display())));
     assert_eq!(

@@ -198,7 +198,13 @@ fn ply_headers() {
     );
     error(
         "ply\nformat ascii 1.0\nend_header\n",
-        "expected an element `vertex`, found none",
+        "line 3: expected an element `vertex` in the header, found none; export the mesh with its vertices and \
+         faces",
+    );
+    error(
+        "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1 2\n",
+        "line 5: expected an element `vertex` in the header, found none; export the mesh with its vertices and \
+         faces",
     );
     let points = "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n";
     error(
@@ -233,18 +239,18 @@ fn obj() {
     error("\u{7f}elk\n\n", "line 3: the file ends, expected a statement `v`");
     error("v 0 0\n", "line 1: expected a number, found the end of the line");
     error("\nv 0 \\\n0 o\n", "line 2: expected a number, found `o`");
-    face("f 1 2", "line 5: face 1 has 2 corners, expected at least 3");
+    face("f 1 2", "line 5: face 2 has 2 corners, expected at least 3");
     face(
         "f 1 2 4",
-        "line 5: face 1 names vertex 4, but there are 3 vertices, counted from 1",
+        "line 5: face 2 names vertex 4, but there are 3 vertices, counted from 1",
     );
     face(
         "f 1 2 0",
-        "line 5: face 1 names vertex 0, but there are 3 vertices, counted from 1",
+        "line 5: face 2 names vertex 0, but there are 3 vertices, counted from 1",
     );
     face(
         "f -1 -2 -4",
-        "line 5: face 1 names vertex -4, but there are 3 vertices, counted from 1",
+        "line 5: face 2 names vertex -4, but there are 3 vertices, counted from 1",
     );
     for corner in [
         "a",
@@ -260,7 +266,8 @@ fn obj() {
         let message = format!("line 5: expected a corner such as 1, 1/2, 1/2/3 or 1//3, found `{corner}`");
         face(&format!("f 1 2 {corner}"), &message);
     }
-    error("v 0 0 -inf\n", "vertex 0 has z = -inf, expected a finite number");
+    error("v 0 0 -inf\n", "line 1: expected a finite number, found `-inf`");
+    error("v 0 0 1e999\n", "line 1: expected a finite number, found `1e999`");
 }
 
 #[test]
@@ -308,7 +315,7 @@ fn off() {
     );
     error(
         "OFF\n1 0 0\ninf 0 0\n",
-        "vertex 0 has x = inf, expected a finite number",
+        "line 3: expected a finite number, found `inf`",
     );
 }
 
@@ -343,7 +350,7 @@ fn stl() {
     error(&facet, "line 6: the file ends, expected `vertex` or `endloop`");
     error(
         &format!("{facet}vertex 0 1 NaN\nendloop\nendfacet\nendsolid\n"),
-        "vertex 2 has z = NaN, expected a finite number",
+        "line 6: expected a finite number, found `NaN`",
     );
     error(
         &format!("{facet}vertex 0 1 0\nendloop\nendsolid\n"),

@@ -78,7 +78,7 @@ impl HalfSpace {
             return Err(error(
                 "normal",
                 normal,
-                "a vector whose squared length is a normal number",
+                "three finite numbers, not all 0, of a length from about 1e-153 to 1e154, such as 1",
             ));
         }
         Ok(())

@@ -71,8 +71,8 @@ pub enum BodyError {
         /// The parameter.
         source: OutOfRange,
     },
-    /// The mass of an element is not a normal number.
-    #[error("element {element} has a mass of {mass} kg, expected a positive normal number")]
+    /// The mass of an element underflows or overflows: it is no normal floating-point number.
+    #[error("element {element} has a mass of {mass} kg, expected one from about 1e-307 to 1e308 kg")]
     Mass {
         /// The element, from 0.
         element: usize,

@@ -9,7 +9,7 @@ use super::super::record::Record;
 use super::super::scalar::Scalar;
 use super::super::tokens::Tokens;
 use super::header::{Element, Header, Kind, Property};
-use crate::error::{Fault, ParseError, Place, quoted};
+use crate::error::{Fault, ParseError, quoted};
 use crate::named_part::NamedPart;
 
 /// Reads all rows of all elements, in the order of the header.
@@ -55,7 +55,10 @@ fn row<'a>(element: &Element<'a>, number: u64) -> Record<'a> {
 
 fn find<'a>(header: &'a Header<'a>, name: &str) -> Result<&'a Element<'a>, ParseError> {
     let mut elements = header.elements.iter();
-    let missing = || Fault::expected(format!("an element `{name}`"), "none").at(Place::File);
+    let missing = || {
+        let expected = format!("an element `{name}` in the header");
+        Fault::expected(expected, "none; export the mesh with its vertices and faces").at(header.end)
+    };
     elements
         .find(|element| element.name == name.as_bytes())
         .ok_or_else(missing)

@@ -10,6 +10,8 @@ use crate::named_part::NamedPart;
 pub(super) struct Header<'a> {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element<'a>>,
+    /// The place of its last line.
+    pub(super) end: Place,
     /// The parts that comments name.
     pub(super) parts: Vec<NamedPart>,
 }
@@ -87,6 +89,7 @@ impl<'a> Header<'a> {
                     return Ok(Self {
                         encoding,
                         elements,
+                        end: tokens.place(),
                         parts,
                     });
                 }

@@ -73,10 +73,21 @@ impl<'a> Tokens<'a> {
         self.parse(expected)
     }
 
-    /// The next three words as coordinates.
+    /// The next three words as coordinates, which are finite.
     pub(in super::super) fn point(&mut self) -> Result<Point, ParseError> {
+        Ok([self.coordinate()?, self.coordinate()?, self.coordinate()?])
+    }
+
+    #[inline]
+    fn coordinate(&mut self) -> Result<f64, ParseError> {
         const NUMBER: &str = "a number";
-        Ok([self.parse(NUMBER)?, self.parse(NUMBER)?, self.parse(NUMBER)?])
+        let word = self.expect_word(NUMBER)?;
+        let number = f64::parse(word).ok_or_else(|| self.unexpected(NUMBER, word))?;
+        if number.is_finite() {
+            Ok(number)
+        } else {
+            Err(self.unexpected("a finite number", word))
+        }
     }
 
     /// All words that are left as numbers.
