@@ -74,3 +74,22 @@ pub(crate) fn unit(vector: Point) -> Point {
     let length = libm::sqrt(x * x + y * y + z * z);
     vector.map(|component| component / length)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kind::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+
+    #[test]
+    fn weights_are_those_of_the_difference_between_the_closest_points() {
+        let impact = Impact {
+            time: ContactTime::exactly(0.5),
+            parameters: [0.25, 0.125],
+            normal: None,
+        };
+        assert_eq!(impact.weights::<VertexFace>(), [1.0, -0.625, -0.25, -0.125]);
+        assert_eq!(impact.weights::<EdgeEdge>(), [0.75, 0.25, -0.875, -0.125]);
+        assert_eq!(impact.weights::<VertexEdge>(), [1.0, -0.875, -0.125, 0.0]);
+        assert_eq!(impact.weights::<VertexVertex>(), [1.0, -1.0, 0.0, 0.0]);
+    }
+}

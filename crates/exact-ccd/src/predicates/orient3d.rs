@@ -166,4 +166,19 @@ mod tests {
         }
         assert!(counts.iter().all(|&count| count > 0), "{counts:?}");
     }
+
+    /// Products of c and d underflow, and the lost part times a component of b decides the sign.
+    #[test]
+    fn signs_are_exact_where_products_underflow_next_to_large_coordinates() {
+        let tiny = libm::ldexp(1.0, -537);
+        let large = libm::ldexp(1.0, 600);
+        for factor in [8.0, -8.0] {
+            let b = [factor * large, large, 0.0];
+            let (c, d) = ([tiny, 1.375 * tiny, tiny], [0.0, tiny, tiny]);
+            let points = [[0.0; 3], b, c, d];
+            let sign = sign_of_volume(&points);
+            assert_eq!(sign, sign_in_integers(&points));
+            assert_eq!(sign, factor.total_cmp(&0.0));
+        }
+    }
 }

@@ -56,12 +56,16 @@ fn counts_until<K: Kind>(query: &Query<K>, d: Separation, whole: &Intervals, unt
 
     let collision = query.collision(options);
     assert_eq!(
-        collision.map(|collision| collision.time()),
+        collision.as_ref().map(|collision| collision.time()),
         first,
         "{}",
         context()
     );
     assert_eq!(query.decide(options).0.is_some(), counts, "{}", context());
+    if let Some((collision, first)) = collision.zip(first) {
+        let is_before = first.lower() < until;
+        assert_eq!(collision.is_before(until), is_before, "{}", context());
+    }
     let decisions = [query.collides(options), exact::collides(query, options)];
     assert_eq!(decisions, [counts; 2], "{}", context());
     let times = [
