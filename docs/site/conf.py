@@ -26,6 +26,7 @@ include_patterns = [
     "docs/site/*.md",
     "bindings/python/README.md",
     "fuzz/README.md",
+    "mutations/README.md",
     "packaging/README.md",
     "integrations/*/README.md",
 ]
