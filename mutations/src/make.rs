@@ -90,7 +90,7 @@ fn rewritten_copy(package: &str, tree: &Path, dropped: &HashSet<u32>) -> Result<
     Ok(list)
 }
 
-/// All source files under `folder`, and the paths, without extension, of modules that are compiled for tests only.
+/// All source files under `folder`, and the paths, without extension, of modules for tests only.
 fn collect(
     folder: &Path,
     files: &mut BTreeSet<PathBuf>,

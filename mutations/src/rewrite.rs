@@ -18,7 +18,8 @@ pub struct Mutation {
     pub place: String,
 }
 
-/// Rewrites a file. `file` is its name; the mutations are numbered from `first`, and those in `dropped` are left out.
+/// Rewrites a file. `file` is its name; the mutations are numbered from `first`, and those in `dropped` are
+/// left out.
 pub fn rewrite(source: &str, file: &str, first: u32, dropped: &HashSet<u32>) -> syn::Result<Rewritten> {
     let mut syntax = syn::parse_file(source)?;
     let mut rewriter = Rewriter {
@@ -182,7 +183,9 @@ impl Rewriter<'_> {
         let is_or = matches!(binary.op, BinOp::Or(_));
         let other = if is_or { "&&" } else { "||" };
         if let Some(chosen) = self.offer(span, &format!("{other} in {text}")) {
-            *expression = parse_quote!((match #chosen != #is_or { decides => if (#left) == decides { decides } else { #right } }));
+            *expression = parse_quote!((match #chosen != #is_or {
+                decides => if (#left) == decides { decides } else { #right }
+            }));
         }
     }
 

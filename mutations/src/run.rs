@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 pub struct Limits {
     /// The number of mutations that run at a time.
     pub threads: usize,
-    /// The time of all tests of a mutation together in the first round; in each following round, four times it.
+    /// The time of all tests of a mutation in the first round; each following round has four times as much.
     pub seconds: f64,
     /// The time after which no mutation begins.
     pub end: Instant,
