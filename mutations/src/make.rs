@@ -23,8 +23,8 @@ pub(crate) fn mutated(id: u32) -> bool {
 }
 "#;
 
-/// Makes the test programs of `package` in `folder`: `mutations.tsv` lists the mutations, `programs` has the programs,
-/// and `tree` the copy of the repository. What does not compile is dropped.
+/// Makes the test programs of `package` in `folder`: `mutations.tsv` lists the mutations, `programs` has the
+/// programs, and `tree` the copy of the repository. What does not compile is dropped.
 pub fn make(package: &str, folder: &Path) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     let folder = &folder.canonicalize()?;
