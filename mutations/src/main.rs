@@ -1,7 +1,7 @@
 //! Mutations of a crate: small changes of its source code, each of which a test should notice.
 //!
-//! All mutations are compiled into the same test programs, and an environment variable selects one. A run of a
-//! mutation therefore costs no compilation, and the programs can run on another machine.
+//! All mutations are compiled into the same test programs, and an environment variable selects one. A run of
+//! a mutation therefore costs no compilation, and the programs can run on another machine.
 
 mod make;
 mod rewrite;
