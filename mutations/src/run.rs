@@ -82,17 +82,21 @@ pub fn run(package: &str, folder: &Path, limits: &Limits) -> Result<(), Box<dyn 
             None => true,
         };
         let left: Vec<&str> = mutations.iter().filter(is_left).copied().collect();
+        let (count, next) = (left.len(), AtomicUsize::new(0));
         eprintln!(
-            "{} mutations, {} tests of up to {seconds} s in all",
-            left.len(),
+            "{count} mutations, {} tests of up to {seconds} s in all",
             round.len()
         );
-        let next = AtomicUsize::new(0);
         each(limits.threads, || {
-            while Instant::now() < limits.end
-                && let Some(mutation) = left.get(next.fetch_add(1, Ordering::Relaxed))
-                && let Some(outcome) = tested(mutation, round, place, limits.end)?
-            {
+            while Instant::now() < limits.end {
+                let index = next.fetch_add(1, Ordering::Relaxed);
+                let Some(mutation) = left.get(index) else { break };
+                if index > 0 && index % 100 == 0 {
+                    eprintln!("  {index} of {count}");
+                }
+                let Some(outcome) = tested(mutation, round, place, limits.end)? else {
+                    break;
+                };
                 lock(&results).insert(*mutation, (outcome, seconds));
             }
             Ok(())
