@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use exact_ccd::batch::{self, Trajectories};
-use exact_ccd::{ContactTime, Intervals, Kind, Options, Point, Query, Separation, exact};
+use exact_ccd::{Collision, ContactTime, Intervals, Kind, Options, Point, Query, Separation, exact};
 use proptest::prelude::*;
 
 use crate::each_kind::for_each_kind;
@@ -55,12 +55,7 @@ fn counts_until<K: Kind>(query: &Query<K>, d: Separation, whole: &Intervals, unt
     };
 
     let collision = query.collision(options);
-    assert_eq!(
-        collision.as_ref().map(|collision| collision.time()),
-        first,
-        "{}",
-        context()
-    );
+    assert_eq!(collision.as_ref().map(Collision::time), first, "{}", context());
     assert_eq!(query.decide(options).0.is_some(), counts, "{}", context());
     if let Some((collision, first)) = collision.zip(first) {
         let is_before = first.lower() < until;
