@@ -22,8 +22,8 @@ pub enum Stage {
     /// Contact: a vertex of each primitive in one place, or all points on one line along an axis.
     /// Comparisons prove it.
     Coincident,
-    /// No contact: a plane through an edge and the relative velocity, or a direction found by iteration,
-    /// separates.
+    /// The primitives are farther than d apart along a direction found by iteration or, for contact, along
+    /// the normal of a plane through an edge and the relative velocity.
     Direction,
     /// Contact: all points move in one plane across an axis, and the sides of the edges' lines on which
     /// the vertices lie decide.

@@ -136,8 +136,8 @@ fn separating_directions() {
         let direction = [1.0, 0.0, 0.0].map(|x| Symbol::exactly(x).of_degree(2));
         let hull = Hull::new::<K>(&points);
         let limit = hull.limit_along(direction, Within(Symbol::input(1.0)));
-        assert_eq!(limit.roundings, 8);
-        assert_eq!((limit.value - 1.0) / UNIT, power(8));
+        assert_eq!(limit.roundings, 12);
+        assert_eq!((limit.value - 1.0) / UNIT, power(12));
         assert_in_range(&limit);
         let error = hull.error_along(direction).value;
         assert_eq!(hull.limit_along(direction, Touching).value, error);
