@@ -2,9 +2,10 @@
 
 use core::fmt;
 
-/// The stage at which a query was settled, from the cheapest to the costliest.
+/// The stage at which a query was settled, for contact from the cheapest to the costliest.
 ///
-/// The first four are the same for contact and for a separation above 0, d: contact is d = 0.
+/// The first four are the same for contact and for a separation above 0, d: contact is d = 0. For d,
+/// [`Direction`](Self::Direction) comes before [`Coplanarity`](Self::Coplanarity).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Stage {

@@ -117,15 +117,18 @@ impl<T: Lanes> Hull<T> {
     /// The bound of scalar products, all errors included, that proves a distance above the gap.
     ///
     /// No component of the direction exceeds its length: the length times the error for the sum of the
-    /// reaches bounds [`error_along`](Self::error_along). The length has five roundings, two products one
-    /// each, the other factor four, and the sum the last: twelve.
+    /// reaches bounds [`error_along`](Self::error_along). A sum of at least 2⁻⁹⁰⁰ keeps that error from
+    /// underflow, however long the direction is. The length has five roundings, two products one each, the
+    /// other factor four, and the sum the last: twelve.
     #[inline(always)]
     pub(super) fn limit_along<G: Gap<T>>(&self, direction: [T; 3], gap: G) -> T {
+        const NORMAL: f64 = f64::from_bits((1023 - 900) << 52);
         if !G::IS_POSITIVE {
             return self.error_along(direction);
         }
         let [x, y, z] = self.reaches();
-        let least = gap.value(x) + (x + y + z) * (margin(4) * UNIT);
+        let reach = (x + y + z).max(x.splat(NORMAL));
+        let least = gap.value(x) + reach * (margin(4) * UNIT);
         least * (length_bound(direction) * (1.0 + margin(12) * UNIT)) + UNDERFLOW
     }
 }
@@ -181,18 +184,18 @@ impl Hull<f64> {
     /// separates.
     ///
     /// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
-    /// nothing.
+    /// nothing. Few of the directions after the fifth separate.
     #[inline(never)]
     pub(super) fn some_direction_separates<K: Kind>(&self, gap: impl Gap<f64>) -> bool {
         const STEPS: usize = 5;
         let d = gap.value(0.0);
         let corner = |i: usize| [0, 1, 2].map(|axis: usize| self.corners[axis][i]);
-        let (next, _) = least::<K>(|i| dot(corner(i), corner(i)));
-        let mut nearest = corner(next);
+        let (first, _) = lowest::<K>(|i| dot(corner(i), corner(i)));
+        let mut nearest = corner(first);
         let mut last = nearest;
         for _ in 0..STEPS {
             let values = self.along(nearest);
-            let (lowest, value) = least::<K>(|i| values[i]);
+            let (lowest, value) = lowest::<K>(|i| values[i]);
             if value > self.limit_along(nearest, gap) {
                 return true;
             }
@@ -207,19 +210,19 @@ impl Hull<f64> {
     }
 }
 
-/// The corner with the least value, and that value.
+/// The corner with the lowest value, and that value. Where values are not a number, no limit is finite.
 #[inline(always)]
-fn least<K: Kind>(value: impl Fn(usize) -> f64) -> (usize, f64) {
+fn lowest<K: Kind>(value_of: impl Fn(usize) -> f64) -> (usize, f64) {
     // The others are repeated.
     let corners = (1..8).filter(|i| i % 4 < K::FEATURES.vertices.len());
-    corners.fold((0, value(0)), |(best, least), i| {
-        let value = value(i);
-        if value < least { (i, value) } else { (best, least) }
+    corners.fold((0, value_of(0)), |lowest, i| {
+        let value = value_of(i);
+        if value < lowest.1 { (i, value) } else { lowest }
     })
 }
 
-/// A guess of the point next to the origin of the triangle x, a, b, where x is that of the edge from x to
-/// b: x is orthogonal to the edge, or b itself.
+/// A guess of the point next to the origin of the triangle x, a, b, where x is that of a segment that ends
+/// at b: x is orthogonal to it, or one of its ends.
 #[inline(always)]
 fn next_to_origin(x: Point, a: Point, b: Point) -> Point {
     let (u, v) = (minus(a, x), minus(b, x));

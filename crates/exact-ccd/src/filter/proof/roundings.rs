@@ -131,6 +131,11 @@ fn separating_directions() {
             assert_counts(&along, 4, 3, along[0].permanent);
             assert_bound(error.value, along[0].permanent, 4);
             assert_in_range(&error);
+            // The error of the sum of the reaches, for a unit direction.
+            let unit = [1.0, 0.0, 0.0].map(|x| Symbol::exactly(x).of_degree(2));
+            let limit = hull.limit_along(unit, Within(Symbol::input(0.0)));
+            let [x, y, z] = hull.reaches();
+            assert_bound(limit.value, (x + y + z).value, 4);
         }
         let points = symbols([[[LARGEST.recip(); 3], [0.0; 3], [0.0; 3], [0.0; 3]]; 2]);
         let direction = [1.0, 0.0, 0.0].map(|x| Symbol::exactly(x).of_degree(2));
