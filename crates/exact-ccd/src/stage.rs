@@ -2,9 +2,10 @@
 
 use core::fmt;
 
-/// The stage at which a query was settled, from the cheapest to the costliest.
+/// The stage at which a query was settled, for contact from the cheapest to the costliest.
 ///
-/// The first four are the same for contact and for a separation above 0, d: contact is d = 0.
+/// The first four are the same for contact and for a separation above 0, d: contact is d = 0. For d,
+/// [`Direction`](Self::Direction) comes before [`Coplanarity`](Self::Coplanarity).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Stage {
@@ -22,8 +23,8 @@ pub enum Stage {
     /// Contact: a vertex of each primitive in one place, or all points on one line along an axis.
     /// Comparisons prove it.
     Coincident,
-    /// No contact: a plane through an edge and the relative velocity, or a direction found by iteration,
-    /// separates.
+    /// The primitives are farther than d apart along a direction found by iteration or, for contact, along
+    /// the normal of a plane through an edge and the relative velocity.
     Direction,
     /// Contact: all points move in one plane across an axis, and the sides of the edges' lines on which
     /// the vertices lie decide.

@@ -6,10 +6,10 @@ use core::f64::consts::SQRT_2;
 use core::ops::Add;
 
 use super::coplanarity::length_bound;
-use super::gap::{Gap, Touching};
+use super::gap::Gap;
 use super::number::{Lanes, Points, subtract};
 use super::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
-use super::vector::dot;
+use super::vector::{dot, minus, towards};
 use crate::kind::Kind;
 use crate::point::Point;
 
@@ -114,19 +114,27 @@ impl<T: Lanes> Hull<T> {
         above | below
     }
 
-    /// The bound of scalar products, all errors included, that proves a distance above the gap. The product
-    /// of the gap and the length has eight roundings, that of the sum included.
+    /// The bound of scalar products, all errors included, that proves a distance above the gap.
+    ///
+    /// No component of the direction exceeds its length: the length times the error for the sum of the
+    /// reaches bounds [`error_along`](Self::error_along). A sum of at least 2⁻⁹⁰⁰ keeps that error from
+    /// underflow, however long the direction is. The length has five roundings, two products one each, the
+    /// other factor four, and the sum the last: twelve.
     #[inline(always)]
     pub(super) fn limit_along<G: Gap<T>>(&self, direction: [T; 3], gap: G) -> T {
-        let error = self.error_along(direction);
+        const NORMAL: f64 = f64::from_bits((1023 - 900) << 52);
         if !G::IS_POSITIVE {
-            return error;
+            return self.error_along(direction);
         }
-        error + gap.value(error) * (length_bound(direction) * (1.0 + margin(8) * UNIT))
+        let [x, y, z] = self.reaches();
+        let reach = (x + y + z).max(x.splat(NORMAL));
+        let least = gap.value(x) + reach * (margin(4) * UNIT);
+        least * (length_bound(direction) * (1.0 + margin(12) * UNIT)) + UNDERFLOW
     }
 }
 
-/// The least |x ± y| that proves a distance above d from a plane x = ±y, given the reaches of both axes.
+/// The least |x ± y| that proves a distance above d from a plane x = ±y, given the sum of the reaches of
+/// both axes, or more.
 ///
 /// The distance is |x ± y| / √2. With x and y rounded once, the sum once more, the sum is off by n = 2
 /// roundings of |x| + |y|. `SQRT_2` is above √2. The other part has four roundings, and the product may be
@@ -150,49 +158,86 @@ impl Hull<f64> {
     /// one side.
     ///
     /// Without a gap this is exact: a difference that is rounded has the sign of the exact one, even when it
-    /// overflows or is subnormal. With one, [`diagonal_limit`] has the bound.
+    /// overflows or is subnormal. With one, [`diagonal_limit`] of the reaches of all axes is the
+    /// bound, one for the three pairs.
     #[inline]
     pub(super) fn is_beyond_diagonal<G: Gap<f64>>(&self, gap: G) -> bool {
-        [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
-            let least = if G::IS_POSITIVE {
-                diagonal_limit(gap.value(0.0), self.reach(i) + self.reach(j))
-            } else {
-                0.0
-            };
+        let least = if G::IS_POSITIVE {
+            let [x, y, z] = self.reaches();
+            diagonal_limit(gap.value(0.0), x + y + z)
+        } else {
+            0.0
+        };
+        let is_beyond = |i: usize, j: usize| {
             let [x, y] = [&self.corners[i], &self.corners[j]];
             are_beyond(least, |corner| x[corner] - y[corner])
                 || are_beyond(least, |corner| x[corner] + y[corner])
-        })
-    }
-
-    /// The mean of the corners, a direction that need not be accurate.
-    fn centroid(&self) -> Point {
-        [0, 1, 2].map(|axis: usize| self.corners[axis].iter().sum::<f64>() / 8.0)
+        };
+        is_beyond(0, 1) || is_beyond(1, 2) || is_beyond(2, 0)
     }
 
     /// Returns true if Gilbert's iteration (An iterative procedure for computing the minimum of a
-    /// quadratic form on a convex set, 1966) finds a separating direction in a few steps. It
-    /// starts at the centroid and approaches the point of the hull nearest to the origin.
-    pub(super) fn some_direction_separates(&self) -> bool {
-        const STEPS: usize = 6;
-        let mut nearest = self.centroid();
+    /// quadratic form on a convex set, 1966) finds a separating direction in a few steps. It starts at
+    /// the corner next to the origin, and approaches the point of the hull next to it: each point is a
+    /// direction, and the next point is that of the triangle with the lowest corner along it and the
+    /// lowest one before (Gilbert, Johnson and Keerthi 1988). If a point is within the gap, no direction
+    /// separates.
+    ///
+    /// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
+    /// nothing. Few of the directions after the fifth separate.
+    #[inline(never)]
+    pub(super) fn some_direction_separates<K: Kind>(&self, gap: impl Gap<f64>) -> bool {
+        const STEPS: usize = 5;
+        let d = gap.value(0.0);
+        let corner = |i: usize| [0, 1, 2].map(|axis: usize| self.corners[axis][i]);
+        let (first, _) = lowest::<K>(|i| dot(corner(i), corner(i)));
+        let mut nearest = corner(first);
+        let mut last = nearest;
         for _ in 0..STEPS {
-            if self.is_beyond(nearest, Touching) {
+            let values = self.along(nearest);
+            let (lowest, value) = lowest::<K>(|i| values[i]);
+            if value > self.limit_along(nearest, gap) {
                 return true;
             }
-            let values = self.along(nearest);
-            let lowest = (1..8).fold(0, |best, i| if values[i] < values[best] { i } else { best });
-            // The point nearest to the origin on the segment from `nearest` to the corner `lowest`.
-            let back = [0, 1, 2].map(|axis: usize| nearest[axis] - self.corners[axis][lowest]);
-            let squared_length = dot(back, back);
-            let step = dot(back, nearest) / squared_length;
-            if step.is_nan() || step <= 0.0 {
+            if dot(nearest, nearest) <= d * d {
                 return false;
             }
-            nearest = [0, 1, 2].map(|axis: usize| nearest[axis] - step.min(1.0) * back[axis]);
+            let lowest = corner(lowest);
+            nearest = next_to_origin(nearest, lowest, last);
+            last = lowest;
         }
         false
     }
+}
+
+/// The corner with the lowest value, and that value. Where values are not a number, no limit is finite.
+#[inline(always)]
+fn lowest<K: Kind>(value_of: impl Fn(usize) -> f64) -> (usize, f64) {
+    // The others are repeated.
+    let corners = (1..8).filter(|i| i % 4 < K::FEATURES.vertices.len());
+    corners.fold((0, value_of(0)), |lowest, i| {
+        let value = value_of(i);
+        if value < lowest.1 { (i, value) } else { lowest }
+    })
+}
+
+/// A guess of the point next to the origin of the triangle x, a, b, where x is that of a segment that ends
+/// at b: x is orthogonal to it, or one of its ends.
+#[inline(always)]
+fn next_to_origin(x: Point, a: Point, b: Point) -> Point {
+    let (u, v) = (minus(a, x), minus(b, x));
+    let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
+    let along = -dot(x, u);
+    if uv < 0.0 {
+        let determinant = uu * vv - uv * uv;
+        if along * (vv - uv) < determinant {
+            let scale = along / determinant;
+            return towards(towards(x, u, scale * vv), v, -scale * uv);
+        }
+        let e = minus(b, a);
+        return towards(a, e, (-dot(a, e) / dot(e, e)).clamp(0.0, 1.0));
+    }
+    towards(x, u, (along / uu).clamp(0.0, 1.0))
 }
 
 /// Returns true if all values are above a limit, or all below its opposite. The first one says which.
@@ -209,7 +254,7 @@ fn are_beyond(least: f64, value: impl Fn(usize) -> f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::filter::gap::Within;
+    use crate::filter::gap::{Touching, Within};
     use crate::kind::VertexVertex;
 
     /// Points that move in small integers: the distances from the planes x = ±y, y = ±z and z = ±x are exact

@@ -6,6 +6,7 @@ use super::contact::{Contact, Unknown};
 use super::cubic::{Cubic, Root};
 use super::decision::{Decision, Proved};
 use super::fixed_width;
+use super::gap::Touching;
 use super::hull::Hull;
 use super::planar::Planar;
 use super::position::{self, Position};
@@ -44,7 +45,9 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, u
             None => Decision::Free(Stage::Planar),
         },
         None => match decide_in_integers(query) {
-            Decision::Unknown if hull.some_direction_separates() => Decision::Free(Stage::Direction),
+            Decision::Unknown if hull.some_direction_separates::<K>(Touching) => {
+                Decision::Free(Stage::Direction)
+            }
             decision => decision,
         },
     }

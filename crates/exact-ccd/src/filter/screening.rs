@@ -52,10 +52,10 @@ pub(crate) fn decide_between<K: Kind>(query: &Query<K>, d: Separation, times: [f
 /// proves that the primitives do not touch, otherwise the coplanarity cubic, or none if coordinates are out
 /// of the range of the filters.
 #[inline(always)]
-fn screen<K: Kind>(
+fn screen<K: Kind, G: Gap<f64>>(
     query: &Query<K>,
     hull: &Hull<f64>,
-    gap: impl Gap<f64>,
+    gap: G,
 ) -> Result<Option<Cubic<f64>>, Stage> {
     if hull.is_beyond_axis(gap) {
         return Err(Stage::BoundingBox);
@@ -70,6 +70,9 @@ fn screen<K: Kind>(
     let [start, end] = coplanarity.normals;
     if hull.is_beyond(start, gap) || hull.is_beyond(end, gap) {
         return Err(Stage::Normals);
+    }
+    if G::IS_POSITIVE && hull.some_direction_separates::<K>(gap) {
+        return Err(Stage::Direction);
     }
     if coplanarity.are_planes_beyond(gap) {
         return Err(Stage::Coplanarity);

@@ -148,7 +148,7 @@ fn every_stage_settles_some<K: Primitives>() {
     let within = stages::<K>(ordinary(), rule());
     for stage in Stage::ALL {
         let (of_contact, of_distance) = match stage {
-            Stage::Roots | Stage::Coincident | Stage::Direction | Stage::Planar => (true, false),
+            Stage::Roots | Stage::Coincident | Stage::Planar => (true, false),
             Stage::Start | Stage::Advancement | Stage::Crossing => (false, true),
             _ => (true, true),
         };

@@ -54,7 +54,7 @@ pub(crate) const LEAST_UNTIL: f64 = f64::from_bits((1023 - 60) << 52);
 const LEAST_CROSSED: f64 = f64::from_bits((1023 - 60) << 52);
 
 /// Decides whether primitives come within a separation above 0, as far as the filters can.
-#[inline]
+#[inline(never)]
 pub(super) fn decide<K: Kind>(query: &Query<K>, hull: &Hull<f64>, options: &Options) -> Decision {
     let until = options.until.clamp(LEAST_UNTIL, 1.0);
     let free = free_until::<K, f64>(hull, options.separation.get(), until);

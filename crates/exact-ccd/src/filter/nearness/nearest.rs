@@ -45,6 +45,9 @@ pub(super) fn nearest<K: Kind, T: Lanes>(corners: &[[T; 3]; 4]) -> [T; 3] {
         determinant.gt(u) & determinant.gt(v)
     };
     let is_inner = determinant.gt(zero) & u.gt(zero) & v.gt(zero) & is_below;
+    if !T::any(is_inner) {
+        return nearest;
+    }
     let n = cross(a, b);
     let faces_away = zero.gt(dot(n, origin));
     select(is_inner, select(faces_away, [-n[0], -n[1], -n[2]], n), nearest)

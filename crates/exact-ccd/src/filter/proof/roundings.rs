@@ -131,13 +131,18 @@ fn separating_directions() {
             assert_counts(&along, 4, 3, along[0].permanent);
             assert_bound(error.value, along[0].permanent, 4);
             assert_in_range(&error);
+            // The error of the sum of the reaches, for a unit direction.
+            let unit = [1.0, 0.0, 0.0].map(|x| Symbol::exactly(x).of_degree(2));
+            let limit = hull.limit_along(unit, Within(Symbol::input(0.0)));
+            let [x, y, z] = hull.reaches();
+            assert_bound(limit.value, (x + y + z).value, 4);
         }
         let points = symbols([[[LARGEST.recip(); 3], [0.0; 3], [0.0; 3], [0.0; 3]]; 2]);
         let direction = [1.0, 0.0, 0.0].map(|x| Symbol::exactly(x).of_degree(2));
         let hull = Hull::new::<K>(&points);
         let limit = hull.limit_along(direction, Within(Symbol::input(1.0)));
-        assert_eq!(limit.roundings, 8);
-        assert_eq!((limit.value - 1.0) / UNIT, power(8));
+        assert_eq!(limit.roundings, 12);
+        assert_eq!((limit.value - 1.0) / UNIT, power(12));
         assert_in_range(&limit);
         let error = hull.error_along(direction).value;
         assert_eq!(hull.limit_along(direction, Touching).value, error);
