@@ -4,6 +4,9 @@
 //! a mutation therefore costs no compilation, and the programs can run on another machine.
 
 mod make;
+mod process;
+mod replacements;
+mod results;
 mod rewrite;
 mod run;
 

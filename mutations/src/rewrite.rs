@@ -8,8 +8,10 @@ use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
     BinOp, Block, Expr, ExprLit, ExprMatch, Ident, ImplItemFn, ItemConst, ItemFn, ItemImpl, ItemMod,
-    ItemStatic, Lit, Member, Pat, ReturnType, Signature, Stmt, Type, UnOp, parse_quote,
+    ItemStatic, Member, Pat, ReturnType, Signature, Stmt, Type, UnOp, parse_quote,
 };
+
+use crate::replacements;
 
 /// A change of one place in the source code.
 pub struct Mutation {
@@ -116,7 +118,7 @@ impl Rewriter<'_> {
         let mut statements: Vec<Stmt> = Vec::new();
         let span = signature.ident.span();
         if let ReturnType::Type(_, output) = &signature.output {
-            for value in values_of(output) {
+            for value in replacements::values(output) {
                 if let Some(chosen) = self.offer(span, &format!("return {}", value.to_token_stream())) {
                     statements.push(parse_quote!(if #chosen { return #value; }));
                 }
@@ -137,28 +139,9 @@ impl Rewriter<'_> {
         self.visit_expr_mut(&mut binary.left);
         self.visit_expr_mut(&mut binary.right);
         let (left, right) = (&binary.left, &binary.right);
-        let others: &[&str] = match name.as_str() {
-            "+" => &["-", "*"],
-            "-" => &["+", "/"],
-            "*" => &["+", "/"],
-            "/" => &["*", "%"],
-            "%" => &["/", "+"],
-            "<" => &["<=", "==", ">"],
-            "<=" => &["<", ">"],
-            ">" => &[">=", "==", "<"],
-            ">=" => &[">", "<"],
-            "==" => &["!="],
-            "!=" => &["=="],
-            "&" => &["|", "^"],
-            "|" => &["&", "^"],
-            "^" => &["|", "&"],
-            "<<" => &[">>"],
-            ">>" => &["<<"],
-            _ => &[],
-        };
         let before = self.mutations.len();
         let mut value: Expr = parse_quote!(left #operator right);
-        for other in others {
+        for other in replacements::operators(&name) {
             let replaced: BinOp = syn::parse_str(other).expect("the table has operators");
             let change = format!("{name} -> {other} in {text}");
             value = self.either(span, &change, &parse_quote!(left #replaced right), value);
@@ -212,26 +195,7 @@ impl Rewriter<'_> {
         let Expr::Lit(ExprLit { lit, .. }) = expression else {
             return;
         };
-        let others = match lit {
-            Lit::Int(literal) => {
-                let Ok(number) = literal.base10_parse::<u64>() else {
-                    return;
-                };
-                [number.checked_add(1), number.checked_sub(1)]
-                    .into_iter()
-                    .flatten()
-                    .map(|other| format!("{other}{}", literal.suffix()))
-                    .collect()
-            }
-            Lit::Float(literal) => match literal.base10_parse::<f64>() {
-                Ok(0.0) => vec!["1.0".into()],
-                Ok(number) => vec![format!("{:?}", 2.0 * number), format!("{:?}", 0.5 * number)],
-                Err(_) => return,
-            },
-            Lit::Bool(literal) => vec![(!literal.value).to_string()],
-            _ => return,
-        };
-        for other in others {
+        for other in replacements::literals(lit) {
             let mutated = syn::parse_str(&other).expect("a number is an expression");
             *expression = self.either(span, &format!("{text} -> {other}"), &mutated, expression.clone());
         }
@@ -242,18 +206,8 @@ impl Rewriter<'_> {
         let Expr::MethodCall(call) = expression else {
             return;
         };
-        let other = match call.method.to_string().as_str() {
-            "min" => "max",
-            "max" => "min",
-            "any" => "all",
-            "all" => "any",
-            "next_down" => "next_up",
-            "next_up" => "next_down",
-            "is_some_and" => "is_none_or",
-            "is_none_or" => "is_some_and",
-            "lower" if text.contains("time") => "upper",
-            "upper" if text.contains("time") => "lower",
-            _ => return,
+        let Some(other) = replacements::method(&call.method.to_string(), text) else {
+            return;
         };
         let (span, receiver, arguments) = (call.method.span(), &call.receiver, &call.args);
         let (method, replaced) = (&call.method, Ident::new(other, span));
@@ -368,10 +322,12 @@ impl VisitMut for Rewriter<'_> {
             Expr::Unary(unary) => {
                 self.visit_expr_mut(&mut unary.expr);
                 if matches!(unary.op, UnOp::Not(_) | UnOp::Neg(_)) {
-                    let mutated = (*unary.expr).clone();
-                    let original = expression.clone();
-                    *expression =
-                        self.either(span, &format!("delete the sign of {text}"), &mutated, original);
+                    let (operator, operand) = (unary.op, &unary.expr);
+                    if let Some(chosen) = self.offer(span, &format!("delete the sign of {text}")) {
+                        *expression = parse_quote!((match #operand {
+                            operand => if #chosen { operand } else { #operator operand }
+                        }));
+                    }
                 }
             }
             Expr::MethodCall(_) => self.method(expression, &text),
@@ -388,26 +344,6 @@ impl VisitMut for Rewriter<'_> {
     }
 }
 
-/// The values that a function with this type may return at once.
-fn values_of(output: &Type) -> Vec<Expr> {
-    let name = output.to_token_stream().to_string().replace(' ', "");
-    let values: &[&str] = match name.as_str() {
-        "bool" => &["true", "false"],
-        "f64" | "f32" => &["0.0", "1.0", "-1.0"],
-        "usize" | "u32" | "u64" => &["0", "1"],
-        "Point" => &["[0.0; 3]", "[1.0; 3]"],
-        "ControlFlow<()>" => &["ControlFlow::Continue(())", "ControlFlow::Break(())"],
-        _ if name.starts_with("Option<") => &["None"],
-        _ if name.starts_with("Vec<") => &["Vec::new()"],
-        _ if name.starts_with("ArrayVec<") => &["ArrayVec::new()"],
-        _ => &[],
-    };
-    values
-        .iter()
-        .map(|value| syn::parse_str(value).expect("the table has expressions"))
-        .collect()
-}
-
 fn is_for_tests(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         let text = attribute.meta.to_token_stream().to_string().replace(' ', "");
@@ -421,81 +357,4 @@ fn is_assignment(operator: &BinOp) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn rewritten(source: &str, dropped: &[u32]) -> (Vec<String>, String) {
-        let rewritten =
-            rewrite(source, "x.rs", 1, &dropped.iter().copied().collect()).expect("the source is Rust");
-        let changes = rewritten
-            .mutations
-            .iter()
-            .map(|mutation| mutation.place.replace('\t', " "))
-            .collect();
-        (
-            changes,
-            rewritten.source.split_whitespace().collect::<Vec<_>>().join(" "),
-        )
-    }
-
-    #[test]
-    fn a_condition_selects_each_mutation() {
-        let (changes, source) = rewritten("fn f(a: u8) -> u8 {\n    a - g()\n}", &[]);
-        assert_eq!(
-            changes,
-            ["x.rs:2 f - -> + in a - g ()", "x.rs:2 f - -> / in a - g ()"]
-        );
-        assert_eq!(
-            source,
-            "fn f(a: u8) -> u8 { (match (a, g()) { (left, right) => { (if crate::mutated(2u32) { left / right } else { \
-             (if crate::mutated(1u32) { left + right } else { left - right }) }) } }) }"
-        );
-    }
-
-    #[test]
-    fn what_is_dropped_leaves_the_code_and_the_numbers_of_others() {
-        let (changes, source) = rewritten("fn f(a: f64) -> bool { let b = !g(a); b }", &[1, 2, 3]);
-        assert!(changes.is_empty());
-        assert_eq!(source, "fn f(a: f64) -> bool { let b = !g(a); b }");
-        let (changes, _) = rewritten("fn f(a: f64) -> bool { let b = !g(a); b }", &[1, 2]);
-        assert_eq!(changes, ["x.rs:1 f delete the sign of ! g (a)"]);
-    }
-
-    #[test]
-    fn tests_messages_and_constants_are_as_they_were() {
-        let source = "const N: u8 = 1 + 2; impl fmt::Display for A { fn fmt(&self) -> u8 { 3 } } const fn f() -> u8 { 4 } \
-                      #[cfg(test)] mod tests { fn f() -> u8 { 5 } } #[test] fn g() { h(6); }";
-        let (changes, same) = rewritten(source, &[]);
-        assert!(changes.is_empty());
-        assert_eq!(same, source);
-        assert_eq!(
-            test_modules("#[cfg(test)] mod a; mod b;").expect("the source is Rust"),
-            ["a"]
-        );
-    }
-
-    #[test]
-    fn statements_are_deleted_and_conditions_are_forced() {
-        let (changes, _) = rewritten(
-            "fn f(a: &mut u8) { if g() { *a += h(); } match a { A => B, C if d() => E, _ => F } }",
-            &[],
-        );
-        let changes: Vec<_> = changes
-            .iter()
-            .map(|change| change.trim_start_matches("x.rs:1 f "))
-            .collect();
-        assert_eq!(
-            changes,
-            [
-                "return",
-                "g () -> false",
-                "g () -> true",
-                "-= in * a += h ()",
-                "delete * a += h () ;",
-                "delete A",
-                "d () -> false",
-                "d () -> true",
-            ]
-        );
-    }
-}
+mod tests;

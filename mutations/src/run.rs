@@ -1,14 +1,15 @@
 //! The tests, once for each mutation.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::error::Error;
-use std::fs::{self, File};
-use std::io::{BufRead, BufReader, Write};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
+
+use crate::process::{lock, started, watched};
+use crate::results::{Outcome, file_of, read, write};
 
 /// The choice of tests and mutations.
 pub struct Limits {
@@ -31,20 +32,8 @@ struct Test {
     time: Duration,
 }
 
-#[derive(Clone, PartialEq)]
-enum Outcome {
-    /// The name of a test that fails.
-    Fails(String),
-    /// The tests take longer than eight times their time, and two seconds more.
-    NoEnd,
-    Survives,
-}
-
 /// A test without a mutation may take this multiple of the time of a round.
 const SLOWEST: f64 = 10.0;
-
-/// The outcome of each mutation, and the time of its tests in seconds, as the round has it.
-type Results<'a> = BTreeMap<&'a str, (Outcome, f64)>;
 
 /// Runs the mutations of `folder`, continues `results.tsv` there, and prints a table.
 pub fn run(package: &str, folder: &Path, limits: &Limits) -> Result<(), Box<dyn Error>> {
@@ -105,73 +94,6 @@ pub fn run(package: &str, folder: &Path, limits: &Limits) -> Result<(), Box<dyn 
         seconds *= 4.0;
     }
     write(folder, &mutations, &lock(&results))
-}
-
-fn file_of(mutation: &str) -> &str {
-    mutation.split(['\t', ':']).nth(1).unwrap_or_default()
-}
-
-/// The results of earlier runs, if there are any.
-fn read<'a>(folder: &Path, mutations: &[&'a str]) -> Result<Results<'a>, Box<dyn Error>> {
-    let path = folder.join("results.tsv");
-    let text = if path.exists() {
-        fs::read_to_string(path)?
-    } else {
-        String::new()
-    };
-    let places: HashMap<&str, &str> = mutations.iter().map(|mutation| (*mutation, *mutation)).collect();
-    let mut results = Results::new();
-    for line in text.lines() {
-        let columns = line.splitn(3, '\t').collect::<Vec<_>>();
-        let [outcome, seconds, mutation] = columns[..] else {
-            return Err("results.tsv is damaged".into());
-        };
-        let mutation = places
-            .get(mutation)
-            .ok_or("results.tsv is of other mutations: remove it")?;
-        let outcome = match outcome.strip_prefix("fails ") {
-            Some(test) => Outcome::Fails(test.to_owned()),
-            None if outcome == "no end" => Outcome::NoEnd,
-            None => Outcome::Survives,
-        };
-        results.insert(mutation, (outcome, seconds.parse()?));
-    }
-    Ok(results)
-}
-
-/// Writes the results, and prints the number of each outcome by file.
-fn write(folder: &Path, mutations: &[&str], results: &Results) -> Result<(), Box<dyn Error>> {
-    let mut file = File::create(folder.join("results.tsv"))?;
-    for (mutation, (outcome, seconds)) in results {
-        match outcome {
-            Outcome::Fails(test) => writeln!(file, "fails {test}\t{seconds}\t{mutation}")?,
-            Outcome::NoEnd => writeln!(file, "no end\t{seconds}\t{mutation}")?,
-            Outcome::Survives => writeln!(file, "survives\t{seconds}\t{mutation}")?,
-        }
-    }
-    println!("| file | mutations | run | a test fails | no end | survive |\n|---|---:|---:|---:|---:|---:|");
-    let files: BTreeSet<&str> = mutations.iter().map(|mutation| file_of(mutation)).collect();
-    for name in files {
-        let all = mutations
-            .iter()
-            .filter(|mutation| file_of(mutation) == name)
-            .count();
-        let of_file = || {
-            results
-                .iter()
-                .filter(|(mutation, _)| file_of(mutation) == name)
-                .map(|(_, (outcome, _))| outcome)
-        };
-        let count = |is: fn(&Outcome) -> bool| of_file().filter(|outcome| is(outcome)).count();
-        println!(
-            "| `{name}` | {all} | {} | {} | {} | {} |",
-            of_file().count(),
-            count(|outcome| matches!(outcome, Outcome::Fails(_))),
-            count(|outcome| *outcome == Outcome::NoEnd),
-            count(|outcome| *outcome == Outcome::Survives),
-        );
-    }
-    Ok(())
 }
 
 /// All tests but the slowest, with the time of each. A test that fails without a mutation is an error.
@@ -247,67 +169,6 @@ fn tested(
     Ok(Some(Outcome::Survives))
 }
 
-fn started(program: &Path, tests: &[&str], mutation: Option<&str>, place: &Path) -> std::io::Result<Child> {
-    let mut command = Command::new(program);
-    command
-        .arg("--exact")
-        .args(tests)
-        .current_dir(place)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null());
-    command.envs([
-        ("RUST_TEST_THREADS", "1"),
-        ("RAYON_NUM_THREADS", "1"),
-        ("PROPTEST_RNG_SEED", "0"),
-    ]);
-    command.envs(mutation.map(|number| ("EXACT_CCD_MUTATION", number)));
-    command.spawn()
-}
-
-/// Waits for the first failure of a test program, or for its end.
-fn watched(mut program: Child, limit: Duration) -> Result<Outcome, Box<dyn Error + Send + Sync>> {
-    let output = program.stdout.take().ok_or("the output is a pipe")?;
-    let (program, end) = (Mutex::new(program), Instant::now() + limit);
-    let (ended, late) = (AtomicBool::new(false), AtomicBool::new(false));
-    let failure = std::thread::scope(|threads| {
-        let watch = threads.spawn(|| {
-            while !ended.load(Ordering::Relaxed) {
-                let left = end.saturating_duration_since(Instant::now());
-                if left.is_zero() {
-                    late.store(true, Ordering::Relaxed);
-                    // A program that has ended by itself cannot be killed.
-                    let _ = lock(&program).kill();
-                    return;
-                }
-                std::thread::park_timeout(left);
-            }
-        });
-        let mut begun = None;
-        let mut failure = None;
-        for line in BufReader::new(output).lines().map_while(Result::ok) {
-            if let Some(name) = line.strip_suffix(" ... FAILED") {
-                failure = Some(name.trim_start_matches("test ").to_owned());
-                let _ = lock(&program).kill();
-                break;
-            }
-            begun = line.split_whitespace().nth(1).map(str::to_owned);
-        }
-        ended.store(true, Ordering::Relaxed);
-        watch.thread().unpark();
-        (failure, begun)
-    });
-    let status = program
-        .into_inner()
-        .unwrap_or_else(std::sync::PoisonError::into_inner)
-        .wait()?;
-    Ok(match failure {
-        (Some(test), _) => Outcome::Fails(test),
-        _ if late.into_inner() => Outcome::NoEnd,
-        (None, begun) if !status.success() => Outcome::Fails(format!("after {}", begun.unwrap_or_default())),
-        _ => Outcome::Survives,
-    })
-}
-
 /// Calls a function on each of several threads.
 fn each(
     threads: usize,
@@ -323,8 +184,4 @@ fn each(
         })
     })?;
     Ok(())
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }

@@ -184,7 +184,7 @@ impl Hull<f64> {
     /// separates.
     ///
     /// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
-    /// nothing. Few of the directions after the fifth separate.
+    /// nothing.
     #[inline(never)]
     pub(super) fn some_direction_separates<K: Kind>(&self, gap: impl Gap<f64>) -> bool {
         const STEPS: usize = 5;
