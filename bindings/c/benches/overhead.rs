@@ -1,7 +1,7 @@
 //! The cost of the border: the same queries through the functions of C and through Rust, in turns. Each
 //! round takes about a millisecond, and the least time counts: other programs disturb it least.
 //!
-//! `cargo bench --manifest-path bindings/c/Cargo.toml`
+//! `cargo bench --package exact-ccd-c`
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 

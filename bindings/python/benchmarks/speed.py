@@ -1,7 +1,7 @@
 """Speed of the package beside the calls in Rust, and beside ipctk, on the published scenes.
 
-    cargo build --release --example reference --no-default-features
-    python benchmarks/speed.py [--reference target/release/examples/reference] [--scenes DIR] [--queries N]
+    cargo build --release --package exact-ccd-bench --example python
+    python benchmarks/speed.py [--reference ../../target/release/examples/python] [--scenes DIR] [--queries N]
 
 The package must be installed from a release build. All calls of one comparison alternate; each figure is the
 fastest of its runs, in seconds. The batches run on one thread, all else on all cores. With `--queries`, N queries
@@ -143,7 +143,7 @@ def beside_pyarrow(folder: Path, count: int) -> None:
 def main() -> None:
     data = Path(os.environ.get("EXACT_CCD_DATA", "../../../shared/data"))
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--reference", type=Path, default=Path("target/release/examples/reference"))
+    parser.add_argument("--reference", type=Path, default=Path("../../target/release/examples/python"))
     parser.add_argument("--scenes", type=Path, default=data / "scenes")
     parser.add_argument("--queries", type=int, default=0)
     arguments = parser.parse_args()

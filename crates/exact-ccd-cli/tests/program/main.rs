@@ -39,7 +39,6 @@ mod simulate_errors;
 mod simulate_pictures;
 mod simulate_queries;
 mod simulate_resume;
-mod solver;
 mod split_vertices;
 mod start_check;
 mod step;

@@ -1,4 +1,4 @@
-//! The seconds of the calls in Rust that `speed.py` compares the package with.
+//! The seconds of the calls in Rust that `bindings/python/benchmarks/speed.py` compares the package with.
 //!
 //! Arguments: a folder of `indices` (u32), `x0`, `x1` (f64) and `faces` (u32), raw, and the number of runs.
 
