@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use exact_ccd_mesh::{Boxes, BroadPhase, Bvh, PairSink};
+use exact_ccd_mesh::{BoxPairs, Boxes, Bvh, PairSink};
 
 use crate::compute::Watch;
 
@@ -22,12 +22,15 @@ impl Interruptible {
     }
 }
 
-impl BroadPhase for Interruptible {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+impl<const T: usize> BoxPairs<T> for Interruptible
+where
+    Bvh: BoxPairs<T>,
+{
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         Bvh.between(a, b, &|pairs| self.unless_cancelled(sink, pairs))
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         Bvh.within(boxes, &|pairs| self.unless_cancelled(sink, pairs))
     }
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use exact_ccd::{Point, Separation};
-use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, PairCollector, TooManyPrimitives, check_positions};
+use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, PairCollector, TooManyPrimitives, check_positions};
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use rayon::prelude::*;

@@ -14,8 +14,6 @@ use crate::broad_phase::Interruptible;
 use crate::compute::Watch;
 use crate::error::Refusal;
 
-type Inner = Detector<Interruptible>;
-
 /// The detectors of a mesh.
 ///
 /// A rule of the caller is a function in Python, too slow for every candidate. Hence the first search
@@ -23,9 +21,9 @@ type Inner = Detector<Interruptible>;
 #[derive(Clone)]
 pub(crate) struct Search {
     /// Ignores the rule.
-    open: Inner,
+    open: Detector,
     /// Obeys it, if there is one.
-    ruled: Option<Inner>,
+    ruled: Option<Detector>,
     rules: Rules,
     min_distance: MinDistance,
     watch: Arc<Watch>,
@@ -66,7 +64,8 @@ impl Search {
         min_distance.check(mesh)?;
         let detector = |can_collide: &CanCollide| {
             let broad_phase = Interruptible { watch: watch.clone() };
-            Inner::with_broad_phase(mesh.clone(), broad_phase).with_can_collide(can_collide.clone())
+            Detector::with_broad_phase(mesh.clone(), Arc::new(broad_phase))
+                .with_can_collide(can_collide.clone())
         };
         Ok(Self {
             open: detector(&rules.groups).with_start_check(checks_start && !rules.has_rule),
@@ -122,7 +121,7 @@ impl Search {
     fn search<T, E: From<StepError>>(
         &mut self,
         x0: &[Point],
-        run: impl Fn(&mut Inner) -> Result<T, E>,
+        run: impl Fn(&mut Detector) -> Result<T, E>,
         contact: impl Fn(&T) -> Option<Contact>,
     ) -> Result<T, E> {
         if self.ruled.is_some() {
@@ -155,7 +154,7 @@ impl Search {
         until: f64,
     ) -> Result<Option<Contact>, Refusal> {
         let options = self.options(until);
-        let run = |inner: &mut Inner| inner.collision(x0, x1, options.clone()).map_err(Refusal::from);
+        let run = |inner: &mut Detector| inner.collision(x0, x1, options.clone()).map_err(Refusal::from);
         self.search(x0, run, |contact| *contact)
     }
 
@@ -167,7 +166,7 @@ impl Search {
         until: f64,
     ) -> Result<Vec<Contact>, Refusal> {
         let options = self.options(until);
-        let run = |inner: &mut Inner| inner.collisions(x0, x1, options.clone()).map_err(Refusal::from);
+        let run = |inner: &mut Detector| inner.collisions(x0, x1, options.clone()).map_err(Refusal::from);
         let mut contacts = self.search(x0, run, |_| None)?;
         if self.ruled.is_some() {
             contacts.retain(|contact| self.rules.allow(self.mesh(), contact.pair));
@@ -183,7 +182,7 @@ impl Search {
     /// A certified step.
     pub(crate) fn free_step(&mut self, x0: &[Point], x1: &[Point], keep: f64) -> Result<FreeStep, Refusal> {
         let options = self.free_step_options(keep);
-        let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(Refusal::from);
+        let run = |inner: &mut Detector| inner.free_step(x0, x1, &options).map_err(Refusal::from);
         let free = self.search(x0, run, |free| free.contact)?;
         match &mut self.ruled {
             // The pairs that touch at the start have been counted without the rule.
@@ -201,7 +200,7 @@ impl Search {
         pinned: &[u32],
     ) -> Result<FreeSteps, Refusal> {
         let options = self.free_step_options(keep);
-        let run = |inner: &mut Inner| inner.free_steps(x0, x1, pinned, &options).map_err(Refusal::from);
+        let run = |inner: &mut Detector| inner.free_steps(x0, x1, pinned, &options).map_err(Refusal::from);
         let taken = self.search(x0, run, |_| None)?;
         match &mut self.ruled {
             // A contact of the first round may be one that the rule forbids.

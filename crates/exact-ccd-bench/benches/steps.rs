@@ -11,6 +11,7 @@
 mod published;
 
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::Instant;
 
 use exact_ccd::CONTACT;
@@ -60,7 +61,7 @@ enum Question {
 
 impl Question {
     /// Answers with a detector that has no memory of earlier steps.
-    fn answer<B: BroadPhase>(&self, step: Step<'_>, broad_phase: &B, mut detector: Detector<B>) {
+    fn answer(&self, step: Step<'_>, broad_phase: &dyn BroadPhase, mut detector: Detector) {
         let [x0, x1] = step.positions();
         match self {
             Self::Report => {
@@ -84,7 +85,7 @@ fn print_row(scene: &str, name: &str, question: &Question, step: Step<'_>) {
             .expect("two threads can be had")
     });
     let bvh = Detector::new(step.mesh().clone());
-    let sweep = Detector::with_broad_phase(bvh.mesh().clone(), Sweep);
+    let sweep = Detector::with_broad_phase(bvh.mesh().clone(), Arc::new(Sweep));
     let mut times = [const { Vec::new() }; 4];
     for _ in 0..ROUNDS {
         for (pool, index) in pools.iter().zip(0..) {

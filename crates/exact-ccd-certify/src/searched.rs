@@ -1,9 +1,7 @@
 //! Steps that a detector answers.
 
 use exact_ccd::{Options, Point};
-use exact_ccd_mesh::{
-    BroadPhase, Bvh, Detector, Intersection, IntersectionOptions, Meeting, StepError, intersections,
-};
+use exact_ccd_mesh::{Bvh, Detector, Intersection, IntersectionOptions, Meeting, StepError, intersections};
 
 use crate::maker::{Maker, MakerError};
 
@@ -14,9 +12,9 @@ impl Maker {
     /// # Errors
     /// [`MakerError::Rules`] if not all pairs can collide; [`MakerError::Step`] for positions that are no
     /// step, and with `rest`, for an edge that pierces a face.
-    pub fn add_step_of<B: BroadPhase>(
+    pub fn add_step_of(
         &mut self,
-        detector: &mut Detector<B>,
+        detector: &mut Detector,
         x0: &[Point],
         x1: &[Point],
         rest: bool,

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::value_parser;
 use exact_ccd::{Options, Separation};
@@ -157,12 +158,12 @@ struct Problem {
     can_collide: CanCollide,
     distance: MinDistance,
     half_spaces: HalfSpaces,
-    broad_phase: Timed<Bvh>,
+    broad_phase: Arc<Timed>,
 }
 
 impl Problem {
-    fn detector(&self) -> Detector<&Timed<Bvh>> {
-        let detector = Detector::with_broad_phase(self.motion.mesh.clone(), &self.broad_phase);
+    fn detector(&self) -> Detector {
+        let detector = Detector::with_broad_phase(self.motion.mesh.clone(), self.broad_phase.clone());
         detector.with_can_collide(self.can_collide.clone())
     }
 
@@ -203,7 +204,7 @@ impl Arguments {
             can_collide: scene.can_collide(),
             distance: kept(min_distance, inner_distance),
             half_spaces: half_spaces.around(scene.moving_vertices(), min_distance, inner_distance),
-            broad_phase: Timed::new(Bvh),
+            broad_phase: Arc::default(),
             ids: scene.ids().clone(),
             motion,
         }
@@ -213,7 +214,7 @@ impl Arguments {
     fn find(
         &self,
         problem: &Problem,
-        detector: &mut Detector<&Timed<Bvh>>,
+        detector: &mut Detector,
         clock: &mut Seconds,
     ) -> Result<Found, Failure> {
         let start = self.start(problem)?;
@@ -284,7 +285,7 @@ impl Arguments {
         Ok(found.map_err(StepError::from)?)
     }
 
-    fn answer(&self, problem: &Problem, detector: &mut Detector<&Timed<Bvh>>) -> Result<Answer, Failure> {
+    fn answer(&self, problem: &Problem, detector: &mut Detector) -> Result<Answer, Failure> {
         let Motion { x0, x1, .. } = &problem.motion;
         let stage = progress::stage("searching for contact");
         let mut answer = Answer::default();
@@ -298,7 +299,7 @@ impl Arguments {
                 .with_can_collide(problem.can_collide.clone());
             let report = during(progress::count("pairs"), |progress| {
                 let step = problem.motion.step()?;
-                let report = StepReport::with_options(step, &problem.broad_phase, &options, progress);
+                let report = StepReport::with_options(step, &*problem.broad_phase, &options, progress);
                 report.map_err(Failure::from)
             })?;
             answer.pairs = Some(Pairs::from(&report));

@@ -4,22 +4,15 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use exact_ccd_mesh::{Boxes, BroadPhase, PairSink};
+use exact_ccd_mesh::{BoxPairs, Boxes, Bvh, PairSink};
 
-/// A broad phase that adds up the time spent in its sinks.
-pub(crate) struct Timed<B> {
-    broad_phase: B,
+/// The hierarchy, with the time spent in its sinks.
+#[derive(Default)]
+pub(crate) struct Timed {
     nanoseconds: AtomicU64,
 }
 
-impl<B> Timed<B> {
-    pub(crate) fn new(broad_phase: B) -> Self {
-        Self {
-            broad_phase,
-            nanoseconds: AtomicU64::new(0),
-        }
-    }
-
+impl Timed {
     /// The time spent in sinks since the last call, divided by the number of threads.
     pub(crate) fn take_time_in_sinks(&self) -> Duration {
         Duration::from_nanos(self.nanoseconds.swap(0, Ordering::Relaxed))
@@ -36,12 +29,15 @@ fn timed(nanoseconds: &AtomicU64, sink: &PairSink<'_>) -> impl Fn(&[[u32; 2]]) -
     }
 }
 
-impl<B: BroadPhase> BroadPhase for Timed<B> {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        self.broad_phase.between(a, b, &timed(&self.nanoseconds, sink))
+impl<const T: usize> BoxPairs<T> for Timed
+where
+    Bvh: BoxPairs<T>,
+{
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        Bvh.between(a, b, &timed(&self.nanoseconds, sink))
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        self.broad_phase.within(boxes, &timed(&self.nanoseconds, sink))
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        Bvh.within(boxes, &timed(&self.nanoseconds, sink))
     }
 }

@@ -12,14 +12,14 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use exact_ccd_files::read_motion;
-use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, PairSink, StepReport};
+use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, PairSink, StepReport};
 
 /// Sorts the boxes along x and visits each with those that begin before it ends. This finds a
 /// superset of the overlapping pairs.
 struct SortedAlongX;
 
-impl BroadPhase for SortedAlongX {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+impl<const T: usize> BoxPairs<T> for SortedAlongX {
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let [of_a, of_b] = [a, b].map(intervals);
         for [lower, upper, i] in of_a {
             let overlapping = of_b
@@ -32,7 +32,7 @@ impl BroadPhase for SortedAlongX {
         ControlFlow::Continue(())
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         self.between(boxes, boxes, &|pairs| {
             let once: Vec<[u32; 2]> = pairs.iter().copied().filter(|[i, j]| i < j).collect();
             sink(&once)

@@ -53,7 +53,7 @@ pub mod vector;
 pub use at_rest::{Intersection, IntersectionOptions, IntersectionsError, Meeting, intersections};
 pub use audit::{Audit, Violation};
 pub use broad_phase::{
-    Aabb, AllPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,
+    Aabb, AllPairs, BoxPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,
 };
 pub use exact_ccd::{CONTACT, Options, Point};
 pub use half_space::{HalfSpace, HalfSpaceError};

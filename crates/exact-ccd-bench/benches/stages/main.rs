@@ -21,7 +21,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use exact_ccd::batch::{Instructions, Trajectories};
 use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, Stage, VertexFace};
-use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, Detector, StepReport, Sweep};
+use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, Bvh, Detector, StepReport, Sweep};
 
 use crate::cloth::Cloth;
 
@@ -131,7 +131,7 @@ fn boxes(bencher: Bencher<'_, '_>) {
         .bench(|| Boxes::new(black_box(&boxes)));
 }
 
-fn within(bencher: Bencher<'_, '_>, broad_phase: impl BroadPhase) {
+fn within(bencher: Bencher<'_, '_>, broad_phase: impl BoxPairs<2>) {
     let boxes = Boxes::new(&edge_boxes()).expect("the cloth has few edges");
     let visit = |pairs: &[[u32; 2]]| {
         black_box(pairs);

@@ -1,5 +1,7 @@
 //! The steps of the scenes, compared with a plain loop over all candidates.
 
+use std::sync::Arc;
+
 use exact_ccd::{CONTACT, EdgeEdge, VertexFace, exact};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{
@@ -93,7 +95,7 @@ fn a_step_reports_the_same_on_any_number_of_threads() {
             pool.install(|| {
                 let report = step(&motion.mesh, &motion.x0, &motion.x1).unwrap();
                 let mut detector = Detector::new(motion.mesh.clone());
-                let mut sweep = Detector::with_broad_phase(motion.mesh.clone(), Sweep);
+                let mut sweep = Detector::with_broad_phase(motion.mesh.clone(), Arc::new(Sweep));
                 let (x0, x1) = (&motion.x0, &motion.x1);
                 for _ in 0..2 {
                     let earliest = detector.collision(x0, x1, CONTACT).unwrap();

@@ -130,7 +130,7 @@ impl IntersectionOptions {
 pub fn intersections(
     mesh: &TriangleMesh,
     positions: &[Point],
-    broad_phase: &impl BroadPhase,
+    broad_phase: &dyn BroadPhase,
     options: &IntersectionOptions,
 ) -> Result<Vec<Intersection>, IntersectionsError> {
     check_positions(mesh.vertex_count(), positions)?;

@@ -41,7 +41,7 @@ impl StartCheck {
     /// [`StepError::Crossing`] has the first edge that crosses a face.
     pub(crate) fn examine(
         &mut self,
-        broad_phase: &impl BroadPhase,
+        broad_phase: &dyn BroadPhase,
         step: &Step<'_>,
         can_collide: &CanCollide,
     ) -> Result<(), StepError> {

@@ -7,18 +7,18 @@ use fearless_simd::Simd;
 use super::boxes::Boxes;
 use super::pairs::Pairs;
 use super::vectors::vectorized;
-use super::{BroadPhase, PairSink};
+use super::{BoxPairs, PairSink};
 
 /// Tests all pairs of boxes: the reference in tests of the other broad phases.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AllPairs;
 
-impl BroadPhase for AllPairs {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+impl<const T: usize> BoxPairs<T> for AllPairs {
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         vectorized!(simd => all(simd, a, b, |_| 0, Pairs::between(a, b, sink)))
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         vectorized!(simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, sink)))
     }
 }

@@ -10,7 +10,7 @@ use super::boxes::Boxes;
 use super::moving_box::MovingBox;
 use super::pairs::Pairs;
 use super::vectors::vectorized;
-use super::{BroadPhase, PairSink};
+use super::{BoxPairs, PairSink};
 
 /// A bounding volume hierarchy: a tree of boxes in which each inner node has eight children.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,22 +22,41 @@ const GRAIN: usize = 4;
 /// The least number of nodes that a thread makes in one task: as much work as that of filling blocks.
 const NODES: usize = 256;
 
-impl BroadPhase for Bvh {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        let tree = Tree::new(b);
-        grains(a).try_for_each(|groups| {
-            let pairs = Pairs::between(a, b, sink);
-            vectorized!(simd => tree.search(simd, a, groups, false, pairs))
-        })
+// Not one implementation for all T, which each crate that passes a `Bvh` would compile again.
+impl BoxPairs<1> for Bvh {
+    fn between(&self, a: &Boxes<1>, b: &Boxes<1>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        between(a, b, sink)
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        let tree = Tree::new(boxes);
-        grains(boxes).try_for_each(|groups| {
-            let pairs = Pairs::within(boxes, sink);
-            vectorized!(simd => tree.search(simd, boxes, groups, true, pairs))
-        })
+    fn within(&self, boxes: &Boxes<1>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        within(boxes, sink)
     }
+}
+
+impl BoxPairs<2> for Bvh {
+    fn between(&self, a: &Boxes<2>, b: &Boxes<2>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        between(a, b, sink)
+    }
+
+    fn within(&self, boxes: &Boxes<2>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        within(boxes, sink)
+    }
+}
+
+fn between<const T: usize>(a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+    let tree = Tree::new(b);
+    grains(a).try_for_each(|groups| {
+        let pairs = Pairs::between(a, b, sink);
+        vectorized!(simd => tree.search(simd, a, groups, false, pairs))
+    })
+}
+
+fn within<const T: usize>(boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+    let tree = Tree::new(boxes);
+    grains(boxes).try_for_each(|groups| {
+        let pairs = Pairs::within(boxes, sink);
+        vectorized!(simd => tree.search(simd, boxes, groups, true, pairs))
+    })
 }
 
 fn grains<const T: usize>(boxes: &Boxes<T>) -> impl ParallelIterator<Item = Range<usize>> {

@@ -36,7 +36,8 @@ pub(crate) use primitive_count::check_primitive_count;
 /// A callback for batches of pairs from a broad phase; `Break` ends the search.
 pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;
 
-/// An algorithm that finds the pairs of moving boxes that meet.
+/// An algorithm that finds the pairs of boxes that meet: of boxes at rest (T = 1), or of boxes that move
+/// (T = 2).
 ///
 /// Two boxes do not meet if some axis separates them at t = 0 and, in the same order, at t = 1,
 /// hence at all times in between. Boxes at rest meet if they overlap, even if only in a point. A
@@ -50,7 +51,7 @@ pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;
 /// use core::ops::ControlFlow;
 /// use std::sync::Mutex;
 ///
-/// use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh};
+/// use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, Bvh};
 ///
 /// let cube = |x: f64| Aabb::of([x, 0.0, 0.0]).union(&Aabb::of([x + 1.0, 1.0, 1.0]));
 /// let cubes = Boxes::new(&[0.0, 1.0, 2.5, 2.0].map(|x| [cube(x)]))?;
@@ -64,20 +65,15 @@ pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;
 /// assert_eq!(pairs, [[0, 1], [1, 3], [2, 3]]);
 /// # Ok::<(), exact_ccd_mesh::TooManyPrimitives>(())
 /// ```
-pub trait BroadPhase: Sync {
+pub trait BoxPairs<const T: usize>: Send + Sync {
     /// Finds the pairs of the index of a box in `a` and that of a box in `b`.
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()>;
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()>;
 
     /// Finds the pairs of two boxes in `boxes`, the smaller index first.
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()>;
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()>;
 }
 
-impl<B: BroadPhase> BroadPhase for &B {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        (**self).between(a, b, sink)
-    }
+/// The pairs of boxes at rest and of boxes that move: what a search in a mesh needs.
+pub trait BroadPhase: BoxPairs<1> + BoxPairs<2> {}
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        (**self).within(boxes, sink)
-    }
-}
+impl<B: BoxPairs<1> + BoxPairs<2>> BroadPhase for B {}

@@ -9,7 +9,7 @@ use super::boxes::Boxes;
 use super::moving_box::MovingBox;
 use super::pairs::Pairs;
 use super::vectors::vectorized;
-use super::{BroadPhase, PairSink};
+use super::{BoxPairs, PairSink};
 
 /// Sweep and prune along one axis, over blocks of eight boxes that are near each other: J. Cohen,
 /// M. Lin, D. Manocha and M. Ponamgi, *I-COLLIDE: An interactive and exact collision detection
@@ -20,8 +20,8 @@ pub struct Sweep;
 /// The number of blocks that a thread searches for in one task.
 const GRAIN: usize = 32;
 
-impl BroadPhase for Sweep {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+impl<const T: usize> BoxPairs<T> for Sweep {
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let axis = longest_axis(b);
         let [of_a, of_b] = [a, b].map(|boxes| Interval::sorted(boxes, axis));
         // Of two overlapping intervals, one begins inside the other.
@@ -37,7 +37,7 @@ impl BroadPhase for Sweep {
         })
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let intervals = Interval::sorted(boxes, longest_axis(boxes));
         intervals.par_chunks(GRAIN).try_for_each(|grain| {
             let from = |interval: &Interval| (&intervals[interval.position..], false);

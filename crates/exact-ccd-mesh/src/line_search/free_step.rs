@@ -6,7 +6,6 @@ use super::advance::advance;
 use super::error::LineSearchError;
 use super::options::FreeStepOptions;
 use super::watched::{Watch, watched};
-use crate::broad_phase::BroadPhase;
 use crate::mesh::check_positions;
 use crate::pairs::PairCounts;
 use crate::search::{AnyContact, Contact, CulledSearch, Detector, Earliest};
@@ -33,7 +32,7 @@ pub struct FreeStep {
     pub touching: PairCounts,
 }
 
-impl<B: BroadPhase> Detector<B> {
+impl Detector {
     /// A step from positions `x0` towards positions `x1` that is certified to be free of contact.
     ///
     /// The size is 1 if the full step is free, otherwise `keep` times its time of impact, rounded down. The
@@ -104,8 +103,8 @@ impl<B: BroadPhase> Detector<B> {
 }
 
 /// The free step of a step, with the memory of a search.
-fn free_step<B: BroadPhase>(
-    search: &mut CulledSearch<B>,
+fn free_step(
+    search: &mut CulledSearch,
     step: Step<'_>,
     at: impl Fn(f64) -> Vec<Point>,
     options: &FreeStepOptions<'_>,
@@ -136,8 +135,8 @@ fn free_step<B: BroadPhase>(
 
 /// The first f64 among `first` and those 1, 2, 4, … places below it to which the step is free, with the
 /// positions there; `None` if no positive one is.
-pub(super) fn certified<B: BroadPhase>(
-    search: &mut CulledSearch<B>,
+pub(super) fn certified(
+    search: &mut CulledSearch,
     step: Step<'_>,
     first: f64,
     at: impl Fn(f64) -> Vec<Point>,
@@ -151,7 +150,7 @@ pub(super) fn certified<B: BroadPhase>(
     while size.to_bits() > 0 {
         let positions = at(size);
         let shorter = Step::new(step.mesh(), x0, &positions)?;
-        let contact = watched(AnyContact::new(1.0, |_| true), watch, |watched| {
+        let contact = watched(AnyContact::new(1.0, &|_| true), watch, |watched| {
             search.run_in_part(&shorter, &options.min_distance, watched);
         })?;
         if !contact.is_found() {

@@ -7,7 +7,6 @@ use super::free_step::certified;
 use super::options::FreeStepOptions;
 use super::sizes::Sizes;
 use super::watched::Watch;
-use crate::broad_phase::BroadPhase;
 use crate::pairs::Pair;
 use crate::search::{CulledSearch, Detector};
 use crate::steps::Step;
@@ -33,7 +32,7 @@ pub struct FreeSteps {
 /// The round from which on a contact brings the vertices that it holds back to the least size.
 const LAST_FALL: usize = 32;
 
-impl<B: BroadPhase> Detector<B> {
+impl Detector {
     /// A step for each vertex, from positions `x0` towards positions `x1`, such that the motion of all
     /// vertices is certified to be free of contact.
     ///
@@ -85,8 +84,8 @@ impl<B: BroadPhase> Detector<B> {
     }
 }
 
-fn free_steps<B: BroadPhase>(
-    search: &mut CulledSearch<B>,
+fn free_steps(
+    search: &mut CulledSearch,
     step: Step<'_>,
     pinned: &[u32],
     options: &FreeStepOptions<'_>,

@@ -5,7 +5,6 @@ use exact_ccd::Point;
 use super::error::LineSearchError;
 use super::retreat::Retreats;
 use super::watched::{Watch, watched};
-use crate::broad_phase::BroadPhase;
 use crate::pairs::{MinDistance, Pair};
 use crate::search::CulledSearch;
 use crate::steps::Step;
@@ -60,9 +59,9 @@ impl<'a> Sizes<'a> {
     }
 
     /// Searches the step to the positions for contact: the result of [`Retreats::found`].
-    pub(super) fn search<B: BroadPhase>(
+    pub(super) fn search(
         &self,
-        search: &mut CulledSearch<B>,
+        search: &mut CulledSearch,
         min_distance: &MinDistance,
         watch: &Watch<'_>,
     ) -> Result<(Vec<f64>, Vec<Pair>), LineSearchError> {

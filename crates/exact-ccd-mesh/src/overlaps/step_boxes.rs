@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::margin::Margin;
 use super::path::{between, until};
 use super::primitives::{by_first_vertex, loose_edges};
-use crate::broad_phase::{Boxes, BroadPhase, MovingBox, PairSink, extent, order};
+use crate::broad_phase::{BoxPairs, Boxes, MovingBox, PairSink, extent, order};
 use crate::mesh::TriangleMesh;
 use crate::pairs::{CanCollide, OtherEnds, PrimitiveSet, Searched};
 use crate::steps::Step;
@@ -218,7 +218,7 @@ impl<const T: usize> StepBoxes<T> {
     pub(crate) fn pairs_of_marked<K: Searched>(
         &self,
         mesh: &TriangleMesh,
-        broad_phase: &impl BroadPhase,
+        broad_phase: &dyn BoxPairs<T>,
         marked: &[bool],
         sink: &PairSink<'_>,
     ) -> ControlFlow<()> {
@@ -267,7 +267,7 @@ impl<const T: usize> StepBoxes<T> {
     pub(crate) fn pairs<K: Searched>(
         &self,
         mesh: &TriangleMesh,
-        broad_phase: &impl BroadPhase,
+        broad_phase: &dyn BoxPairs<T>,
         sample: Option<usize>,
         sink: &PairSink<'_>,
     ) -> ControlFlow<()> {

@@ -7,7 +7,7 @@ use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex, environme
 use super::margin::Margin;
 use super::options::{BoxKind, CandidateError, CandidateOptions};
 use super::step_boxes::StepBoxes;
-use crate::broad_phase::{Aabb, BroadPhase, meet};
+use crate::broad_phase::{Aabb, BoxPairs, BroadPhase, meet};
 use crate::pairs::{CanCollide, Searched};
 use crate::steps::Step;
 
@@ -24,7 +24,7 @@ pub(crate) trait Receive: Sync {
 /// is not that of vertices.
 pub(crate) fn stream(
     step: Step<'_>,
-    broad_phase: &impl BroadPhase,
+    broad_phase: &dyn BroadPhase,
     options: &CandidateOptions,
     receiver: &impl Receive,
 ) -> Result<ControlFlow<()>, CandidateError> {
@@ -71,7 +71,7 @@ impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T
     }
 
     /// Passes the candidates of all kinds on, in batches.
-    fn visit(&self, broad_phase: &impl BroadPhase, receiver: &impl Receive) -> ControlFlow<()> {
+    fn visit(&self, broad_phase: &dyn BoxPairs<T>, receiver: &impl Receive) -> ControlFlow<()> {
         self.visit_kind::<VertexFace>(broad_phase, receiver)?;
         self.visit_kind::<EdgeEdge>(broad_phase, receiver)?;
         self.visit_kind::<VertexEdge>(broad_phase, receiver)?;
@@ -80,7 +80,7 @@ impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T
 
     fn visit_kind<K: Searched>(
         &self,
-        broad_phase: &impl BroadPhase,
+        broad_phase: &dyn BoxPairs<T>,
         receiver: &impl Receive,
     ) -> ControlFlow<()> {
         let sink = |pairs: &[_]| receiver.receive::<K>(self.among::<K>(pairs));

@@ -4,12 +4,11 @@ use exact_ccd::{Options, Point};
 
 use super::collect::{AllContacts, AnyContact, Earliest};
 use super::contact::Contact;
-use super::detector::Detector;
-use crate::broad_phase::BroadPhase;
+use super::detector::{Begun, Detector};
 use crate::pairs::{MinDistance, Pair};
 use crate::steps::StepError;
 
-impl<B: BroadPhase> Detector<B> {
+impl Detector {
     /// Returns true if any two primitives touch in the step from positions `x0` to positions `x1`: a
     /// [`Pair`], which says what is never a contact. Ends soon after the first contact found.
     ///
@@ -23,12 +22,7 @@ impl<B: BroadPhase> Detector<B> {
         x1: &[Point],
         options: Options<impl Into<MinDistance>>,
     ) -> Result<bool, StepError> {
-        let mut begun = self.begin(x0, x1, options)?;
-        let contact = begun.run(AnyContact::new(begun.until, |_| true));
-        if !contact.is_found() {
-            begun.found_free(x1);
-        }
-        Ok(contact.is_found())
+        Ok(self.begin(x0, x1, options)?.collides())
     }
 
     /// The same for the pairs that count only.
@@ -46,8 +40,7 @@ impl<B: BroadPhase> Detector<B> {
         options: Options<impl Into<MinDistance>>,
         counts: impl Fn(Pair) -> bool + Sync,
     ) -> Result<bool, StepError> {
-        let mut begun = self.begin(x0, x1, options)?;
-        Ok(begun.run(AnyContact::new(begun.until, counts)).is_found())
+        Ok(self.begin(x0, x1, options)?.collides_if(&counts))
     }
 
     /// The earliest contact in the step from positions `x0` to positions `x1`, or `None` if there is none.
@@ -64,12 +57,7 @@ impl<B: BroadPhase> Detector<B> {
         x1: &[Point],
         options: Options<impl Into<MinDistance>>,
     ) -> Result<Option<Contact>, StepError> {
-        let mut begun = self.begin(x0, x1, options)?;
-        let pair = begun.run(Earliest::new(begun.until)).pair();
-        if pair.is_none() {
-            begun.found_free(x1);
-        }
-        Ok(pair.and_then(|pair| begun.search.contact(&begun.step, pair)))
+        Ok(self.begin(x0, x1, options)?.collision())
     }
 
     /// All contacts in the step from positions `x0` to positions `x1`, the earliest first.
@@ -82,7 +70,35 @@ impl<B: BroadPhase> Detector<B> {
         x1: &[Point],
         options: Options<impl Into<MinDistance>>,
     ) -> Result<Vec<Contact>, StepError> {
-        let mut begun = self.begin(x0, x1, options)?;
-        Ok(begun.run(AllContacts::new(begun.until)).sorted())
+        Ok(self.begin(x0, x1, options)?.collisions())
+    }
+}
+
+// Apart from the functions above, which each crate compiles again for its own types.
+impl Begun<'_> {
+    fn collides(mut self) -> bool {
+        let is_found = self.run(AnyContact::new(self.until, &|_| true)).is_found();
+        if !is_found {
+            let [_, x1] = self.step.positions();
+            self.found_free(x1);
+        }
+        is_found
+    }
+
+    fn collides_if(mut self, counts: &(dyn Fn(Pair) -> bool + Sync)) -> bool {
+        self.run(AnyContact::new(self.until, counts)).is_found()
+    }
+
+    fn collision(mut self) -> Option<Contact> {
+        let pair = self.run(Earliest::new(self.until)).pair();
+        if pair.is_none() {
+            let [_, x1] = self.step.positions();
+            self.found_free(x1);
+        }
+        self.search.contact(&self.step, pair?)
+    }
+
+    fn collisions(mut self) -> Vec<Contact> {
+        self.run(AllContacts::new(self.until)).sorted()
     }
 }

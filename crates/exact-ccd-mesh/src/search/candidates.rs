@@ -58,7 +58,7 @@ const GRAIN: usize = 2048;
 impl Candidates {
     /// All pairs whose boxes meet in the step: all contacts of the step are among them.
     #[must_use]
-    pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase) -> Self {
+    pub fn new(step: Step<'_>, broad_phase: &dyn BroadPhase) -> Self {
         let candidates = Self::with_options(step, broad_phase, &CandidateOptions::default());
         candidates.expect("the default distances are 0")
     }
@@ -70,7 +70,7 @@ impl Candidates {
     /// thicknesses is not that of vertices.
     pub fn with_options(
         step: Step<'_>,
-        broad_phase: &impl BroadPhase,
+        broad_phase: &dyn BroadPhase,
         options: &CandidateOptions,
     ) -> Result<Self, CandidateError> {
         let collectors = ByKind::<PairCollector>::default();
@@ -88,9 +88,9 @@ impl Candidates {
     /// As [`with_options`](Self::with_options).
     pub fn stream(
         step: Step<'_>,
-        broad_phase: &impl BroadPhase,
+        broad_phase: &dyn BroadPhase,
         options: &CandidateOptions,
-        sink: impl Fn(&[Pair]) -> ControlFlow<()> + Sync,
+        sink: &(dyn Fn(&[Pair]) -> ControlFlow<()> + Sync),
     ) -> Result<ControlFlow<()>, CandidateError> {
         overlaps::stream(step, broad_phase, options, &Sink(sink))
     }
@@ -153,25 +153,19 @@ impl Candidates {
     /// found.
     #[must_use]
     pub fn collides(&self, step: Step<'_>, options: Options<impl Into<MinDistance>>) -> bool {
-        let contact = AnyContact::new(options.until, |_| true);
-        self.examine(step, options.separation.into(), &contact);
-        contact.is_found()
+        self.decision(step, options).any()
     }
 
     /// The earliest contact of the pairs in the step, exactly, or `None` if there is none.
     #[must_use]
     pub fn collision(&self, step: Step<'_>, options: Options<impl Into<MinDistance>>) -> Option<Contact> {
-        let earliest = Earliest::new(options.until);
-        let narrow_phase = self.examine(step, options.separation.into(), &earliest);
-        narrow_phase.contact(step.mesh(), earliest.pair()?)
+        self.decision(step, options).earliest()
     }
 
     /// All contacts of the pairs in the step, exactly, the earliest first.
     #[must_use]
     pub fn collisions(&self, step: Step<'_>, options: Options<impl Into<MinDistance>>) -> Vec<Contact> {
-        let contacts = AllContacts::new(options.until);
-        self.examine(step, options.separation.into(), &contacts);
-        contacts.sorted()
+        self.decision(step, options).all()
     }
 
     /// Returns true if any of the pairs is in contact in the step, according to a method. A loose vertex is
@@ -188,15 +182,13 @@ impl Candidates {
         method::time_of_impact(method, &self.0, &step)
     }
 
-    /// Passes all pairs to a collector.
-    fn examine(&self, step: Step<'_>, min_distance: MinDistance, collector: &impl Collect) -> NarrowPhase {
-        // All on threads of the pool: entering it from outside costs a context switch each time.
-        rayon::scope(|_| {
-            let min_distance = min_distance.extended_to(step.mesh());
-            let narrow_phase = NarrowPhase::of(&step, min_distance);
-            let _ = self.examine_all(&step, &narrow_phase, collector);
-            narrow_phase
-        })
+    fn decision<'a>(&'a self, step: Step<'a>, options: Options<impl Into<MinDistance>>) -> Decision<'a> {
+        Decision {
+            candidates: self,
+            step,
+            min_distance: options.separation.into(),
+            until: options.until,
+        }
     }
 
     pub(super) fn examine_all(
@@ -219,6 +211,46 @@ impl Candidates {
     ) -> ControlFlow<()> {
         let pairs = K::of(&self.0).par_chunks(GRAIN);
         pairs.try_for_each(|pairs| collector.examine::<K>(narrow_phase, step.mesh(), pairs))
+    }
+}
+
+/// An exact decision about candidates in a step.
+struct Decision<'a> {
+    candidates: &'a Candidates,
+    step: Step<'a>,
+    min_distance: MinDistance,
+    until: f64,
+}
+
+impl Decision<'_> {
+    fn any(self) -> bool {
+        let contact = AnyContact::new(self.until, &|_| true);
+        self.examine(&contact);
+        contact.is_found()
+    }
+
+    fn earliest(self) -> Option<Contact> {
+        let mesh = self.step.mesh();
+        let earliest = Earliest::new(self.until);
+        let narrow_phase = self.examine(&earliest);
+        narrow_phase.contact(mesh, earliest.pair()?)
+    }
+
+    fn all(self) -> Vec<Contact> {
+        let contacts = AllContacts::new(self.until);
+        self.examine(&contacts);
+        contacts.sorted()
+    }
+
+    /// Passes all pairs to a collector.
+    fn examine(self, collector: &impl Collect) -> NarrowPhase {
+        // All on threads of the pool: entering it from outside costs a context switch each time.
+        rayon::scope(|_| {
+            let min_distance = self.min_distance.extended_to(self.step.mesh());
+            let narrow_phase = NarrowPhase::of(&self.step, min_distance);
+            let _ = self.candidates.examine_all(&self.step, &narrow_phase, collector);
+            narrow_phase
+        })
     }
 }
 
@@ -249,9 +281,9 @@ impl Receive for ByKind<PairCollector> {
 }
 
 /// A sink of candidates of all kinds.
-struct Sink<F>(F);
+struct Sink<'a>(&'a (dyn Fn(&[Pair]) -> ControlFlow<()> + Sync));
 
-impl<F: Fn(&[Pair]) -> ControlFlow<()> + Sync> Receive for Sink<F> {
+impl Receive for Sink<'_> {
     fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
         let pairs: Vec<Pair> = pairs.into_iter().map(K::pair).collect();
         (self.0)(&pairs)

@@ -8,12 +8,11 @@ use exact_ccd::{Options, Point, Separation};
 use super::collect::Collect;
 use super::detector::Detector;
 use super::narrow_phase::NarrowPhase;
-use crate::broad_phase::BroadPhase;
 use crate::mesh::TriangleMesh;
 use crate::pairs::PairKind;
 use crate::steps::StepError;
 
-impl<B: BroadPhase> Detector<B> {
+impl Detector {
     /// The clearance of each vertex at rest: the least distance of a [`Pair`](crate::Pair) whose primitives
     /// have the vertex, or the cut-off, if all are farther apart. It is the largest f64 that is not above.
     ///

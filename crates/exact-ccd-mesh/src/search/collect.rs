@@ -32,15 +32,15 @@ pub(crate) trait Collect: Sync {
 }
 
 /// The existence of a contact that counts.
-pub(crate) struct AnyContact<F> {
+pub(crate) struct AnyContact<'a> {
     until: f64,
     is_found: AtomicBool,
     /// Evaluated for pairs in contact only.
-    counts: F,
+    counts: &'a (dyn Fn(Pair) -> bool + Sync),
 }
 
-impl<F: Fn(Pair) -> bool + Sync> AnyContact<F> {
-    pub(crate) fn new(until: f64, counts: F) -> Self {
+impl<'a> AnyContact<'a> {
+    pub(crate) fn new(until: f64, counts: &'a (dyn Fn(Pair) -> bool + Sync)) -> Self {
         Self {
             until,
             is_found: AtomicBool::new(false),
@@ -53,7 +53,7 @@ impl<F: Fn(Pair) -> bool + Sync> AnyContact<F> {
     }
 }
 
-impl<F: Fn(Pair) -> bool + Sync> Collect for AnyContact<F> {
+impl Collect for AnyContact<'_> {
     const PROFITS_FROM_SAMPLE: bool = true;
 
     fn until(&self) -> f64 {

@@ -1,6 +1,8 @@
 //! A search that examines few candidates: those that cannot be earlier than a contact found are left out.
 
+use std::fmt;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 
@@ -10,15 +12,15 @@ use super::contact::Contact;
 use super::kept::Kept;
 use super::narrow_phase::NarrowPhase;
 use super::screen::Screen;
-use crate::broad_phase::BroadPhase;
+use crate::broad_phase::{BoxPairs, BroadPhase};
 use crate::overlaps::{Margin, StepBoxes};
 use crate::pairs::{CanCollide, MinDistance, Pair, Searched};
 use crate::steps::Step;
 
 /// A search in successive steps of one mesh.
-#[derive(Clone, Debug)]
-pub(crate) struct CulledSearch<B> {
-    broad_phase: B,
+#[derive(Clone)]
+pub(crate) struct CulledSearch {
+    broad_phase: Arc<dyn BroadPhase>,
     memory: Memory,
 }
 
@@ -57,17 +59,17 @@ impl Memory {
     }
 }
 
-impl<B: BroadPhase> CulledSearch<B> {
+impl CulledSearch {
     /// A search among all pairs.
-    pub(crate) fn new(broad_phase: B) -> Self {
+    pub(crate) fn new(broad_phase: Arc<dyn BroadPhase>) -> Self {
         Self {
             broad_phase,
             memory: Memory::new(CanCollide::all()),
         }
     }
 
-    pub(crate) fn broad_phase(&self) -> &B {
-        &self.broad_phase
+    pub(crate) fn broad_phase(&self) -> &dyn BroadPhase {
+        &*self.broad_phase
     }
 
     pub(crate) fn can_collide(&self) -> &CanCollide {
@@ -153,7 +155,7 @@ impl<B: BroadPhase> CulledSearch<B> {
             let mut pass = Pass {
                 step,
                 min_distance,
-                broad_phase: &*broad_phase,
+                broad_phase: &**broad_phase,
                 narrow_phase: &*narrow_phase,
                 screen,
                 collector,
@@ -168,7 +170,7 @@ impl<B: BroadPhase> CulledSearch<B> {
     }
 }
 
-impl<B: BroadPhase> CulledSearch<B> {
+impl CulledSearch {
     /// Searches the pairs of which a vertex is marked, in all of the step. The search before was in the same
     /// step, but for the ends of the marked vertices.
     pub(crate) fn run_marked(
@@ -195,7 +197,7 @@ impl<B: BroadPhase> CulledSearch<B> {
             let marked = Marked {
                 is_placed,
                 step,
-                broad_phase: &*broad_phase,
+                broad_phase: &**broad_phase,
                 narrow_phase: &*narrow_phase,
                 collector,
                 marked,
@@ -205,6 +207,13 @@ impl<B: BroadPhase> CulledSearch<B> {
             marked.examine::<VertexEdge>(moving)?;
             marked.examine::<VertexVertex>(moving)
         });
+    }
+}
+
+impl fmt::Debug for CulledSearch {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = formatter.debug_struct("CulledSearch");
+        text.field("memory", &self.memory).finish_non_exhaustive()
     }
 }
 
@@ -223,10 +232,10 @@ fn time_of_short_displacements(step: &Step<'_>) -> f64 {
 }
 
 /// One pass over the candidates of a step.
-struct Pass<'a, B, C> {
+struct Pass<'a, C> {
     step: &'a Step<'a>,
     min_distance: &'a MinDistance,
-    broad_phase: &'a B,
+    broad_phase: &'a dyn BroadPhase,
     narrow_phase: &'a NarrowPhase,
     screen: &'a mut Screen,
     collector: &'a C,
@@ -235,7 +244,7 @@ struct Pass<'a, B, C> {
     short: f64,
 }
 
-impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
+impl<C: Collect> Pass<'_, C> {
     /// Examines the candidates of one kind: first those of a sample, if that may shorten the search.
     fn examine<K: Searched>(
         &mut self,
@@ -255,9 +264,9 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
                 .is_some_and(|(was_short, before)| was_short == is_short && time >= SHRUNK_TIME * before);
             let new_time = (!stay).then_some(time);
             if is_short {
-                self.examine_among::<K, 1>(resting, new_time, sample)?;
+                self.examine_among::<K, 1>(resting, self.broad_phase, new_time, sample)?;
             } else {
-                self.examine_among::<K, 2>(moving, new_time, sample)?;
+                self.examine_among::<K, 2>(moving, self.broad_phase, new_time, sample)?;
             }
             if !stay {
                 placed = Some((is_short, time));
@@ -270,6 +279,7 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
     fn examine_among<K: Searched, const T: usize>(
         &mut self,
         boxes: &mut StepBoxes<T>,
+        broad_phase: &dyn BoxPairs<T>,
         new_time: Option<f64>,
         sample: Option<usize>,
     ) -> ControlFlow<()> {
@@ -279,11 +289,11 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
         }
         let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
         let Some(kept) = self.kept.filter(|_| sample.is_none()) else {
-            return boxes.pairs::<K>(mesh, self.broad_phase, sample, &examine);
+            return boxes.pairs::<K>(mesh, broad_phase, sample, &examine);
         };
         self.screen
             .place(self.step, self.collector.until(), self.min_distance);
-        boxes.pairs::<K>(mesh, self.broad_phase, sample, &|pairs: &[_]| {
+        boxes.pairs::<K>(mesh, broad_phase, sample, &|pairs: &[_]| {
             // After a contact at t = 0 there is no search in a part.
             if self.collector.until() <= 0.0 {
                 return examine(pairs);
@@ -296,9 +306,9 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
 }
 
 /// A search among the pairs of which a vertex is marked.
-struct Marked<'a, B, C> {
+struct Marked<'a, C> {
     step: &'a Step<'a>,
-    broad_phase: &'a B,
+    broad_phase: &'a dyn BroadPhase,
     narrow_phase: &'a NarrowPhase,
     collector: &'a C,
     marked: &'a [bool],
@@ -306,7 +316,7 @@ struct Marked<'a, B, C> {
     is_placed: bool,
 }
 
-impl<B: BroadPhase, C: Collect> Marked<'_, B, C> {
+impl<C: Collect> Marked<'_, C> {
     fn examine<K: Searched>(&self, boxes: &mut StepBoxes<2>) -> ControlFlow<()> {
         if boxes.lacks::<K>() {
             return ControlFlow::Continue(());

@@ -51,9 +51,9 @@ use crate::steps::{Step, StepError};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Detector<B = Bvh> {
+pub struct Detector {
     mesh: Arc<TriangleMesh>,
-    search: CulledSearch<B>,
+    search: CulledSearch,
     start_check: Option<StartCheck>,
 }
 
@@ -61,14 +61,12 @@ impl Detector {
     /// The detector for steps of `mesh`.
     #[must_use]
     pub fn new(mesh: impl Into<Arc<TriangleMesh>>) -> Self {
-        Self::with_broad_phase(mesh, Bvh)
+        Self::with_broad_phase(mesh, Arc::new(Bvh))
     }
-}
 
-impl<B: BroadPhase> Detector<B> {
-    /// The detector for steps of `mesh`, with another broad phase.
+    /// The detector for steps of `mesh`, with another broad phase, which its clones share.
     #[must_use]
-    pub fn with_broad_phase(mesh: impl Into<Arc<TriangleMesh>>, broad_phase: B) -> Self {
+    pub fn with_broad_phase(mesh: impl Into<Arc<TriangleMesh>>, broad_phase: Arc<dyn BroadPhase>) -> Self {
         Self {
             mesh: mesh.into(),
             search: CulledSearch::new(broad_phase),
@@ -157,9 +155,18 @@ impl<B: BroadPhase> Detector<B> {
         x0: &'a [Point],
         x1: &'a [Point],
         options: Options<impl Into<MinDistance>>,
-    ) -> Result<Begun<'a, B>, StepError> {
-        TimeOutOfStep::check(options.until)?;
-        let min_distance = options.separation.into();
+    ) -> Result<Begun<'a>, StepError> {
+        self.begin_within(x0, x1, options.separation.into(), options.until)
+    }
+
+    fn begin_within<'a>(
+        &'a mut self,
+        x0: &'a [Point],
+        x1: &'a [Point],
+        min_distance: MinDistance,
+        until: f64,
+    ) -> Result<Begun<'a>, StepError> {
+        TimeOutOfStep::check(until)?;
         min_distance.check(&self.mesh)?;
         let step = Step::new(&self.mesh, x0, x1)?;
         if let Some(start_check) = &mut self.start_check {
@@ -168,7 +175,7 @@ impl<B: BroadPhase> Detector<B> {
         Ok(Begun {
             step,
             min_distance,
-            until: options.until,
+            until,
             search: &mut self.search,
             start_check: self.start_check.as_mut(),
         })
@@ -176,15 +183,15 @@ impl<B: BroadPhase> Detector<B> {
 }
 
 /// A step after the check of its start, and the search in it.
-pub(crate) struct Begun<'a, B> {
+pub(crate) struct Begun<'a> {
     pub(crate) step: Step<'a>,
     min_distance: MinDistance,
     pub(super) until: f64,
-    pub(crate) search: &'a mut CulledSearch<B>,
+    pub(crate) search: &'a mut CulledSearch,
     start_check: Option<&'a mut StartCheck>,
 }
 
-impl<B: BroadPhase> Begun<'_, B> {
+impl Begun<'_> {
     /// The collector after the search.
     pub(super) fn run<C: Collect>(&mut self, collector: C) -> C {
         self.search.run(&self.step, &self.min_distance, &collector);

@@ -4,7 +4,6 @@ use exact_ccd::{Options, Point};
 
 use super::contact::Contact;
 use super::detector::Detector;
-use crate::broad_phase::BroadPhase;
 use crate::pairs::MinDistance;
 use crate::steps::StepError;
 
@@ -45,7 +44,7 @@ impl FirstContacts {
     }
 }
 
-impl<B: BroadPhase> Detector<B> {
+impl Detector {
     /// The contacts of the step from positions `x0` to positions `x1`, and the first one of each vertex.
     ///
     /// # Errors

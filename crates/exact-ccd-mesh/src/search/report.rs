@@ -67,7 +67,7 @@ impl StepReport {
     /// Calls `progress`, from any thread, with the number of candidates examined since its last
     /// call from there.
     #[must_use]
-    pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
+    pub fn new(step: Step<'_>, broad_phase: &dyn BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
         let report = Self::with_options(step, broad_phase, &CandidateOptions::default(), progress);
         report.expect("the default distances are 0")
     }
@@ -79,7 +79,7 @@ impl StepReport {
     /// thicknesses is not that of vertices.
     pub fn with_options(
         step: Step<'_>,
-        broad_phase: &impl BroadPhase,
+        broad_phase: &dyn BroadPhase,
         options: &CandidateOptions,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, CandidateError> {

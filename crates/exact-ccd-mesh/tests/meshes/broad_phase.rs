@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use exact_ccd_mesh::{Aabb, AllPairs, Boxes, BroadPhase, Bvh, Point, Sweep};
+use exact_ccd_mesh::{Aabb, AllPairs, BoxPairs, Boxes, Bvh, Point, Sweep};
 use proptest::prelude::*;
 
 /// A box at both ends of a step.
@@ -47,15 +47,15 @@ fn sorted(
     found
 }
 
-fn between<const T: usize>(broad_phase: &impl BroadPhase, a: &Boxes<T>, b: &Boxes<T>) -> Vec<[u32; 2]> {
+fn between<const T: usize>(broad_phase: &impl BoxPairs<T>, a: &Boxes<T>, b: &Boxes<T>) -> Vec<[u32; 2]> {
     sorted(|visit| broad_phase.between(a, b, visit))
 }
 
-fn within<const T: usize>(broad_phase: &impl BroadPhase, boxes: &Boxes<T>) -> Vec<[u32; 2]> {
+fn within<const T: usize>(broad_phase: &impl BoxPairs<T>, boxes: &Boxes<T>) -> Vec<[u32; 2]> {
     sorted(|visit| broad_phase.within(boxes, visit))
 }
 
-fn assert_finds_all<const T: usize>(broad_phase: &impl BroadPhase, a: &[[Aabb; T]], b: &[[Aabb; T]]) {
+fn assert_finds_all<const T: usize>(broad_phase: &impl BoxPairs<T>, a: &[[Aabb; T]], b: &[[Aabb; T]]) {
     let [coarse_a, coarse_b] = [a, b].map(|boxes| Boxes::new(boxes).unwrap());
     let [rounded_a, rounded_b] = [&coarse_a, &coarse_b].map(by_index);
     let found = between(broad_phase, &coarse_a, &coarse_b);
@@ -73,7 +73,10 @@ fn assert_all_find_all(a: &[Moving], b: &[Moving]) {
     assert_each_finds_all(&a, &b);
 }
 
-fn assert_each_finds_all<const T: usize>(a: &[[Aabb; T]], b: &[[Aabb; T]]) {
+fn assert_each_finds_all<const T: usize>(a: &[[Aabb; T]], b: &[[Aabb; T]])
+where
+    Bvh: BoxPairs<T>,
+{
     assert_finds_all(&AllPairs, a, b);
     assert_finds_all(&Bvh, a, b);
     assert_finds_all(&Bvh, b, a);

@@ -1,5 +1,7 @@
 //! Triangles that move: contacts by a detector, and candidates.
 
+use std::sync::Arc;
+
 use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
     BoxKind, Bvh, CandidateOptions, Candidates, Detector, Pair, Point, Step, Sweep, TriangleMesh,
@@ -71,7 +73,7 @@ impl Scene {
         let mut detector = Detector::new(self.mesh.clone());
         let all = detector.collisions(x0, x1, CONTACT).expect("the step is valid");
         let earliest = detector.collision(x0, x1, CONTACT).expect("the step is valid");
-        let mut sweep = Detector::with_broad_phase(self.mesh.clone(), Sweep);
+        let mut sweep = Detector::with_broad_phase(self.mesh.clone(), Arc::new(Sweep));
         let swept = sweep.collisions(x0, x1, CONTACT).expect("the step is valid");
         let among = |boxes: BoxKind| {
             let step = Step::new(&self.mesh, x0, x1).expect("the step is valid");

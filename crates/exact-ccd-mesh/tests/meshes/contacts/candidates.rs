@@ -113,7 +113,7 @@ fn stored_and_streamed_candidates_are_the_same_with_every_broad_phase() {
                 let stored = Candidates::with_options(step, &Bvh, &options).unwrap();
                 assert_eq!(Candidates::with_options(step, &Sweep, &options).unwrap(), stored);
                 let streamed = Mutex::new(Vec::new());
-                let flow = Candidates::stream(step, &AllPairs, &options, |pairs| {
+                let flow = Candidates::stream(step, &AllPairs, &options, &|pairs| {
                     streamed.lock().unwrap().extend_from_slice(pairs);
                     ControlFlow::Continue(())
                 });

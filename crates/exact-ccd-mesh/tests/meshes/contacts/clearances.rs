@@ -1,5 +1,7 @@
 //! Clearances against all pairs: in fractions on a grid, and by the exact distances of others.
 
+use std::sync::Arc;
+
 use dashu_int::IBig;
 use exact_ccd::{CONTACT, EdgeEdge, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{AllPairs, CanCollide, Detector, Pair, PairKind, Point, Step, TriangleMesh};
@@ -208,7 +210,7 @@ fn clearances_do_not_depend_on_scale_threads_or_the_broad_phase() {
             let found = on_threads(threads, || detector.clearances(&scene.x0, cut_off));
             assert_eq!(found, Ok(clearances.clone()));
         }
-        let mut detector = Detector::with_broad_phase(scene.mesh.clone(), AllPairs);
+        let mut detector = Detector::with_broad_phase(scene.mesh.clone(), Arc::new(AllPairs));
         assert_eq!(detector.clearances(&scene.x0, cut_off), Ok(clearances));
 
         let counts = |vertices: &[u32]| vertices.iter().sum::<u32>() % 2 == 0;

@@ -1,10 +1,11 @@
 //! Broad phases of other crates.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use exact_ccd::CONTACT;
-use exact_ccd_mesh::{Boxes, BroadPhase, Bvh, Detector, PairSink, Point};
+use exact_ccd_mesh::{BoxPairs, Boxes, Bvh, Detector, PairSink, Point};
 
 use super::motions::{falling_sheet, sheet};
 use super::{motion, report};
@@ -13,15 +14,18 @@ use super::{motion, report};
 #[derive(Default)]
 struct Counted(AtomicUsize);
 
-impl BroadPhase for Counted {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+impl<const T: usize> BoxPairs<T> for Counted
+where
+    Bvh: BoxPairs<T>,
+{
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         Bvh.between(a, b, &|pairs| {
             self.0.fetch_add(pairs.len(), Ordering::Relaxed);
             sink(pairs)
         })
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         Bvh.within(boxes, &|pairs| {
             self.0.fetch_add(pairs.len(), Ordering::Relaxed);
             sink(pairs)
@@ -37,10 +41,10 @@ fn a_vertex_far_away_does_not_increase_the_number_of_pairs() {
         x0.push(stray);
         let x1: Vec<Point> = x0.iter().map(|[x, y, z]| [*x, *y, z - 0.1]).collect();
         let motion = motion(x0, x1, faces);
-        let counted = Counted::default();
-        let mut detector = Detector::with_broad_phase(motion.mesh.clone(), &counted);
+        let counted = Arc::new(Counted::default());
+        let mut detector = Detector::with_broad_phase(motion.mesh.clone(), counted.clone());
         assert_eq!(detector.collides(&motion.x0, &motion.x1, CONTACT), Ok(false));
-        counted.0.into_inner()
+        counted.0.load(Ordering::Relaxed)
     };
     let near = pairs([3.0, 4.0, 50.0]);
     assert!(near > 10_000);
@@ -90,12 +94,12 @@ fn a_common_motion_does_not_matter() {
 /// A broad phase that names primitives that do not exist.
 struct Nonsense;
 
-impl BroadPhase for Nonsense {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+impl<const T: usize> BoxPairs<T> for Nonsense {
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         sink(&[[a.len() as u32, 0], [0, b.len() as u32], [u32::MAX; 2]])
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         self.between(boxes, boxes, sink)
     }
 }
@@ -104,7 +108,7 @@ impl BroadPhase for Nonsense {
 fn nonsense_from_a_broad_phase_is_no_contact() {
     let motion = falling_sheet();
     assert!(report(&motion, &Nonsense).is_free());
-    let mut detector = Detector::with_broad_phase(motion.mesh.clone(), Nonsense);
+    let mut detector = Detector::with_broad_phase(motion.mesh.clone(), Arc::new(Nonsense));
     assert_eq!(detector.collides(&motion.x0, &motion.x1, CONTACT), Ok(false));
     assert_eq!(detector.collision(&motion.x0, &motion.x1, CONTACT), Ok(None));
 }

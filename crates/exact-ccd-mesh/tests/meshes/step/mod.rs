@@ -14,6 +14,6 @@ fn motion(x0: Vec<Point>, x1: Vec<Point>, faces: Vec<[u32; 3]>) -> Motion {
     Motion { mesh, x0, x1 }
 }
 
-fn report(motion: &Motion, broad_phase: &impl BroadPhase) -> StepReport {
+fn report(motion: &Motion, broad_phase: &dyn BroadPhase) -> StepReport {
     StepReport::new(motion.step().unwrap(), broad_phase, &|_| ())
 }

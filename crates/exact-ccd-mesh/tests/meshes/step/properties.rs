@@ -1,5 +1,7 @@
 //! Reports and searches against each other and against integer arithmetic, on generated motions.
 
+use std::sync::Arc;
+
 use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
     AllPairs, BroadPhase, Bvh, Candidates, Detector, Motion, StepError, StepReport, Sweep, step,
@@ -11,15 +13,13 @@ use super::report;
 use super::truth::Truth;
 
 pub(crate) fn assert_searches_agree(motion: &Motion, report: &StepReport) {
-    fn check(motion: &Motion, broad_phase: impl BroadPhase, report: &StepReport) {
+    let all: [Arc<dyn BroadPhase>; 3] = [Arc::new(Bvh), Arc::new(Sweep), Arc::new(AllPairs)];
+    for broad_phase in all {
         let (x0, x1) = (&motion.x0, &motion.x1);
         let mut detector = Detector::with_broad_phase(motion.mesh.clone(), broad_phase);
         assert_eq!(detector.collision(x0, x1, CONTACT), Ok(report.earliest));
         assert_eq!(detector.collides(x0, x1, CONTACT), Ok(!report.is_free()));
     }
-    check(motion, Bvh, report);
-    check(motion, Sweep, report);
-    check(motion, AllPairs, report);
 }
 
 proptest! {
