@@ -98,7 +98,7 @@ mod tests {
     use fastrand::Rng;
 
     use crate::broad_phase::{
-        Aabb, AllPairs, Boxes, BroadPhase, Bvh, MovingBox, PairCollector, PairSink, Sweep,
+        Aabb, AllPairs, BoxPairs, Boxes, Bvh, MovingBox, PairCollector, PairSink, Sweep,
     };
 
     /// Boxes near each other, with labels of which many are common to two of them.
