@@ -8,7 +8,7 @@ use rayon::prelude::*;
 /// A collector of pairs, from any thread.
 ///
 /// ```
-/// use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, PairCollector};
+/// use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, Bvh, PairCollector};
 ///
 /// let points = Boxes::new(&[1.0, 4.0, 1.0, 1.0].map(|x| [Aabb::of([x, 0.0, 0.0])]))?;
 /// let collector = PairCollector::default();
