@@ -196,12 +196,12 @@ void compare(const fs::path& scene)
 
 }  // namespace
 
-int main()
+int main(int, char** arguments)
 {
     const char* data = std::getenv("EXACT_CCD_DATA");
-    const fs::path folder = fs::path(data ? data : "") / "scenes";
-    if (!data || !fs::exists(folder)) {
-        std::printf("skipped: EXACT_CCD_DATA has no folder scenes\n");
+    const fs::path folder = fs::path(data ? data : arguments[1]) / "scenes";
+    if (!fs::exists(folder)) {
+        std::printf("skipped: there is no folder %s; set EXACT_CCD_DATA\n", folder.string().c_str());
         return 77;
     }
     std::size_t count = 0;

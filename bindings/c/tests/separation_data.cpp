@@ -104,12 +104,12 @@ std::size_t compare(const std::filesystem::path& file, Kind kind, double min_dis
 
 }  // namespace
 
-int main()
+int main(int, char** arguments)
 {
     const char* data = std::getenv("EXACT_CCD_DATA");
-    const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "separation";
-    if (!data || !std::filesystem::exists(folder)) {
-        std::printf("skipped: EXACT_CCD_DATA has no folder separation\n");
+    const std::filesystem::path folder = std::filesystem::path(data ? data : arguments[1]) / "separation";
+    if (!std::filesystem::exists(folder)) {
+        std::printf("skipped: there is no folder %s; set EXACT_CCD_DATA\n", folder.string().c_str());
         return 77;
     }
     const std::map<std::string, Kind> kinds{{"vf", Kind::vertex_face},
