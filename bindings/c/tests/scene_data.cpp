@@ -1,4 +1,4 @@
-// The steps of $EXACT_CCD_DATA/scenes: the contacts among the published pairs are those of the truth,
+// The steps of `scenes` in the published data: the contacts among the published pairs are those of the truth,
 // with their times, bit for bit; the certified step ends before the first.
 
 #include <cstring>
@@ -196,10 +196,13 @@ void compare(const fs::path& scene)
 
 }  // namespace
 
-int main(int, char** arguments)
+int main(int count_of_arguments, char** arguments)
 {
     const char* data = std::getenv("EXACT_CCD_DATA");
-    const fs::path folder = fs::path(data ? data : arguments[1]) / "scenes";
+    if (!data && count_of_arguments > 1) {
+        data = arguments[1];
+    }
+    const fs::path folder = fs::path(data ? data : "") / "scenes";
     if (!fs::exists(folder)) {
         std::printf("skipped: there is no folder %s; set EXACT_CCD_DATA\n", folder.string().c_str());
         return 77;

@@ -1,4 +1,4 @@
-// All queries of $EXACT_CCD_DATA/separation, with their truth: verdict, number of intervals, first time
+// All queries of `separation` in the published data, with their truth: verdict, number of intervals, first time
 // and its exactness, bit for bit, query by query and as batches.
 
 #include <cstring>
@@ -104,10 +104,13 @@ std::size_t compare(const std::filesystem::path& file, Kind kind, double min_dis
 
 }  // namespace
 
-int main(int, char** arguments)
+int main(int count_of_arguments, char** arguments)
 {
     const char* data = std::getenv("EXACT_CCD_DATA");
-    const std::filesystem::path folder = std::filesystem::path(data ? data : arguments[1]) / "separation";
+    if (!data && count_of_arguments > 1) {
+        data = arguments[1];
+    }
+    const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "separation";
     if (!std::filesystem::exists(folder)) {
         std::printf("skipped: there is no folder %s; set EXACT_CCD_DATA\n", folder.string().c_str());
         return 77;

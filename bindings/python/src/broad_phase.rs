@@ -8,7 +8,6 @@ use exact_ccd_mesh::{BoxPairs, Boxes, Bvh, PairSink};
 use crate::compute::Watch;
 
 /// The hierarchy, which ends with the computation.
-#[derive(Clone, Debug)]
 pub(crate) struct Interruptible {
     pub(crate) watch: Arc<Watch>,
 }

@@ -22,7 +22,8 @@ const GRAIN: usize = 4;
 /// The least number of nodes that a thread makes in one task: as much work as that of filling blocks.
 const NODES: usize = 256;
 
-// Not one implementation for all T, which each crate that passes a `Bvh` would compile again.
+// Two implementations, not one for all T: one would be generic, and compiled again in each crate that passes
+// a `Bvh`. The other broad phases are rarely passed.
 impl BoxPairs<1> for Bvh {
     fn between(&self, a: &Boxes<1>, b: &Boxes<1>, sink: &PairSink<'_>) -> ControlFlow<()> {
         between(a, b, sink)

@@ -37,7 +37,7 @@ pub(crate) use primitive_count::check_primitive_count;
 pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;
 
 /// An algorithm that finds the pairs of boxes that meet: of boxes at rest (T = 1), or of boxes that move
-/// (T = 2).
+/// (T = 2). [`Boxes`] have no other T.
 ///
 /// Two boxes do not meet if some axis separates them at t = 0 and, in the same order, at t = 1,
 /// hence at all times in between. Boxes at rest meet if they overlap, even if only in a point. A
@@ -73,7 +73,10 @@ pub trait BoxPairs<const T: usize>: Send + Sync {
     fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()>;
 }
 
-/// The pairs of boxes at rest and of boxes that move: what a search in a mesh needs.
+/// A broad phase of meshes: the pairs of boxes at rest and of boxes that move.
+///
+/// Every type that is [`BoxPairs`] for both is one: implement that trait. `impl<const T: usize> BoxPairs<T>`
+/// serves both; one that calls [`Bvh`] has the bound `Bvh: BoxPairs<T>`.
 pub trait BroadPhase: BoxPairs<1> + BoxPairs<2> {}
 
 impl<B: BoxPairs<1> + BoxPairs<2>> BroadPhase for B {}

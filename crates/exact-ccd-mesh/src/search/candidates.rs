@@ -214,7 +214,8 @@ impl Candidates {
     }
 }
 
-/// An exact decision about candidates in a step.
+/// An exact decision about candidates in a step: apart from their methods, which each crate compiles again
+/// for its own types.
 struct Decision<'a> {
     candidates: &'a Candidates,
     step: Step<'a>,

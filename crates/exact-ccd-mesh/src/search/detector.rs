@@ -156,10 +156,11 @@ impl Detector {
         x1: &'a [Point],
         options: Options<impl Into<MinDistance>>,
     ) -> Result<Begun<'a>, StepError> {
-        self.begin_within(x0, x1, options.separation.into(), options.until)
+        self.begin_step(x0, x1, options.separation.into(), options.until)
     }
 
-    fn begin_within<'a>(
+    /// Apart from [`begin`](Self::begin), which each crate compiles again for its own types.
+    fn begin_step<'a>(
         &'a mut self,
         x0: &'a [Point],
         x1: &'a [Point],
