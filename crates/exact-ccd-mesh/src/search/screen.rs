@@ -162,4 +162,18 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_distance_without_room_for_a_margin_holds_no_pair_back() {
+        let face = TriangleMesh::new(4, vec![[1, 2, 3]]).expect("the indices are in range");
+        let x = [[0.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let step = Step::new(&face, &x, &x).expect("all positions are finite");
+        let d = Separation::new(f64::MAX).expect("not negative");
+        let mut screen = Screen::new();
+        screen.place(&step, 1.0, &MinDistance::from(d));
+        assert_eq!(
+            screen.passing::<VertexFace>(&face, &CanCollide::all(), &[[0, 0]]),
+            [[0, 0]]
+        );
+    }
 }

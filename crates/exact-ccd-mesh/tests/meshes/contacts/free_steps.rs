@@ -360,6 +360,24 @@ fn a_vertex_that_touches_at_the_end_stops_one_place_before() {
     assert_eq!(steps.sizes[3..], [0.5_f64.next_down(), 1.0_f64.next_down()]);
 }
 
+/// A vertex falls onto a floor, and a ceiling follows: in the first round the vertex is below it at each time, but
+/// a vertex that has been held back is not.
+#[test]
+fn a_vertex_held_back_is_searched_where_it_is_now() {
+    let corners = |height: f64| [[0.0, 0.0, height], [1.0, 0.0, height], [0.0, 1.0, height]];
+    let at = |vertex: f64, ceiling: f64| -> Vec<Point> {
+        [&[[0.25, 0.25, vertex]], &corners(0.0)[..], &corners(ceiling)].concat()
+    };
+    let (x0, x1) = (at(1.0, 2.0), at(-1.0, 0.125));
+    let mesh = TriangleMesh::new(7, vec![[1, 2, 3], [4, 5, 6]]).unwrap();
+    let options = FreeStepOptions::default().with_keep(0.5);
+    let mut detector = Detector::new(mesh);
+    let steps = detector.free_steps(&x0, &x1, &[], &options).unwrap();
+    assert_eq!(steps.sizes[0], 0.25);
+    assert!(steps.sizes[4..].iter().all(|&size| size < 1.0), "{steps:?}");
+    assert_eq!(detector.collides(&x0, &steps.positions, CONTACT), Ok(false));
+}
+
 /// A wall moves onto a cloth at rest: nothing that the cloth can do avoids it.
 #[test]
 fn what_pinned_vertices_forbid_is_reported() {
@@ -398,6 +416,29 @@ fn what_pinned_vertices_forbid_is_reported() {
             vertex_count
         })
     );
+}
+
+/// A pinned rod moves onto a rod that falls: the pair is blocked once the latter, the one with the larger index, has
+/// been held back to the start.
+#[test]
+fn a_blocked_pair_of_edges_has_the_smaller_index_first() {
+    let mesh = TriangleMesh::with_edges(4, Vec::new(), &[[0, 1], [2, 3]]).unwrap();
+    let at = |pinned: f64, falling: f64| -> [Point; 4] {
+        [
+            [-1.0, 0.0, pinned],
+            [1.0, 0.0, pinned],
+            [0.0, -1.0, falling],
+            [0.0, 1.0, falling],
+        ]
+    };
+    let options = FreeStepOptions::default();
+    let mut detector = Detector::new(mesh);
+    let steps = detector
+        .free_steps(&at(0.0, 1.0), &at(2.0, 0.5), &[0, 1], &options)
+        .unwrap();
+    assert_eq!(steps.blocked, [Pair::EdgeEdge { a: 0, b: 1 }]);
+    assert_eq!(steps.sizes, [1.0, 1.0, 0.0, 0.0]);
+    assert!(steps.rounds > 1, "{steps:?}");
 }
 
 /// The first contact of each vertex, from a loop over all pairs.
