@@ -360,8 +360,8 @@ fn a_vertex_that_touches_at_the_end_stops_one_place_before() {
     assert_eq!(steps.sizes[3..], [0.5_f64.next_down(), 1.0_f64.next_down()]);
 }
 
-/// A vertex falls onto a floor, and a ceiling follows: in the first round the vertex is below it at each time, but
-/// a vertex that has been held back is not.
+/// A vertex falls onto a floor, and a ceiling follows: in the first round the vertex is below it at each time,
+/// but a vertex that has been held back is not.
 #[test]
 fn a_vertex_held_back_is_searched_where_it_is_now() {
     let corners = |height: f64| [[0.0, 0.0, height], [1.0, 0.0, height], [0.0, 1.0, height]];
@@ -418,8 +418,8 @@ fn what_pinned_vertices_forbid_is_reported() {
     );
 }
 
-/// A pinned rod moves onto a rod that falls: the pair is blocked once the latter, the one with the larger index, has
-/// been held back to the start.
+/// A pinned rod moves onto a rod that falls: the pair is blocked once the latter, the one with the larger
+/// index, has been held back to the start.
 #[test]
 fn a_blocked_pair_of_edges_has_the_smaller_index_first() {
     let mesh = TriangleMesh::with_edges(4, Vec::new(), &[[0, 1], [2, 3]]).unwrap();
