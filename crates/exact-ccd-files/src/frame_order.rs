@@ -25,25 +25,36 @@ pub struct FrameOrder {
     pub uncertain: Option<[PathBuf; 2]>,
     /// True if the files were given in another order.
     pub is_changed: bool,
-    /// The numbers that are missing, if the names differ in numbers only: in the first place where they
-    /// differ, as the time steps in `000012-003.ply`, if these are whole numbers in increasing order.
+    /// The numbers that are missing, if the names differ in whole numbers only: in the first place where they
+    /// differ, as the time steps in `000012-003.ply`, and in the second place among names with the same
+    /// number in the first one, as the increments of a time step. Both must be in increasing order.
     pub missing: Vec<Missing>,
 }
 
 /// Missing numbers in the names of files: `first`, `first + stride`, … up to `last`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Missing {
+    /// The number in the first place where names differ, if the missing numbers are in the second one.
+    pub within: Option<u64>,
     /// The first missing number.
     pub first: u64,
     /// The last missing number before the next file.
     pub last: u64,
-    /// The difference of consecutive numbers: the greatest one that divides all differences.
+    /// The difference of consecutive numbers: the greatest one that divides all differences in this place.
     pub stride: u64,
 }
 
 impl fmt::Display for Missing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { first, last, stride } = self;
+        let Self {
+            within,
+            first,
+            last,
+            stride,
+        } = self;
+        if let Some(within) = within {
+            write!(f, "in {within}: ")?;
+        }
         match (first == last, stride) {
             (true, _) => write!(f, "{first}"),
             (false, 1) => write!(f, "{first} to {last}"),
@@ -201,23 +212,42 @@ fn columns(files: &[PathBuf]) -> Option<Vec<Vec<Piece<'_>>>> {
     columns.iter().flatten().all(is_number).then_some(columns)
 }
 
-/// The numbers that are missing in the first place in which the names differ.
+/// The numbers that are missing in the first two places in which the names differ.
 fn missing(files: &[PathBuf]) -> Vec<Missing> {
     let columns = columns(files).unwrap_or_default();
-    let first = columns.first().map_or(&[][..], Vec::as_slice);
-    let numbers: Option<Vec<u64>> = first.iter().map(Piece::whole).collect();
-    match numbers {
-        Some(numbers) if numbers.is_sorted() => gaps(&numbers),
-        _ => Vec::new(),
+    let whole = |column: &Vec<Piece>| column.iter().map(Piece::whole).collect::<Option<Vec<u64>>>();
+    let mut columns = columns.iter().map_while(whole);
+    let Some(first) = columns.next() else {
+        return Vec::new();
+    };
+    let mut missing = gaps(&[(None, &first)]);
+    if let Some(second) = columns.next()
+        && first.is_sorted()
+    {
+        let mut rest = &second[..];
+        let runs = first.chunk_by(|a, b| a == b).map(|run| {
+            let (numbers, others) = rest.split_at(run.len());
+            rest = others;
+            (Some(run[0]), numbers)
+        });
+        missing.extend(gaps(&runs.collect::<Vec<_>>()));
     }
+    missing
 }
 
-/// The gaps in numbers that do not decrease.
-fn gaps(numbers: &[u64]) -> Vec<Missing> {
-    let pairs = || numbers.windows(2).map(|pair| (pair[0], pair[1]));
-    let stride = pairs().fold(0, |stride, (a, b)| greatest_common_divisor(stride, b - a));
-    let wide = pairs().filter(|(a, b)| b - a > stride);
-    wide.map(|(a, b)| Missing {
+/// The gaps in runs of numbers, none of which decreases.
+fn gaps(runs: &[(Option<u64>, &[u64])]) -> Vec<Missing> {
+    if !runs.iter().all(|(_, run)| run.is_sorted()) {
+        return Vec::new();
+    }
+    let pairs = || {
+        runs.iter()
+            .flat_map(|&(within, run)| run.windows(2).map(move |pair| (within, pair[0], pair[1])))
+    };
+    let stride = pairs().fold(0, |stride, (_, a, b)| greatest_common_divisor(stride, b - a));
+    let wide = pairs().filter(|(_, a, b)| b - a > stride);
+    wide.map(|(within, a, b)| Missing {
+        within,
         first: a + stride,
         last: b - stride,
         stride,

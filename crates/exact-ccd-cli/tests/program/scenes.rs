@@ -229,7 +229,7 @@ fn frames_are_taken_in_the_order_of_their_numbers() {
         "{run:?}"
     );
 
-    // And in the path of a simulation, the time steps that it does not have.
+    // And in the path of a simulation, the time steps and increments that it does not have.
     std::fs::create_dir(folder.path("path")).unwrap();
     let names = [
         "000001-000",
@@ -246,8 +246,8 @@ fn frames_are_taken_in_the_order_of_their_numbers() {
         let run = folder.run(&[vec!["audit"], frames].concat());
         assert_eq!(
             note(&run),
-            "exact-ccd: warning: numbers are missing in the names of the frames: 3 to 4; the frames around a gap are \
-             one step"
+            "exact-ccd: warning: numbers are missing in the names of the frames: 3 to 4, in 5: 1 to 2; the frames \
+             around a gap are one step"
         );
     }
 }

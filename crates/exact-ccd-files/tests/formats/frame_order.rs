@@ -49,11 +49,17 @@ fn missing_numbers_follow_from_the_common_step() {
     ] {
         assert!(missing(complete).is_empty(), "{complete:?}");
     }
-    // The first number of names that differ in two: the time steps of a path.
+    // Names that differ in two numbers: the time steps of a path, and the increments of each.
     assert_eq!(
         missing(&["1-0.ply", "1-1.ply", "2-0.ply", "5-0.ply", "5-3.ply"]),
-        ["3 to 4"]
+        ["3 to 4", "in 5: 1 to 2"]
     );
+    assert_eq!(
+        missing(&["1-0.ply", "1-2.ply", "2-0.ply", "2-6.ply"]),
+        ["in 2: 2 to 4 in steps of 2"]
+    );
+    assert!(missing(&["1-0.ply", "1-1.ply", "2-2.ply", "2-3.ply"]).is_empty());
+    assert!(missing(&["1-x0.ply", "1-x1.5.ply", "2-x4.ply", "2-x8.ply"]).is_empty());
     // Names that differ in text, or not at all, have no numbers in common.
     for other in [
         ["a1.ply", "b9.ply"],
@@ -74,6 +80,7 @@ fn numbers_are_missing_in_the_order_given_too() {
     };
     assert_eq!(missing(&["1-0.ply", "1-1.ply", "2-0.ply", "5-0.ply"]), (false, 1));
     assert_eq!(missing(&["5-0.ply", "1-0.ply", "2-0.ply", "1-1.ply"]), (false, 0));
+    assert_eq!(missing(&["1-3.ply", "1-0.ply", "2-0.ply", "2-1.ply"]), (false, 0));
 }
 
 #[test]

@@ -360,8 +360,8 @@ fn a_vertex_that_touches_at_the_end_stops_one_place_before() {
     assert_eq!(steps.sizes[3..], [0.5_f64.next_down(), 1.0_f64.next_down()]);
 }
 
-/// A vertex falls onto a floor, and a ceiling follows: in the first round the vertex is below it at each time,
-/// but a vertex that has been held back is not.
+/// A vertex falls onto a floor, and a ceiling follows: in the first round the vertex is below it at each
+/// time, but a vertex that has been held back is not.
 #[test]
 fn a_vertex_held_back_is_searched_where_it_is_now() {
     let corners = |height: f64| [[0.0, 0.0, height], [1.0, 0.0, height], [0.0, 1.0, height]];
