@@ -7,7 +7,7 @@ use exact_ccd::batch::{
 };
 use exact_ccd::{
     Axis, CONTACT, Collision, EdgeEdge, Impact, Intervals, Kind, NonFinite, Point, Query, Separation,
-    Separations, Thickness, VertexEdge, VertexFace, environment, exact,
+    Separations, Thickness, VertexEdge, VertexFace, VertexVertex, environment, exact,
 };
 use proptest::array::{uniform2, uniform4};
 use proptest::collection::vec;
@@ -261,6 +261,23 @@ fn errors_of_trajectories_name_vertex_and_coordinate() {
 }
 
 #[test]
+fn other_positions_replace_the_first_ones() {
+    let (o, x) = ([0.0; 3], [1.0; 3]);
+    let mut trajectories = Trajectories::new(&[o, o, x], &[x; 3]).unwrap();
+    trajectories.set(&[x, o], &[o, o]).unwrap();
+    assert_eq!(trajectories.vertex_count(), 2);
+    assert_eq!(
+        trajectories.query::<VertexVertex>([0, 1]),
+        Query::new([x, o], [o, o]).ok()
+    );
+    for wrong in [&[o][..], &[o, [f64::NAN; 3]]] {
+        trajectories.set(&[o, o], &[x, x]).unwrap();
+        assert!(trajectories.set(wrong, &[o, o]).is_err());
+        assert_eq!(trajectories.vertex_count(), 0);
+    }
+}
+
+#[test]
 fn errors_of_batches_name_query_and_vertex() {
     let trajectories = Trajectories::new(&[[0.0; 3]; 5], &[[0.0; 3]; 5]).unwrap();
     let expected = VertexOutOfRange {
@@ -276,6 +293,17 @@ fn errors_of_batches_name_query_and_vertex() {
         unreachable!("nothing is found");
     });
     assert_eq!(found, Err(expected));
+    // The first vertex that does not exist, and one without a thickness.
+    let expected = |vertex_count| VertexOutOfRange {
+        query: 0,
+        vertex: vertex_count as u32,
+        vertex_count,
+    };
+    let found = trajectories.collisions::<VertexVertex>(&[[5, 4], [6, 4]], CONTACT, |_, _| ());
+    assert_eq!(found, Err(expected(5)));
+    let thickness = Thickness::new(&[1.0; 4]).unwrap();
+    let found = trajectories.collisions::<VertexVertex>(&[[4, 0], [3, 0]], &thickness, |_, _| ());
+    assert_eq!(found, Err(expected(4)));
 }
 
 /// All queries collide: their points coincide. Those before the one with the error are found, in
