@@ -83,7 +83,9 @@ mod tests {
                 };
                 (2.0 * random.f64() - 1.0) * 2.0_f64.powi(exponent)
             };
-            let normal = [number(), number(), number()];
+            // Normals of any length: sums and products of their components differ.
+            let scale = [1.0, 2.0_f64.powi(-200), 2.0_f64.powi(200)][case / 4 % 3];
+            let normal = [number(), number(), number()].map(|x| scale * x);
             let point = [number(), number(), number()];
             let mut x = [number(), number(), number()];
             let mut offset = if case % 3 == 0 { number().abs() } else { 0.0 };

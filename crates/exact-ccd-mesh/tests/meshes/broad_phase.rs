@@ -47,6 +47,19 @@ fn sorted(
     found
 }
 
+#[test]
+fn boxes_have_their_indices_and_places() {
+    let cubes: Vec<[Aabb; 1]> = (0..11)
+        .map(|i| [Aabb::of([f64::from(i % 4), 0.125 * f64::from(i), 0.0]).union(&Aabb::of([0.125; 3]))])
+        .collect();
+    let boxes = Boxes::new(&cubes).unwrap();
+    assert!(boxes.len() == 11 && !boxes.is_empty());
+    // Numbers of single precision are not rounded.
+    assert_eq!(by_index(&boxes), cubes);
+    let none = Boxes::<2>::new(&[]).unwrap();
+    assert!(none.is_empty() && none.len() == 0 && none.iter().next().is_none());
+}
+
 fn between<const T: usize>(broad_phase: &impl BoxPairs<T>, a: &Boxes<T>, b: &Boxes<T>) -> Vec<[u32; 2]> {
     sorted(|visit| broad_phase.between(a, b, visit))
 }

@@ -5,6 +5,7 @@ mod can_collide;
 mod candidates;
 mod clearances;
 mod distance;
+mod every_pair;
 mod free_step;
 mod free_steps;
 mod scene;
