@@ -220,3 +220,87 @@ fn undefined_derivatives_have_their_reason() {
         Err(NotDifferentiable::Time(_))
     ));
 }
+
+/// 2ᵏ.
+fn power(k: i32) -> f64 {
+    2f64.powi(k)
+}
+
+#[test]
+fn derivatives_that_roundings_could_change_have_none() {
+    // A vertex that moves nearly in the plane of the face.
+    let grazing = |height: f64| {
+        let query = falling([0.125, 0.25, height], [0.375, 0.25, -height]);
+        query.time_gradient(CONTACT).map(|_| ())
+    };
+    assert_eq!(grazing(power(-32)), Err(NotDifferentiable::Tangent));
+    assert_eq!(grazing(power(-24)), Ok(()));
+    // Two vertices near each other, in a large motion, in one frame and at t = 0.
+    let apart = |gap: f64| {
+        let query =
+            Query::<VertexVertex>::new([[0.0; 3], [0.0, gap, 0.0]], [[0.0; 3], [1.0, 0.0, 0.0]]).unwrap();
+        query.distance_gradient(0.0).map(|_| ())
+    };
+    assert_eq!(apart(power(-26)), Err(NotDifferentiable::Touching));
+    assert_eq!(apart(power(-24)), Ok(()));
+    // Edges that meet at an end, or almost: in the first or the second one.
+    let meeting = |u: f64, v: f64| {
+        let at = |z: f64| {
+            [
+                [-u, 0.0, z],
+                [1.0 - u, 0.0, z],
+                [0.0, -v, 0.0],
+                [0.0, 1.0 - v, 0.0],
+            ]
+        };
+        let query = Query::<EdgeEdge>::new(at(1.0), at(-1.0)).unwrap();
+        query.time_gradient(CONTACT).map(|_| ())
+    };
+    for near in [0.0, power(-36)] {
+        for [u, v] in [[near, 0.5], [1.0 - near, 0.5], [0.5, near], [0.5, 1.0 - near]] {
+            assert_eq!(meeting(u, v), Err(NotDifferentiable::Features), "{u} {v}");
+        }
+    }
+    for [u, v] in [
+        [power(-20), 0.5],
+        [1.0 - power(-20), 0.5],
+        [0.5, power(-20)],
+        [0.5, 1.0 - power(-20)],
+    ] {
+        assert_eq!(meeting(u, v), Ok(()), "{u} {v}");
+    }
+    // Edges that are parallel at the time of impact only: one turns.
+    let turning = |direction: Point, z: f64| {
+        [
+            [-1.0, -1.0, 0.0],
+            [1.0, 1.0, 0.0],
+            direction.map(|x| -x),
+            direction,
+        ]
+        .map(|[x, y, _]: Point| [x, y, z])
+    };
+    let lifted = |direction: Point, z: f64| {
+        let [a, b, ..] = turning(direction, 0.0);
+        let [.., c, d] = turning(direction, z);
+        [a, b, c, d]
+    };
+    let query = Query::<EdgeEdge>::new(lifted([1.0, 0.0, 0.0], 1.0), lifted([0.0, 1.0, 0.0], 0.0)).unwrap();
+    let half = Separation::new(0.5).unwrap();
+    assert_eq!(query.impact(half).map(|impact| impact.time.lower()), Some(0.5));
+    assert_eq!(
+        query.time_gradient(half).map(|_| ()),
+        Err(NotDifferentiable::Features)
+    );
+}
+
+#[test]
+fn derivatives_beyond_the_largest_numbers_have_none() {
+    let time = falling([0.25, 0.25, f64::MAX], [0.25, 0.25, -f64::MAX]).time_gradient(CONTACT);
+    assert_eq!(time.map(|_| ()), Err(NotDifferentiable::Overflow));
+    let [p, q] = [[f64::MAX, 0.0, 0.0], [-f64::MAX, 0.0, 0.0]];
+    let query = Query::<VertexVertex>::new([p, q], [p, q]).unwrap();
+    assert_eq!(
+        query.distance_gradient(0.5).map(|_| ()),
+        Err(NotDifferentiable::Overflow)
+    );
+}

@@ -71,6 +71,63 @@ fn in_a_plane() -> impl Strategy<Value = Points> {
     })
 }
 
+/// The points, with an end of some of them moved so that they are, up to rounding, at these places at t.
+fn passing(mut points: Points, t: f64, places: &[(usize, Point)]) -> Points {
+    for &(i, place) in places {
+        points[1][i] = core::array::from_fn(|axis| (place[axis] - (1.0 - t) * points[0][i][axis]) / t);
+    }
+    points
+}
+
+/// From a towards b by s, and by a small vector beside the line.
+fn beside(a: Point, b: Point, s: f64, off: Point) -> Point {
+    core::array::from_fn(|axis| a[axis] + s * (b[axis] - a[axis]) + off[axis])
+}
+
+/// t, u and v; and a vector between 2⁻⁴⁰ and 1 in size.
+fn meetings() -> impl Strategy<Value = ([f64; 3], Point)> {
+    let eighths = prop::array::uniform3((1..=7).prop_map(|n| f64::from(n) / 8.0));
+    let vector = (prop::array::uniform3(-1.0..1.0), 0..=40_i32);
+    (eighths, vector).prop_map(|(times, (vector, size))| (times, vector.map(|x: f64| x * 2f64.powi(-size))))
+}
+
+/// A vertex meets a face that is nearly an edge at that time, and at no other one.
+fn slivers() -> impl Strategy<Value = Points> {
+    (in_general_position(), meetings()).prop_map(|(points, ([t, u, v], off))| {
+        let [a, b] = [1, 2].map(|i: usize| beside(points[0][i], points[1][i], t, [0.0; 3]));
+        let c = beside(a, b, v, off);
+        let meeting = beside(a, beside(b, c, v, [0.0; 3]), u, [0.0; 3]);
+        passing(points, t, &[(0, meeting), (3, c)])
+    })
+}
+
+/// Edges meet that are nearly parallel at that time, and at no other one.
+fn nearly_parallel() -> impl Strategy<Value = Points> {
+    (in_general_position(), meetings()).prop_map(|(points, ([t, u, v], off))| {
+        let [a, b] = [0, 1].map(|i: usize| beside(points[0][i], points[1][i], t, [0.0; 3]));
+        let meeting = beside(a, b, u, [0.0; 3]);
+        let c = beside(meeting, a, v, off);
+        passing(points, t, &[(2, c), (3, beside(c, meeting, 1.0 / v, [0.0; 3]))])
+    })
+}
+
+/// A vertex meets an edge that is short at that time, all in one plane across an axis.
+fn short_in_a_plane() -> impl Strategy<Value = Points> {
+    (in_a_plane(), meetings()).prop_map(|(points, ([t, u, _], off))| {
+        let axis = (0..3).find(|&axis| points[0].iter().all(|point| point[axis] == points[0][0][axis]));
+        let mut off = off;
+        off[axis.unwrap_or(0)] = 0.0;
+        let a = beside(points[0][1], points[1][1], t, [0.0; 3]);
+        let b = beside(a, a, 0.0, off);
+        let mut passing = passing(points, t, &[(0, beside(a, b, u, [0.0; 3])), (2, b)]);
+        for (now, given) in passing.iter_mut().zip(points) {
+            now.iter_mut()
+                .for_each(|point| point[axis.unwrap_or(0)] = given[0][axis.unwrap_or(0)]);
+        }
+        passing
+    })
+}
+
 fn dot(a: Point, b: Point) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
@@ -159,6 +216,21 @@ proptest! {
     #[test]
     fn edges_in_a_plane_meet_at_the_parameters(points in in_a_plane()) {
         check(&Query::<EdgeEdge>::new(points[0], points[1]).unwrap(), EDGE_EDGE)?;
+    }
+
+    #[test]
+    fn a_vertex_and_a_sliver_meet_at_the_parameters(points in slivers()) {
+        check(&Query::<VertexFace>::new(points[0], points[1]).unwrap(), VERTEX_FACE)?;
+    }
+
+    #[test]
+    fn nearly_parallel_edges_meet_at_the_parameters(points in nearly_parallel()) {
+        check(&Query::<EdgeEdge>::new(points[0], points[1]).unwrap(), EDGE_EDGE)?;
+    }
+
+    #[test]
+    fn a_vertex_and_a_short_edge_in_a_plane_meet_at_the_parameters(points in short_in_a_plane()) {
+        check(&Query::<VertexFace>::new(points[0], points[1]).unwrap(), VERTEX_FACE)?;
     }
 
     #[test]
