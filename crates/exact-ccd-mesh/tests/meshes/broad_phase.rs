@@ -57,7 +57,7 @@ fn boxes_have_their_indices_and_places() {
     // Numbers of single precision are not rounded.
     assert_eq!(by_index(&boxes), cubes);
     let none = Boxes::<2>::new(&[]).unwrap();
-    assert!(none.is_empty() && none.len() == 0 && none.iter().next().is_none());
+    assert!(none.is_empty() && none.iter().next().is_none());
 }
 
 fn between<const T: usize>(broad_phase: &impl BoxPairs<T>, a: &Boxes<T>, b: &Boxes<T>) -> Vec<[u32; 2]> {
