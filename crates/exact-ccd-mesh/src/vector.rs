@@ -30,3 +30,29 @@ pub fn unit(vector: Point) -> Option<Point> {
     let unit = scaled.map(|x| x / length);
     unit.iter().all(|x| x.is_finite()).then_some(unit)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{cross, dot, unit};
+
+    #[test]
+    fn products_of_vectors() {
+        let [a, b] = [[1.0, 2.0, 4.0], [-3.0, 5.0, 8.0]];
+        assert_eq!(cross(a, b), [-4.0, -20.0, 11.0]);
+        assert_eq!([dot(cross(a, b), a), dot(cross(a, b), b)], [0.0; 2]);
+    }
+
+    #[test]
+    fn unit_vectors_of_any_length() {
+        for size in [1.0, f64::MAX / 4.0, f64::MIN_POSITIVE] {
+            let found = unit([0.0, -3.0, 4.0].map(|x| x * size)).expect("it is not zero");
+            assert!(
+                (0..3).all(|axis| (found[axis] - [0.0, -0.6, 0.8][axis]).abs() < 1e-15),
+                "{found:?}"
+            );
+        }
+        for none in [[0.0; 3], [f64::INFINITY, 1.0, 0.0], [1.0, f64::NAN, 0.0]] {
+            assert_eq!(unit(none), None);
+        }
+    }
+}

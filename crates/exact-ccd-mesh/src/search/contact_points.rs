@@ -59,3 +59,30 @@ fn mean<const N: usize>(points: [(f64, Point); N]) -> Point {
             .min(values.into_iter().fold(f64::NEG_INFINITY, f64::max))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::mean;
+
+    #[test]
+    fn a_mean_is_between_its_points() {
+        let mut random = fastrand::Rng::with_seed(83);
+        for size in [1.0, f64::MAX, 3.0 * f64::from_bits(1)] {
+            for _ in 0..1000 {
+                let (u, v) = (random.f64(), 0.5 * random.f64());
+                let weights = [1.0 - u - (1.0 - u) * v, u, (1.0 - u) * v];
+                let points = weights.map(|weight| (weight, [size, -size, size * random.f64()]));
+                let [x, y, z] = mean(points);
+                let heights = points.map(|(_, point)| point[2]);
+                assert_eq!([x, y], [size, -size]);
+                assert!(
+                    heights.iter().any(|&height| height <= z) && heights.iter().any(|&height| z <= height)
+                );
+            }
+        }
+        assert_eq!(
+            mean([(0.25, [8.0, 0.0, 4.0]), (0.75, [0.0, 8.0, 4.0])]),
+            [2.0, 6.0, 4.0]
+        );
+    }
+}
