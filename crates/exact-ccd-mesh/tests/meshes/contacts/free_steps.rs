@@ -361,21 +361,27 @@ fn a_vertex_that_touches_at_the_end_stops_one_place_before() {
 }
 
 /// A vertex falls onto a floor, and a ceiling follows: in the first round the vertex is below it at each
-/// time, but a vertex that has been held back is not.
+/// time, but a vertex that has been held back is not. The same for a face between vertices.
 #[test]
-fn a_vertex_held_back_is_searched_where_it_is_now() {
-    let corners = |height: f64| [[0.0, 0.0, height], [1.0, 0.0, height], [0.0, 1.0, height]];
-    let at = |vertex: f64, ceiling: f64| -> Vec<Point> {
-        [&[[0.25, 0.25, vertex]], &corners(0.0)[..], &corners(ceiling)].concat()
-    };
-    let (x0, x1) = (at(1.0, 2.0), at(-1.0, 0.125));
-    let mesh = TriangleMesh::new(7, vec![[1, 2, 3], [4, 5, 6]]).unwrap();
-    let options = FreeStepOptions::default().with_keep(0.5);
-    let mut detector = Detector::new(mesh);
-    let steps = detector.free_steps(&x0, &x1, &[], &options).unwrap();
-    assert_eq!(steps.sizes[0], 0.25);
-    assert!(steps.sizes[4..].iter().all(|&size| size < 1.0), "{steps:?}");
-    assert_eq!(detector.collides(&x0, &steps.positions, CONTACT), Ok(false));
+fn what_is_held_back_is_searched_where_it_is_now() {
+    let face = |height: f64| vec![[0.0, 0.0, height], [1.0, 0.0, height], [0.0, 1.0, height]];
+    let vertex = |height: f64| vec![[0.25, 0.25, height]];
+    let primitives: [[&dyn Fn(f64) -> Vec<Point>; 2]; 2] = [[&vertex, &face], [&face, &vertex]];
+    for [falling, others] in primitives {
+        let at = |height, follower| [falling(height), others(0.0), others(follower)].concat();
+        let (x0, x1) = (at(1.0, 2.0), at(-1.0, 0.125));
+        let faces = match x0.len() {
+            7 => vec![[1, 2, 3], [4, 5, 6]],
+            _ => vec![[0, 1, 2]],
+        };
+        let mesh = TriangleMesh::new(x0.len(), faces).unwrap();
+        let options = FreeStepOptions::default().with_keep(0.5);
+        let mut detector = Detector::new(mesh);
+        let steps = detector.free_steps(&x0, &x1, &[], &options).unwrap();
+        assert_eq!(steps.sizes[0], 0.25);
+        assert!(steps.sizes.last() < Some(&1.0), "{steps:?}");
+        assert_eq!(detector.collides(&x0, &steps.positions, CONTACT), Ok(false));
+    }
 }
 
 /// A wall moves onto a cloth at rest: nothing that the cloth can do avoids it.
