@@ -270,21 +270,8 @@ fn derivatives_that_roundings_could_change_have_none() {
         assert_eq!(meeting(u, v), Ok(()), "{u} {v}");
     }
     // Edges that are parallel at the time of impact only: one turns.
-    let turning = |direction: Point, z: f64| {
-        [
-            [-1.0, -1.0, 0.0],
-            [1.0, 1.0, 0.0],
-            direction.map(|x| -x),
-            direction,
-        ]
-        .map(|[x, y, _]: Point| [x, y, z])
-    };
-    let lifted = |direction: Point, z: f64| {
-        let [a, b, ..] = turning(direction, 0.0);
-        let [.., c, d] = turning(direction, z);
-        [a, b, c, d]
-    };
-    let query = Query::<EdgeEdge>::new(lifted([1.0, 0.0, 0.0], 1.0), lifted([0.0, 1.0, 0.0], 0.0)).unwrap();
+    let turning = |[x, y]: [f64; 2], z: f64| [[-1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-x, -y, z], [x, y, z]];
+    let query = Query::<EdgeEdge>::new(turning([1.0, 0.0], 1.0), turning([0.0, 1.0], 0.0)).unwrap();
     let half = Separation::new(0.5).unwrap();
     assert_eq!(query.impact(half).map(|impact| impact.time.lower()), Some(0.5));
     assert_eq!(
