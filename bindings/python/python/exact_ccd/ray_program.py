@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import logging
 import sys
@@ -33,26 +34,36 @@ def arguments() -> argparse.ArgumentParser:
     return parser
 
 
-def run(options: argparse.Namespace) -> int:
-    """Run a command; its exit status."""
+def run(options: argparse.Namespace) -> tuple[str, int]:
+    """Run a command; its answer as JSON, and its exit status."""
     import ray
 
-    from .ray import answer_files, audit
-    from .ray.chunks import absolute, to_json
+    command = _audit if options.command == "audit" else _queries
+    with ray.init(address=options.address, log_to_driver=False, logging_level=logging.WARNING):
+        return command(options)
 
-    ray.init(address=options.address, log_to_driver=False, logging_level=logging.WARNING)
-    if options.command == "audit":
-        frames = options.frames if len(options.frames) > 1 else options.frames[0]
-        report = audit(
-            frames,
-            min_distance=options.min_distance,
-            steps=options.steps,
-            results=options.results,
-            certificate=options.certificate,
-        )
-        sys.stdout.write(to_json(report) + "\n")
-        return 0 if report.is_free else 1
+
+def _audit(options: argparse.Namespace) -> tuple[str, int]:
+    """The report of an audit, and 1 if there is a violation."""
+    from .ray import audit
+    from .ray.chunks import to_json
+
+    report = audit(
+        options.frames if len(options.frames) > 1 else options.frames[0],
+        min_distance=options.min_distance,
+        steps=options.steps,
+        results=options.results,
+        certificate=options.certificate,
+    )
+    return to_json(report), 0 if report.is_free else 1
+
+
+def _queries(options: argparse.Namespace) -> tuple[str, int]:
+    """The numbers of queries, of those in contact, and of those whose truth differs."""
     import ray.data
+
+    from .ray import answer_files
+    from .ray.chunks import absolute
 
     ray.data.DataContext.get_current().enable_progress_bars = False
     answered = answer_files(options.files, answers=["collides", "toi"], separation=options.min_distance)
@@ -63,8 +74,7 @@ def run(options: argparse.Namespace) -> int:
     for counts in answered.map_batches(_counts, batch_format="pyarrow", batch_size=None).iter_rows():
         for name, count in counts.items():
             table[name] = table[name] if count is None else (table[name] or 0) + count
-    sys.stdout.write(json.dumps(table) + "\n")
-    return 0
+    return json.dumps(table), 0
 
 
 def _counts(batch: Any) -> Any:
@@ -92,7 +102,10 @@ def main() -> None:
     """Run the program with the arguments of the process, and end with its exit status."""
     options = arguments().parse_args()
     try:
-        status = run(options)
+        # Ray writes warnings of a cluster to the standard output, also with `log_to_driver=False`.
+        with contextlib.redirect_stdout(sys.stderr):
+            answer, status = run(options)
+        sys.stdout.write(answer + "\n")
     except ImportError as error:
         sys.stderr.write(f"error: {error}; pip install exact-ccd[ray]\n")
         status = 2
