@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <vector>
 
 #include <exact_ccd.hpp>
@@ -54,7 +55,7 @@ int main()
         std::printf("certified step: %.17g\n", step.size);
         std::printf("contacts in the full step: %zu\n", detector.collisions(x0, x1).size());
         return detector.collides(x0, step.positions) ? 1 : 0;
-    } catch (const exact_ccd::Error& error) {
+    } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
     }

@@ -103,7 +103,7 @@ pub unsafe extern "C" fn exact_ccd_audit_new(
         let (Mesh(mesh), audit) = unsafe { (reference("mesh", mesh)?, Out::new("audit", audit)?) };
         audit.give(Audit {
             mesh: mesh.clone(),
-            audit: exact_ccd_mesh::Audit::with_min_distance(min_distance.clone()),
+            audit: exact_ccd_mesh::Audit::default().with_min_distance(min_distance.clone()),
             min_distance,
             threads: Threads::default(),
             maker: None,

@@ -1,6 +1,6 @@
 //! Half spaces that no vertex may enter.
 
-use exact_ccd_mesh::HalfSpace;
+use exact_ccd_mesh::{HalfSpace, Separation};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -35,7 +35,9 @@ impl HalfSpaces {
         positions: PyReadonlyArray2<'_, f64>,
         distances: PyReadonlyArray1<'_, f64>,
     ) -> PyResult<Option<(usize, usize)>> {
-        let (positions, distances) = (points(&positions)?, distances.as_slice()?);
+        let positions = points(&positions)?;
+        let distances = distances.as_slice()?.iter().map(|&d| Separation::new(d));
+        let distances: Vec<Separation> = distances.collect::<Result<_, _>>().map_err(refused)?;
         Ok(py.detach(|| {
             self.0.iter().enumerate().find_map(|(number, half_space)| {
                 let mut vertices = positions.iter().zip(distances.iter().cycle());

@@ -115,7 +115,10 @@ impl<'a> Batch<'a> {
             pairs: pairs.to_vec(),
             functions,
             trajectories: Trajectories::new(x0, x1).expect("the frames of a scene are sound"),
-            vertices: pairs.iter().map(|&pair| K::vertices(step.mesh(), pair)).collect(),
+            vertices: pairs
+                .iter()
+                .filter_map(|&pair| K::vertices(step.mesh(), pair))
+                .collect(),
             means: Vec::new(),
             batch_means: Vec::new(),
             batch_times_means: Vec::new(),
@@ -173,14 +176,14 @@ fn count_times_of_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u
 fn count_collisions<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
     pairs
         .iter()
-        .filter(|&&pair| K::query(step, pair).collides(CONTACT))
+        .filter_map(|&pair| step.query::<K>(pair))
+        .filter(|query| query.collides(CONTACT))
         .count()
 }
 
 fn survey<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> Survey {
     let mut survey = Survey::default();
-    for &pair in pairs {
-        let query = K::query(step, pair);
+    for query in pairs.iter().filter_map(|&pair| step.query::<K>(pair)) {
         let (collision, stage) = query.decide(CONTACT);
         survey.settled[stage as usize] += 1;
         if collision.is_some() {

@@ -112,12 +112,12 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
     let stride = pairs.len().div_ceil(CANDIDATES).max(1);
     for &pair in pairs.iter().step_by(stride) {
         measured.candidates += 1;
-        let query = K::query(&step, pair);
+        let query = step.query::<K>(pair).expect("a pair of the mesh");
         let (collision, stage) = query.decide(d);
         measured.settled[stage as usize] += 1;
         if collision.is_none() {
             outside.push(query);
-            vertices.push(K::vertices(step.mesh(), pair));
+            vertices.extend(K::vertices(step.mesh(), pair));
             continue;
         }
         let time = nanoseconds(|| query.time_of_impact(d));

@@ -279,7 +279,7 @@ impl Arguments {
             let every = EveryViolation::new(min_distance, scene.can_collide(), is_only_frame);
             Examination::Every(Box::new(every))
         } else {
-            let audit = Audit::with_min_distance(min_distance);
+            let audit = Audit::default().with_min_distance(min_distance);
             Examination::First(Box::new(audit.with_can_collide(scene.can_collide())))
         }
     }

@@ -10,7 +10,7 @@ use exact_ccd_files::Format;
 use exact_ccd_mesh::{Contact, Frame, Motion, Point, TriangleMesh, Violation};
 
 use crate::failure::Failure;
-use crate::output::{check_place, write_file};
+use crate::output::{answer, check_place, write_file};
 
 /// The option `--certificate`.
 #[derive(clap::Args)]
@@ -21,6 +21,7 @@ pub(crate) struct CertificateOption {
     #[arg(
         long,
         value_name = "FILE",
+        value_parser = answer(),
         conflicts_with_all = ["others", "ignore", "only", "weld", "half_space"]
     )]
     certificate: Option<PathBuf>,
@@ -50,8 +51,8 @@ impl CertificateOption {
             .iter()
             .find(|file| file.is_file() && Format::of_path(file) != Some(Format::Ply))
         {
-            let reason =
-                "a certificate is about PLY files, which exact-ccd-check reads: convert the mesh to PLY";
+            let reason = "a certificate is about PLY files, which exact-ccd-check reads: convert the mesh to PLY, by meshio or \
+                 trimesh";
             return Err(Failure::of(file, reason));
         }
         Ok(Certificate {

@@ -38,9 +38,9 @@ fn parse(text: &str) -> Result<HalfSpace, String> {
 pub(crate) struct HalfSpaces {
     half_spaces: Vec<HalfSpace>,
     /// The distance that vertices must exceed.
-    min_distance: f64,
+    min_distance: Separation,
     /// The distance that vertices must exceed that start within the other one.
-    inner_distance: f64,
+    inner_distance: Separation,
     vertices: Vec<Range<u32>>,
 }
 
@@ -66,8 +66,8 @@ impl HalfSpaceOption {
     ) -> HalfSpaces {
         HalfSpaces {
             half_spaces: self.half_space.clone(),
-            min_distance: min_distance.get(),
-            inner_distance: inner_distance.unwrap_or(min_distance).get(),
+            min_distance,
+            inner_distance: inner_distance.unwrap_or(min_distance),
             vertices,
         }
     }
@@ -157,8 +157,9 @@ impl VertexHalfSpace<'_> {
         frame: usize,
         [start, end]: [Point; 2],
         [t, upper]: [f64; 2],
-        distance: f64,
+        distance: Separation,
     ) -> ContactRecord {
+        let distance = distance.get();
         let point = [0, 1, 2].map(|axis| (1.0 - t) * start[axis] + t * end[axis]);
         ContactRecord {
             frame,

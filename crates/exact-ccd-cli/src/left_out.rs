@@ -94,7 +94,7 @@ pub(crate) fn message(part: &str, feature: &str, command: &str) -> String {
     format!(
         "{part} is not in this build, which lacks the feature `{feature}`; \
          `cargo run --release --features full -- {command} ...` runs the program with all of it, \
-         `cargo install --path crates/exact-ccd-cli --features full` installs that"
+         `cargo install --locked --path crates/exact-ccd-cli --features full` installs that"
     )
 }
 

@@ -6,20 +6,60 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use exact_ccd_files::Format;
+
 use crate::failure::Failure;
 
 /// The option `--output` of commands with an answer in text.
 #[derive(clap::Args)]
 pub(crate) struct Output {
     /// Write the answer to this file, which is replaced; - is standard output.
-    #[arg(long, short, value_name = "FILE", default_value = "-")]
+    #[arg(long, short, value_name = "FILE", default_value = "-", value_parser = answer())]
     output: PathBuf,
+}
+
+/// The name of a file for an answer on the command line, which is not that of a mesh file: where the name is
+/// left out, the first mesh behind the option would be replaced.
+pub(crate) fn answer() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|file| match Format::of_path(&file) {
+        Some(_) => {
+            Err("this is the name of a mesh file, which would be replaced: name a file for the answer")
+        }
+        None => Ok(file),
+    })
+}
+
+/// The name of an HTML file on the command line.
+pub(crate) fn page() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|file| {
+        let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
+        if extension == "html" || extension == "htm" {
+            Ok(file)
+        } else {
+            Err("expected the name of an HTML file, such as page.html")
+        }
+    })
 }
 
 impl Output {
     /// The file, unless it is standard output.
     pub(crate) fn file(&self) -> Option<&Path> {
         Some(&*self.output).filter(|file| !is_dash(file))
+    }
+
+    /// Checks that the file is none of the inputs.
+    #[cfg(feature = "queries")]
+    pub(crate) fn check(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
+        let place = |file: &Path| fs::canonicalize(file).ok();
+        let Some(output) = self.file().and_then(place) else {
+            return Ok(());
+        };
+        if inputs.iter().any(|input| place(input).as_ref() == Some(&output)) {
+            let reason = "the answer would replace this input: name another file";
+            return Err(Failure::of(&self.output, reason));
+        }
+        Ok(())
     }
 
     /// Writes the answer, with a line break at its end.

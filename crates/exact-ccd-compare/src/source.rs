@@ -100,8 +100,9 @@ impl Source {
                 let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
                 let candidates = Candidates::with_options(step, &Bvh, &options);
                 let candidates = candidates.expect("the default distances are 0");
-                for &pair in K::candidates(&candidates) {
-                    subjects.add(Subject::new(K::query(&step, pair), None));
+                let pairs = K::candidates(&candidates).iter();
+                for query in pairs.filter_map(|&pair| step.query(pair)) {
+                    subjects.add(Subject::new(query, None));
                 }
             }
         }

@@ -1,13 +1,13 @@
 //! The names and numbers of the two kinds of query in the published scenes.
 
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
-use exact_ccd_mesh::{Candidates, PairKind, Step, TriangleMesh};
+use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
+use exact_ccd_mesh::{Candidates, PairKind, TriangleMesh};
 
 use crate::query_kind::QueryKind;
 
 /// A kind of query of the published scenes and folders of query files. The names of its files in a
 /// scene end in its [short name](QueryKind::SHORT).
-pub trait DataKind: QueryKind + Kind<Points = [Point; 4], Vertices = [u32; 4]> {
+pub trait DataKind: QueryKind + PairKind + Kind<Points = [Point; 4], Vertices = [u32; 4]> {
     /// The folder of its handcrafted query files.
     const FOLDER: &'static str;
 
@@ -17,18 +17,6 @@ pub trait DataKind: QueryKind + Kind<Points = [Point; 4], Vertices = [u32; 4]> {
 
     /// The global ids of two primitives of a mesh: the inverse of [`indices`](Self::indices).
     fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2];
-
-    /// The query of two primitives of a moving mesh.
-    ///
-    /// # Panics
-    /// If the mesh has no such primitives.
-    fn query(step: &Step<'_>, indices: [u32; 2]) -> Query<Self>;
-
-    /// The vertices of two primitives of a mesh, in the order of the query.
-    ///
-    /// # Panics
-    /// If the mesh has no such primitives.
-    fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4];
 
     /// The candidates of this kind.
     fn candidates(candidates: &Candidates) -> &[[u32; 2]];
@@ -50,14 +38,6 @@ impl DataKind for VertexFace {
         [vertex.into(), u64::from(face) + first_face as u64]
     }
 
-    fn query(step: &Step<'_>, ids: [u32; 2]) -> Query<Self> {
-        step.query(ids).expect("the mesh has both")
-    }
-
-    fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4] {
-        <Self as PairKind>::vertices(mesh, indices).expect("the mesh has both")
-    }
-
     fn candidates(candidates: &Candidates) -> &[[u32; 2]] {
         candidates.vertex_face()
     }
@@ -73,14 +53,6 @@ impl DataKind for EdgeEdge {
 
     fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2] {
         indices.map(|edge| u64::from(edge) + mesh.vertex_count() as u64)
-    }
-
-    fn query(step: &Step<'_>, ids: [u32; 2]) -> Query<Self> {
-        step.query(ids).expect("the mesh has both")
-    }
-
-    fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4] {
-        <Self as PairKind>::vertices(mesh, indices).expect("the mesh has both")
     }
 
     fn candidates(candidates: &Candidates) -> &[[u32; 2]] {

@@ -119,11 +119,14 @@ impl Scene {
                 found: verdicts.len(),
             });
         }
-        let sample = |(indices, truth)| Sample {
-            query: K::query(step, indices),
-            truth: Some(truth),
+        let sample = |(indices, truth)| {
+            let query = step.query(indices)?;
+            Some(Sample {
+                query,
+                truth: Some(truth),
+            })
         };
-        Ok(pairs.into_iter().zip(verdicts).map(sample).collect())
+        Ok(pairs.into_iter().zip(verdicts).filter_map(sample).collect())
     }
 
     /// The queries of [`samples`](Self::samples) with all data of the scene: its name, the ids of

@@ -61,6 +61,8 @@ pub enum Place {
     Line(usize),
     /// An offset in bytes from the beginning.
     Byte(usize),
+    /// A frame of a recording, from 0.
+    Frame(usize),
     /// The file as a whole.
     File,
 }
@@ -70,6 +72,7 @@ impl fmt::Display for Place {
         match self {
             Self::Line(line) => write!(f, "line {line}: "),
             Self::Byte(offset) => write!(f, "byte {offset}: "),
+            Self::Frame(frame) => write!(f, "frame {frame}: "),
             Self::File => Ok(()),
         }
     }

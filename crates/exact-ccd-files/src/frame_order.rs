@@ -23,6 +23,9 @@ pub struct FrameOrder {
     /// Two files of which the second one would be before the first one if a point between digits were text
     /// between two numbers, as in `v2.9` and `v2.10`: their order is not certain.
     pub uncertain: Option<[PathBuf; 2]>,
+    /// Two consecutive files whose names differ in more than numbers, as those of two recordings: the first
+    /// such pair.
+    pub unlike: Option<[PathBuf; 2]>,
     /// True if the files were given in another order.
     pub is_changed: bool,
     /// The numbers that are missing, if the names differ in whole numbers only: in the first place where they
@@ -89,6 +92,7 @@ impl FrameOrder {
         } else {
             Self {
                 missing: missing(&given),
+                unlike: first_pair(&given, |a, b| !are_alike(Reading::Decimals, a, b)),
                 files: given,
                 uncertain: None,
                 is_changed: false,
@@ -104,10 +108,8 @@ impl FrameOrder {
         files.sort_by(|a, b| by_number(Reading::Decimals, a, b));
         Self {
             is_changed: files != given,
-            uncertain: files
-                .windows(2)
-                .find(|pair| is_uncertain(pair))
-                .map(|pair| [pair[0].clone(), pair[1].clone()]),
+            uncertain: first_pair(&files, is_uncertain),
+            unlike: first_pair(&files, |a, b| !are_alike(Reading::Decimals, a, b)),
             missing: missing(&files),
             files,
         }
@@ -155,18 +157,28 @@ fn by_number(reading: Reading, a: &Path, b: &Path) -> Ordering {
     by_pieces.then_with(|| a.cmp(b))
 }
 
-/// Returns true if the order of two files depends on the meaning of a point, and their names have the same
-/// pieces but for the numbers.
-fn is_uncertain(pair: &[PathBuf]) -> bool {
-    let [a, b] = pair else { return false };
+/// The first two consecutive files for which a condition holds.
+fn first_pair(files: &[PathBuf], holds: impl Fn(&Path, &Path) -> bool) -> Option<[PathBuf; 2]> {
+    let mut pairs = files.iter().zip(files.iter().skip(1));
+    let pair = pairs.find(|(a, b)| holds(a, b));
+    pair.map(|(a, b)| [a.clone(), b.clone()])
+}
+
+/// Returns true if two names have the same pieces but for the numbers.
+fn are_alike(reading: Reading, a: &Path, b: &Path) -> bool {
     let texts = |path| {
-        let pieces = pieces(Reading::Numbers, path).into_iter();
+        let pieces = pieces(reading, path).into_iter();
         pieces.map(|piece| match piece {
             Piece::Text(text) => Some(text),
             Piece::Number(..) => None,
         })
     };
-    texts(a).eq(texts(b)) && by_number(Reading::Numbers, a, b) == Ordering::Greater
+    texts(a).eq(texts(b))
+}
+
+/// Returns true if the order of two files that are alike depends on the meaning of a point.
+fn is_uncertain(a: &Path, b: &Path) -> bool {
+    are_alike(Reading::Numbers, a, b) && by_number(Reading::Numbers, a, b) == Ordering::Greater
 }
 
 fn pieces(reading: Reading, path: &Path) -> Vec<Piece<'_>> {

@@ -73,17 +73,14 @@ pub enum Violation {
 }
 
 impl Audit {
-    /// The audit of frames between which primitives keep a minimum distance. The default is 0, which is
-    /// contact.
+    /// The same audit with another minimum distance. The default is 0, which is contact.
     ///
     /// An [inner distance](MinDistance::with_inner) is for line searches that start within the minimum
     /// distance. An audit does not use it: such a start is a violation.
     #[must_use]
-    pub fn with_min_distance(min_distance: MinDistance) -> Self {
-        Self {
-            min_distance: min_distance.without_inner(),
-            ..Self::default()
-        }
+    pub fn with_min_distance(self, min_distance: impl Into<MinDistance>) -> Self {
+        let min_distance = min_distance.into().without_inner();
+        Self { min_distance, ..self }
     }
 
     /// The same audit, restricted to the pairs that can collide: those of an edge and a face, too.

@@ -55,7 +55,7 @@ pub use audit::{Audit, Violation};
 pub use broad_phase::{
     Aabb, AllPairs, BoxPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,
 };
-pub use exact_ccd::{CONTACT, Options, Point};
+pub use exact_ccd::{CONTACT, InvalidSeparation, Options, Point, Separation};
 pub use half_space::{HalfSpace, HalfSpaceError};
 pub use line_search::{
     FreeStep, FreeStepOptions, FreeSteps, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,

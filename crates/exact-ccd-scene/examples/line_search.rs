@@ -76,7 +76,7 @@ impl Run {
     fn new(name: &'static str, simulation: Simulation) -> Result<Self, Box<dyn Error>> {
         let system = simulation.system();
         let thickness = Thickness::new(&system.surface_offsets())?;
-        let mut audit = Audit::with_min_distance(MinDistance::thickness(thickness));
+        let mut audit = Audit::default().with_min_distance(MinDistance::thickness(thickness));
         let violation = audit.examine(system.surface_frame(system.start())?)?;
         Ok(Self {
             name,

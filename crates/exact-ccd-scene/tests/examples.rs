@@ -165,8 +165,8 @@ fn cloth_knot_and_particles_keep_their_thickness() {
     let system = &scene.system;
     let offsets = Thickness::new(&system.surface_offsets()).unwrap();
     let least = Separation::new(0.01).unwrap();
-    let mut audits =
-        [MinDistance::thickness(offsets), MinDistance::uniform(least)].map(Audit::with_min_distance);
+    let mut audits = [MinDistance::thickness(offsets), MinDistance::uniform(least)]
+        .map(|distance| Audit::default().with_min_distance(distance));
     let mut simulation = scene.simulation().unwrap();
     let mut examine = |positions: &[Point]| {
         let frame = system.surface_frame(positions).unwrap();
@@ -188,7 +188,7 @@ fn cloth_knot_and_particles_keep_their_thickness() {
     // A frame is examined for each increment, and a greater distance is not kept.
     assert!(audits[0].frames() > 20);
     let greater = Separation::new(0.0125).unwrap();
-    let mut audit = Audit::with_min_distance(MinDistance::uniform(greater));
+    let mut audit = Audit::default().with_min_distance(MinDistance::uniform(greater));
     let last = system.surface_frame(&simulation.state().positions).unwrap();
     assert!(audit.examine(last).unwrap().is_some());
 }

@@ -1,10 +1,8 @@
 //! A query that collides, and the answers about its contacts.
 
-use alloc::boxed::Box;
-
 use crate::distance::{DistanceBounds, Separation};
 use crate::environment;
-use crate::exact::{self, FirstContact, FirstWithin};
+use crate::exact::{self, First, FirstContact};
 use crate::filter::{self, Contact, Decision, Proved};
 use crate::impact::Impact;
 use crate::interval::Intervals;
@@ -43,11 +41,10 @@ pub struct Collision<'a, K: Kind> {
 /// The proof that a query collides.
 #[derive(Clone, Debug)]
 enum Proof<K> {
-    Filter(Contact),
-    Exact(Box<FirstContact<K>>),
+    Contact(Contact),
     /// The first time within a separation above 0, and the stage that found it.
     Within(ContactTime, Stage),
-    ExactWithin(Box<FirstWithin>),
+    Exact(First<K>),
 }
 
 impl<'a, K: Kind> Collision<'a, K> {
@@ -60,14 +57,9 @@ impl<'a, K: Kind> Collision<'a, K> {
     ) -> Result<Self, Stage> {
         let proof = match decision {
             Decision::Free(stage) => return Err(stage),
-            Decision::Collision(Proved::Contact(contact)) => Proof::Filter(contact),
+            Decision::Collision(Proved::Contact(contact)) => Proof::Contact(contact),
             Decision::Collision(Proved::Within(first, stage)) => Proof::Within(first, stage),
-            Decision::Unknown if separation.is_zero() => {
-                Proof::Exact(Box::new(FirstContact::of(query).ok_or(Stage::Exact)?))
-            }
-            Decision::Unknown => {
-                Proof::ExactWithin(Box::new(FirstWithin::of(query, separation).ok_or(Stage::Exact)?))
-            }
+            Decision::Unknown => Proof::Exact(First::of(query, separation).ok_or(Stage::Exact)?),
         };
         Ok(Self {
             query,
@@ -96,9 +88,9 @@ impl<'a, K: Kind> Collision<'a, K> {
     #[inline]
     pub fn stage(&self) -> Stage {
         match &self.proof {
-            Proof::Filter(contact) => contact.stage(),
-            Proof::Exact(_) | Proof::ExactWithin(_) => Stage::Exact,
+            Proof::Contact(contact) => contact.stage(),
             Proof::Within(_, stage) => *stage,
+            Proof::Exact(_) => Stage::Exact,
         }
     }
 
@@ -114,7 +106,7 @@ impl<'a, K: Kind> Collision<'a, K> {
         if until >= 1.0 {
             return Some(self);
         }
-        if let Proof::Filter(contact) = &self.proof
+        if let Proof::Contact(contact) = &self.proof
             && environment::is_default()
             && contact.bracket().is_some_and(|[low, _]| low >= until)
         {
@@ -131,7 +123,7 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// [`time`](Self::time) where an interval of the first time suffices.
     #[must_use]
     pub fn is_before(&self, time: f64) -> bool {
-        if let Proof::Filter(contact) = &self.proof
+        if let Proof::Contact(contact) = &self.proof
             && environment::is_default()
             && let Some([low, high]) = contact.bracket()
         {
@@ -142,13 +134,13 @@ impl<'a, K: Kind> Collision<'a, K> {
                 return true;
             }
         }
-        self.time().lower() < time
+        self.time().is_before(time)
     }
 
     pub(crate) fn determine_time(&self) -> ContactTime {
         self.first.unwrap_or_else(|| {
             let by_filter = |contact: &Contact| contact.first(self.query);
-            self.answer(by_filter, FirstContact::time, Some, FirstWithin::time)
+            self.answer(by_filter, Some, First::time)
         })
     }
 
@@ -167,9 +159,8 @@ impl<'a, K: Kind> Collision<'a, K> {
     pub(crate) fn determine_intervals(&self) -> Intervals {
         self.answer(
             |contact| contact.intervals(self.query),
-            FirstContact::intervals,
             |first| filter::intervals_within(self.query, self.separation, first),
-            FirstWithin::intervals,
+            First::intervals,
         )
     }
 
@@ -186,15 +177,14 @@ impl<'a, K: Kind> Collision<'a, K> {
                 let starts = || self.time().is_start();
                 contact.impact(self.query).or_else(|| starts().then(exactly))
             },
-            FirstContact::impact,
             |first| filter::impact_within(self.query, self.separation, first),
-            FirstWithin::impact::<K>,
+            First::impact,
         )
     }
 
     /// Bounds of the distance of the primitives at the first time at which they touch.
     ///
-    /// It is the separation itself, unless the primitives are closer already at t = 0.
+    /// The distance is the separation, unless the primitives are closer than that at t = 0.
     #[must_use]
     pub fn distance(&self) -> DistanceBounds {
         K::distance(self)
@@ -208,30 +198,27 @@ impl<'a, K: Kind> Collision<'a, K> {
         DistanceBounds { lower: d, upper: d }
     }
 
-    /// An answer: by the filters if they determine it, otherwise by the exact path, for contact and for a
-    /// separation above 0. The filters need the default environment of the thread that reads the answer:
-    /// the query may have been decided on another one.
+    /// An answer: by the filters if they determine it, for contact or for a separation above 0, otherwise by
+    /// the exact path. The filters need the default environment of the thread that reads the answer: the
+    /// query may have been decided on another one.
     fn answer<T>(
         &self,
-        contact_by_filter: impl FnOnce(&Contact) -> Option<T>,
-        contact: impl FnOnce(&FirstContact<K>) -> T,
-        within_by_filter: impl FnOnce(ContactTime) -> Option<T>,
-        within: impl FnOnce(&FirstWithin) -> T,
+        contact: impl FnOnce(&Contact) -> Option<T>,
+        within: impl FnOnce(ContactTime) -> Option<T>,
+        exact: impl FnOnce(&First<K>) -> T,
     ) -> T {
-        let filters = environment::is_default();
-        // Cannot panic: the filters prove contact, or nearness, only where the exact path, which defines
-        // it, finds it.
-        let first_contact = || FirstContact::of(self.query).expect("a proved contact exists");
-        let first_within = || FirstWithin::of(self.query, self.separation).expect("a proved nearness exists");
-        let by_filter = |first| filters.then(|| within_by_filter(first)).flatten();
-        match &self.proof {
-            Proof::Exact(first) => contact(first),
-            Proof::Filter(proved) => {
-                let filtered = filters.then(|| contact_by_filter(proved)).flatten();
-                filtered.unwrap_or_else(|| contact(&first_contact()))
-            }
-            Proof::ExactWithin(first) => by_filter(first.time()).unwrap_or_else(|| within(first)),
-            Proof::Within(first, _) => by_filter(*first).unwrap_or_else(|| within(&first_within())),
-        }
+        let filtered = match &self.proof {
+            _ if !environment::is_default() => None,
+            Proof::Contact(proved) => contact(proved),
+            Proof::Within(first, _) => within(*first),
+            Proof::Exact(First::Within(first)) => within(first.time()),
+            Proof::Exact(First::Contact(_)) => None,
+        };
+        filtered.unwrap_or_else(|| match &self.proof {
+            Proof::Exact(first) => exact(first),
+            // Cannot panic: the filters prove contact, or nearness, only where the exact path, which defines
+            // it, finds it.
+            _ => exact(&First::of(self.query, self.separation).expect("a proved contact exists")),
+        })
     }
 }

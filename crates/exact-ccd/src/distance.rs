@@ -132,8 +132,8 @@ mod tests {
 
     use super::sum_rounded_up;
 
-    /// All sums of two numbers of half precision below 1/2, in units of the least of these, 2⁻²⁴. Larger ones
-    /// have no other distances of their exponents that matter.
+    /// All sums of two numbers of half precision below 1/2, in units of the least of these, 2⁻²⁴. Larger
+    /// numbers add no differences of exponents that are not covered.
     #[test]
     fn sums_are_rounded_up_for_all_numbers_of_half_precision_below_one_half() {
         const INFINITY: usize = 0x7c00;

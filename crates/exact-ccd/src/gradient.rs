@@ -24,10 +24,11 @@ pub enum NotDifferentiable {
     /// The primitives do not touch in the step.
     #[error("the primitives do not touch in the step: there is no time of impact")]
     Free,
-    /// The primitives touch at t = 0, where the time of impact ends to depend on the points.
+    /// The primitives touch at t = 0, where the time of impact is not a smooth function of the points.
     #[error("the primitives touch at the start of the step, where the time of impact is no smooth function")]
     Start,
-    /// The first contact is at t = 1, or after the last f64 below: a small change of the points removes it.
+    /// The first contact is at t = 1, or between 1 and the largest f64 below it: a small change of the points
+    /// removes it.
     #[error(
         "the primitives first touch at the end of the step: a small change of the points removes the contact"
     )]
@@ -102,21 +103,28 @@ impl<K: Kind> Query<K> {
         if impact.time.upper() >= 1.0 {
             return Err(NotDifferentiable::End);
         }
-        let normal = self.unique_normal(&impact, options.separation)?;
-        let weights = impact.weights::<K>();
         let [x0, x1] = self.points().each_ref().map(AsRef::as_ref);
-        let (mut velocity, mut largest) = (0.0, 0.0_f64);
-        for (place, weight) in weights.into_iter().enumerate().take(x0.len()) {
+        let relative = |place: usize, axis: usize| [x0, x1].map(|x| x[place][axis] - x[0][axis]);
+        let mut largest = 0.0;
+        for place in 0..x0.len() {
             for axis in 0..3 {
-                // The weights add up to 0: a common velocity changes nothing.
-                let [start, end] = [x0, x1].map(|x| x[place][axis] - x[0][axis]);
-                velocity += weight * normal[axis] * (end - start);
+                let [start, end] = relative(place, axis);
                 // The difference is off by 2⁻⁵³ of its terms, below 2⁻²⁸ · 2⁻²⁴ of them.
                 largest += (end - start).abs() + (start.abs() + end.abs()) / (1 << 24) as f64;
             }
         }
-        if !largest.is_finite() {
+        if !f64::is_finite(largest) {
             return Err(NotDifferentiable::Overflow);
+        }
+        let normal = self.unique_normal(&impact, options.separation)?;
+        let weights = impact.weights::<K>();
+        let mut velocity: f64 = 0.0;
+        for (place, weight) in weights.into_iter().enumerate().take(x0.len()) {
+            for (axis, along) in normal.into_iter().enumerate() {
+                // The weights add up to 0: a common velocity changes nothing.
+                let [start, end] = relative(place, axis);
+                velocity += weight * along * (end - start);
+            }
         }
         if velocity.abs() <= NEAR_TANGENT * largest {
             return Err(NotDifferentiable::Tangent);
@@ -128,12 +136,12 @@ impl<K: Kind> Query<K> {
     /// The derivatives of the distance of the primitives at time `t` with respect to the points at both ends
     /// of the step: wᵢ (1 − t) n and wᵢ t n, as in [`time_gradient`](Self::time_gradient).
     ///
-    /// The points at t, relative to the first one, are rounded: off by less than 4 u m each, for the extent
-    /// m of the points at both ends. The set of differences of the primitives then is off by ε < 16 u m.
-    /// Its point p next to 0, at the distance D, is off by at most √(4 ε D + ε²): an exact nearest point q
-    /// and a rounded one r satisfy r · q ≥ D² − ε D and |r| ≤ D + ε. A distance of at most 2⁻²⁵ m is an
-    /// error, so that ε < 2⁻²⁴ D, and the direction is within 2⁻¹⁰ at worst; it is within about 2⁻²³ where
-    /// the features do not change.
+    /// The points at t, relative to the first one, are rounded, in whatever direction: off by less than 8 u
+    /// m each, for the extent m of the points at both ends. The set of differences of the primitives then
+    /// is off by ε < 32 u m. Its point p next to 0, at the distance D, is off by at most √(4 ε D + ε²): an
+    /// exact nearest point q and a rounded one r satisfy r · q ≥ D² − ε D and |r| ≤ D + ε. A distance of at
+    /// most 2⁻²⁵ m is an error, so that ε < 2⁻²³ D, and the direction is within 2⁻¹⁰ at worst; it is within
+    /// about 2⁻²² where the features do not change.
     ///
     /// # Errors
     /// [`NotDifferentiable`], also where the distance is too small for the rounding of the points.

@@ -43,7 +43,8 @@ impl<D> Options<D> {
         }
     }
 
-    /// The same until a time. With a separation above 0, a batch costs less, the earlier that is.
+    /// The same distance with another last time that counts. With a separation above 0, an earlier time makes
+    /// a batch cheaper.
     #[must_use]
     pub fn until(self, until: f64) -> Self {
         Self { until, ..self }

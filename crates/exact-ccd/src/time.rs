@@ -62,6 +62,12 @@ impl ContactTime {
     pub fn is_at_most(self, t: f64) -> bool {
         t > 1.0 || NonNegative::new(t).is_some_and(|t| (self.lower, self.is_above) <= (t, false))
     }
+
+    /// Returns true if the contact is before a time t; false for NaN.
+    #[must_use]
+    pub fn is_before(self, t: f64) -> bool {
+        t > 1.0 || NonNegative::new(t).is_some_and(|t| self.lower < t)
+    }
 }
 
 /// A time of the step, which is neither negative nor NaN.

@@ -24,7 +24,7 @@ struct Contact {
 
 fn contacts<K: DataKind>(kind: u8, step: &Step<'_>, candidates: &[[u32; 2]]) -> Vec<Contact> {
     let contact = |&ids| {
-        let time = K::query(step, ids).collision(CONTACT)?.time();
+        let time = step.query::<K>(ids)?.collision(CONTACT)?.time();
         Some(Contact {
             toi: time.lower().to_bits(),
             is_above: !time.is_exact(),
@@ -146,7 +146,7 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
     fn check<K: DataKind>(step: &Step<'_>, candidates: &[[u32; 2]]) {
         let stride = if candidates.len() < 50_000 { 1 } else { 211 };
         for &ids in candidates.iter().step_by(stride) {
-            let query = K::query(step, ids);
+            let query = step.query::<K>(ids).expect("a pair of the mesh");
             assert_eq!(
                 query.intervals(CONTACT),
                 exact::intervals(&query, CONTACT),

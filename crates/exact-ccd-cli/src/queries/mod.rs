@@ -124,6 +124,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     query_files::check(&arguments.files, |file| {
         check_file(file, "a query file, CSV or Parquet")
     })?;
+    arguments.output.check(&arguments.files)?;
     let kind = kind_of(arguments.kind, &arguments.files, &mut Notes::default())?;
     method.check(kind, d)?;
     let tally = during(bar, |progress| {

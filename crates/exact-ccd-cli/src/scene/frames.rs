@@ -7,8 +7,9 @@ use std::sync::Arc;
 use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, ReadError, ReadOptions};
 
 use crate::failure::{Failure, listed};
-use crate::inputs::{check_file, check_path};
+use crate::inputs::check_path;
 use crate::notes::Notes;
+use crate::view::name;
 
 /// Frames in the order of time, each the one of a file or one of several in a file.
 pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
@@ -16,10 +17,12 @@ pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
 impl Frames {
     /// All frames in a file: of a mesh, of arrays, or of a list of files.
     pub(super) fn of_file(file: &Path, options: ReadOptions) -> Result<Self, Failure> {
-        check_file(
-            file,
-            "a mesh file; `exact-ccd audit` examines the frames in a folder",
-        )?;
+        check_path(file, "a mesh file")?;
+        if file.is_dir() {
+            let reason =
+                "this is a folder, expected a mesh file; `exact-ccd audit` examines the frames in a folder";
+            return Err(Failure::of(file, reason));
+        }
         let sequence = Arc::new(FrameSequence::open(file, options)?);
         if sequence.is_empty() {
             return Err(Failure::of(file, "no frame, expected at least one"));
@@ -63,6 +66,10 @@ impl Frames {
                 );
             }
             warn_of_missing(&order, notes);
+        }
+        let is_numbered = |file: &PathBuf| name(file).contains(|c: char| c.is_ascii_digit());
+        if !as_given && let Some(pair) = order.unlike.as_ref().filter(|pair| pair.iter().any(is_numbered)) {
+            warn_of_unlike(pair, "; --as-given omits this warning", notes);
         }
         let paths = if is_row { &order.files } else { paths };
         let mut frames = Vec::new();
@@ -129,6 +136,9 @@ fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> 
     let order = FrameOrder::of(files);
     check_certain(&order)?;
     warn_of_missing(&order, notes);
+    if let Some(pair) = &order.unlike {
+        warn_of_unlike(pair, "", notes);
+    }
     let formats = order
         .files
         .iter()
@@ -179,6 +189,15 @@ pub(super) fn frame_count(file: &Path, count: usize, expected: usize) -> Failure
         file,
         format_args!("{count} frame{plural}, expected {expected}; {remedy}"),
     )
+}
+
+/// A warning about two files, one behind the other, that may belong to two motions.
+fn warn_of_unlike([a, b]: &[PathBuf; 2], remedy: &str, notes: &mut Notes) {
+    notes.warn(format!(
+        "the names of the frames differ in more than numbers: {} follows {}, as if both were of one motion{remedy}",
+        b.display(),
+        a.display()
+    ));
 }
 
 fn warn_of_missing(order: &FrameOrder, notes: &mut Notes) {

@@ -70,7 +70,7 @@ impl Recording {
 fn add<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]], first: usize, sample: &mut Subjects<K>) {
     for pairs in pairs.chunks(CHUNK) {
         let subject = |&pair: &[u32; 2]| {
-            let query = K::query(step, pair);
+            let query = step.query::<K>(pair)?;
             do_boxes_overlap(&query, first).then(|| Subject {
                 query,
                 collides: query.collides(CONTACT),

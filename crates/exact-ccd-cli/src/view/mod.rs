@@ -15,7 +15,7 @@ use exact_ccd_mesh::{HalfSpace, Point};
 use exact_ccd_view::Page;
 
 use crate::failure::Failure;
-use crate::output::replace_file;
+use crate::output::{page, replace_file};
 use crate::scene::Scene;
 #[cfg(feature = "queries")]
 pub(crate) use query::{ChosenQuery, QueryView};
@@ -28,7 +28,7 @@ pub(crate) use simulation::SimulationView;
 #[derive(clap::Args)]
 pub(crate) struct View {
     /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_name = "FILE.html", value_parser = page())]
     view: Option<PathBuf>,
     /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z]
     #[arg(long, value_name = "AXIS", requires = "view", value_parser = up::parse, allow_hyphen_values = true)]

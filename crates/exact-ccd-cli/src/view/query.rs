@@ -6,12 +6,13 @@ use exact_ccd::{Kind, Query, Separation};
 use exact_ccd_view::{Page, PageKind};
 
 use crate::failure::Failure;
+use crate::output::page;
 
 /// The options `--view` and `--view-query`.
 #[derive(clap::Args)]
 pub(crate) struct QueryView {
     /// Write an HTML file that shows a query and its exact answer in a browser. It contains all it needs.
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_name = "FILE.html", value_parser = page())]
     view: Option<PathBuf>,
     /// The number of the query to show, from 0 over all files [default: the first one in contact, or 0]
     #[arg(long, value_name = "N", requires = "view")]

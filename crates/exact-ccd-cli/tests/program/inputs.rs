@@ -41,14 +41,8 @@ fn a_missing_input_is_named_with_what_it_should_be() {
             &["audit", "start.ply", "--with", "no"],
             "a mesh file, or a folder or a list of them",
         ),
-        (
-            &["step", "no", "end.ply"],
-            "a mesh file; `exact-ccd audit` examines the frames in a folder",
-        ),
-        (
-            &["step", "start.ply", "no"],
-            "a mesh file; `exact-ccd audit` examines the frames in a folder",
-        ),
+        (&["step", "no", "end.ply"], "a mesh file"),
+        (&["step", "start.ply", "no"], "a mesh file"),
         (&["queries", "no"], "a query file, CSV or Parquet"),
         (&["queries", "--kind", "vf", "no"], "a query file, CSV or Parquet"),
         (
@@ -124,7 +118,9 @@ fn bytes_in_place_of_a_scene_are_named() {
 #[test]
 fn outputs_without_a_place_are_named_with_a_remedy() {
     let folder = folder();
-    std::fs::create_dir(folder.path("folder.csv")).unwrap();
+    for name in ["folder.csv", "folder.html"] {
+        std::fs::create_dir(folder.path(name)).unwrap();
+    }
     for (option, file, remedy) in [
         ("--all", "no/all.csv", "make its folder first"),
         ("--view", "no/page.html", "make its folder first"),
@@ -135,7 +131,7 @@ fn outputs_without_a_place_are_named_with_a_remedy() {
         ),
         (
             "--view",
-            "empty",
+            "folder.html",
             "name a file, as there is a folder of this name",
         ),
         (
@@ -151,5 +147,28 @@ fn outputs_without_a_place_are_named_with_a_remedy() {
             assert!(error.ends_with(remedy), "{error}");
             assert_eq!(run.stdout, "");
         }
+    }
+}
+
+/// An option whose file is left out takes the first mesh behind it for its file.
+#[test]
+fn no_answer_replaces_a_mesh() {
+    let folder = folder();
+    let read = |name: &str| std::fs::read(folder.path(name)).unwrap();
+    let before = read("start.ply");
+    for option in ["--view", "--certificate", "--output", "-o"] {
+        for command in ["step", "audit"] {
+            let run = folder.run(&[command, option, "start.ply", "start.ply", "end.ply"]);
+            assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{run:?}");
+            assert!(run.stderr.contains("start.ply"), "{run:?}");
+            assert_eq!(read("start.ply"), before);
+        }
+    }
+    folder.write("vf.csv", "0,1,0,1,0,1,1\n".repeat(8));
+    let before = read("vf.csv");
+    for output in ["vf.csv", "./vf.csv"] {
+        let run = folder.run(&["queries", "--kind", "vf", "vf.csv", "-o", output]);
+        assert!(run.error().contains("would replace this input"), "{run:?}");
+        assert_eq!(read("vf.csv"), before);
     }
 }

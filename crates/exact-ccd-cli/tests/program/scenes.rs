@@ -253,6 +253,27 @@ fn frames_are_taken_in_the_order_of_their_numbers() {
 }
 
 #[test]
+fn two_recordings_in_a_folder_are_worth_a_warning() {
+    let folder = Folder::new();
+    let mut files = Vec::new();
+    for name in ["a_0", "a_1", "b_0", "b_1"] {
+        files.push(format!("frames/{name}.ply"));
+        std::fs::create_dir_all(folder.path("frames")).unwrap();
+        folder.write(files.last().unwrap(), ply(&tip_above_square(1.0)));
+    }
+    let warning = "exact-ccd: warning: the names of the frames differ in more than numbers: frames/b_0.ply follows \
+                   frames/a_1.ply, as if both were of one motion";
+    let run = folder.run(&["audit", "frames"]);
+    assert_eq!((run.status, note(&run)), (0, warning));
+    let mut arguments = vec!["audit"];
+    arguments.extend(files.iter().map(String::as_str));
+    let run = folder.run(&arguments);
+    assert_eq!(note(&run), format!("{warning}; --as-given omits this warning"));
+    arguments.push("--as-given");
+    assert_eq!(note(&folder.run(&arguments)), "");
+}
+
+#[test]
 fn polygons_are_counted_or_refused() {
     let folder = Folder::new();
     let quad = |z: f64| format!("v 0 0 {z}\nv 1 0 {z}\nv 1 1 {z}\nv 0 1 {z}\nf 1 2 3 4\n");

@@ -139,7 +139,7 @@ impl FrameSequence {
                 let mut file = recording.first.clone();
                 let all = recording.arrays.positions(frame);
                 let checked = exact_ccd_mesh::check_positions(all.len(), &all);
-                checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::File)))?;
+                checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::Frame(frame))))?;
                 let kept = file.ids.vertices.iter();
                 file.frame.positions = kept.map(|&vertex| all[vertex as usize]).collect();
                 Ok(file)

@@ -48,7 +48,7 @@ fn frames_that_are_not_finite_are_errors_when_they_are_read() {
     assert!(sequence.read(0).is_ok());
     let error = sequence.read(1).unwrap_err().to_string();
     assert!(
-        error.ends_with("vertex 0 has y = NaN, expected a finite number"),
+        error.ends_with("nan.npy: frame 1: vertex 0 has y = NaN, expected a finite number"),
         "{error}"
     );
 }

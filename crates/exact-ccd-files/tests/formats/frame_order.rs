@@ -28,6 +28,29 @@ fn names_are_ordered_by_the_numbers_in_them() {
 }
 
 #[test]
+fn names_that_differ_in_more_than_numbers_are_found() {
+    let unlike = |names: &[&str]| {
+        let of_row = FrameOrder::of_row(names.iter().map(PathBuf::from).collect());
+        assert_eq!(of_row.unlike, order(names).unlike);
+        of_row.unlike
+    };
+    let pair = |names: [&str; 2]| Some(names.map(PathBuf::from));
+    assert_eq!(
+        unlike(&["a_0.ply", "a_1.ply", "b_0.ply", "b_1.ply"]),
+        pair(["a_1.ply", "b_0.ply"])
+    );
+    assert_eq!(unlike(&["f1.ply", "f1-2.ply"]), pair(["f1.ply", "f1-2.ply"]));
+    for alike in [
+        &["a1/f0.ply", "a1/f1.ply", "a2/f0.ply"][..],
+        &["t0.5.ply", "t1.25.ply"],
+        &["f.ply"],
+        &[],
+    ] {
+        assert_eq!(unlike(alike), None, "{alike:?}");
+    }
+}
+
+#[test]
 fn missing_numbers_follow_from_the_common_step() {
     let missing = |names: &[&str]| {
         let missing = order(names).missing;

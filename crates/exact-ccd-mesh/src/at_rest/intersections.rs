@@ -104,7 +104,7 @@ impl IntersectionOptions {
 }
 
 /// All pairs of an edge and a face that meet and share no vertex, sorted. If the broad phase ends its search
-/// early, the result is of no use.
+/// early, the result is incomplete.
 ///
 /// ```
 /// use exact_ccd_mesh::{Bvh, Intersection, IntersectionOptions, Meeting, TriangleMesh, intersections};

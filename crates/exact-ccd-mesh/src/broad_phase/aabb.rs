@@ -55,7 +55,8 @@ impl Aabb {
     /// The center, rounded. NaN for an empty box.
     #[must_use]
     pub fn center(&self) -> Point {
-        core::array::from_fn(|axis| 0.5 * (self.lower[axis] + self.upper[axis]))
+        // Halved before they are added: the sum of two finite numbers may overflow.
+        core::array::from_fn(|axis| 0.5 * self.lower[axis] + 0.5 * self.upper[axis])
     }
 
     /// The lengths of the sides, rounded.
@@ -140,6 +141,14 @@ mod tests {
             contained += usize::from(is_between);
         }
         assert!((50..950).contains(&contained), "{contained}");
+    }
+
+    #[test]
+    fn the_center_of_a_finite_box_is_finite() {
+        for x in [f64::MAX, -f64::MAX, f64::from_bits(2)] {
+            assert_eq!(Aabb::of([x; 3]).center(), [x; 3]);
+        }
+        assert!(Aabb::EMPTY.center().iter().all(|x| x.is_nan()));
     }
 
     #[test]

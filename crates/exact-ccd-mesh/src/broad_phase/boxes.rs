@@ -10,8 +10,8 @@ use super::moving_box::MovingBox;
 use super::order::order;
 use super::primitive_count::{TooManyPrimitives, check_primitive_count};
 
-/// The least number of blocks that a thread fills in one task: 50,000 to 100,000 instructions. Less work
-/// than that is done sooner by one thread than another one wakes up.
+/// The least number of blocks that a thread fills in one task: 50,000 to 100,000 instructions. One
+/// thread finishes less work than that before another thread wakes up.
 const GRAIN: usize = 128;
 
 /// Boxes that move in straight lines during a step, in blocks of eight that are near each other.
@@ -41,8 +41,8 @@ impl<const T: usize> Boxes<T> {
     pub fn new(boxes: &[[Aabb; T]]) -> Result<Self, TooManyPrimitives> {
         const { assert!(T == 1 || T == 2, "boxes rest, or move from one place to another") };
         check_primitive_count(boxes.len())?;
-        let centres: Vec<Point> = boxes.par_iter().map(centre).collect();
-        let mut all = Self::in_order(order(&centres, (0..boxes.len() as u32).collect()));
+        let centers: Vec<Point> = boxes.par_iter().map(center).collect();
+        let mut all = Self::in_order(order(&centers, (0..boxes.len() as u32).collect()));
         all.replace(|_| true, |id| MovingBox::new(&boxes[id as usize], &[[0.0; 3]; T]));
         Ok(all)
     }
@@ -63,7 +63,7 @@ impl<const T: usize> Boxes<T> {
         }
     }
 
-    /// Sets the boxes of the chosen primitives, and those of others again, in blocks of eight.
+    /// Sets all boxes of each block that holds a chosen primitive.
     pub(crate) fn replace(
         &mut self,
         is_chosen: impl Fn(u32) -> bool + Sync,
@@ -157,19 +157,8 @@ fn fill<const T: usize, I>(
     *around = union;
 }
 
-/// The centre of a box at the start.
-fn centre<const T: usize>(places: &[Aabb; T]) -> Point {
-    let Some(start) = places.first() else {
-        return [0.0; 3];
-    };
-    // Halved before they are added: the sum of two finite numbers may overflow. The empty box has
-    // no centre.
-    let middle = |axis: usize| 0.5 * start.lower[axis] + 0.5 * start.upper[axis];
-    [0, 1, 2].map(|axis| {
-        if middle(axis).is_finite() {
-            middle(axis)
-        } else {
-            0.0
-        }
-    })
+/// The center of a box at the start; the origin for the empty box, which has none.
+fn center<const T: usize>(places: &[Aabb; T]) -> Point {
+    let center = places.first().map_or([0.0; 3], Aabb::center);
+    center.map(|x| if x.is_finite() { x } else { 0.0 })
 }

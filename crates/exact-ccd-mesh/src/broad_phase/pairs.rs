@@ -42,8 +42,7 @@ impl<'a, const T: usize> Pairs<'a, T> {
         }
     }
 
-    /// Pairs of two boxes in `boxes`, the smaller index first. Of two blocks, the later one must be
-    /// the second argument of [`add`](Self::add).
+    /// Pairs of two boxes in `boxes`, the smaller index first.
     pub(super) fn within(boxes: &'a Boxes<T>, sink: &'a PairSink<'a>) -> Self {
         Self {
             is_within: true,

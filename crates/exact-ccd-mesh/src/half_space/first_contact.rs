@@ -3,7 +3,7 @@
 use std::cmp::Ordering::{self, Equal, Greater};
 
 use dashu_int::IBig;
-use exact_ccd::Point;
+use exact_ccd::{Point, Separation};
 
 use super::HalfSpace;
 use super::side::integer;
@@ -13,46 +13,48 @@ use crate::vector::{dot, minus};
 const UNIT: usize = 1074;
 
 impl HalfSpace {
-    /// The first time t in [0, 1] at which x₀ + t (x₁ − x₀) is at most `offset` ≥ 0 outside of the half
-    /// space, exactly: the adjacent f64 between which t lies, or the same one twice. `None` if there is no
-    /// such time.
+    /// The first time t in [0, 1] at which x₀ + t (x₁ − x₀) is at most d outside of the half space, exactly:
+    /// the adjacent f64 between which t lies, or the same one twice. `None` if there is no such time.
     ///
-    /// The motion is that of the numbers as they are, without rounding. If a number is not finite, the answer
-    /// is 0. The offset counts by its magnitude.
+    /// The motion is that of the numbers as they are, without rounding. If a coordinate is not finite, the
+    /// answer is 0.
     ///
     /// ```
-    /// use exact_ccd_mesh::HalfSpace;
+    /// use exact_ccd_mesh::{HalfSpace, Separation};
     ///
     /// let ground = HalfSpace::new([0.0; 3], [0.0, 0.0, 2.0]);
+    /// let half = Separation::new(0.5)?;
     /// let falling = [[7.0, 0.0, 2.0], [8.0, 0.0, -1.0]];
     /// // 2/3 is not an f64, 1/2 is one.
-    /// assert_eq!(ground.first_contact(falling, 0.0), Some([2.0 / 3.0, (2.0_f64 / 3.0).next_up()]));
-    /// assert_eq!(ground.first_contact(falling, 0.5), Some([0.5, 0.5]));
-    /// assert_eq!(ground.first_contact([[0.0, 0.0, 2.0], [0.0, 0.0, 1.0]], 0.5), None);
+    /// let third: f64 = 2.0 / 3.0;
+    /// assert_eq!(ground.first_contact(falling, Separation::ZERO), Some([third, third.next_up()]));
+    /// assert_eq!(ground.first_contact(falling, half), Some([0.5, 0.5]));
+    /// assert_eq!(ground.first_contact([[0.0, 0.0, 2.0], [0.0, 0.0, 1.0]], half), None);
+    /// # Ok::<(), exact_ccd_mesh::InvalidSeparation>(())
     /// ```
     #[must_use]
-    pub fn first_contact(&self, [x0, x1]: [Point; 2], offset: f64) -> Option<[f64; 2]> {
+    pub fn first_contact(&self, [x0, x1]: [Point; 2], d: Separation) -> Option<[f64; 2]> {
         let numbers = [self.normal, self.point, x0, x1];
         let is_finite = numbers.as_flattened().iter().all(|number| number.is_finite());
-        if !(is_finite && offset.is_finite()) {
+        if !is_finite {
             return Some([0.0; 2]);
         }
-        let height = Height::new(self, [x0, x1], offset);
-        if height.above_offset(0.0) != Greater {
+        let height = Height::new(self, [x0, x1], d);
+        if height.above_distance(0.0) != Greater {
             return Some([0.0; 2]);
         }
-        match height.above_offset(1.0) {
+        match height.above_distance(1.0) {
             Greater => None,
             Equal => Some([1.0; 2]),
-            Ordering::Less => Some(height.first_root(self.estimate([x0, x1], offset))),
+            Ordering::Less => Some(height.first_root(self.estimate([x0, x1], d))),
         }
     }
 
     /// The first time in floating point. It may be any number.
-    fn estimate(&self, positions: [Point; 2], offset: f64) -> f64 {
+    fn estimate(&self, positions: [Point; 2], d: Separation) -> f64 {
         let normal = self.unit_normal();
         let height = |x: Point| dot(normal, minus(x, self.point));
-        let [before, after] = positions.map(|x| height(x) - offset);
+        let [before, after] = positions.map(|x| height(x) - d.get());
         before / (before - after)
     }
 }
@@ -66,7 +68,7 @@ struct Height {
 }
 
 impl Height {
-    fn new(half_space: &HalfSpace, positions: [Point; 2], offset: f64) -> Self {
+    fn new(half_space: &HalfSpace, positions: [Point; 2], d: Separation) -> Self {
         let vectors = [half_space.normal, half_space.point];
         let [normal, point] = vectors.map(|vector| vector.map(integer));
         let [x0, x1] = positions.map(|position| position.map(integer));
@@ -74,16 +76,16 @@ impl Height {
             (0..3).map(|axis| &normal[axis] * (&to[axis] - &from[axis])).sum()
         };
         let squared: IBig = normal.iter().map(|n| n * n).sum();
-        let offset = integer(offset);
+        let d = integer(d.get());
         Self {
             start: along(&point, &x0),
             change: along(&x0, &x1),
-            least_squared: &offset * &offset * squared,
+            least_squared: &d * &d * squared,
         }
     }
 
     /// The order of the height at a time t in [0, 1] and d |n|: both sides times 2¹⁰⁷⁴, as t has that unit.
-    fn above_offset(&self, t: f64) -> Ordering {
+    fn above_distance(&self, t: f64) -> Ordering {
         let height = (&self.start << UNIT) + integer(t) * &self.change;
         if height < IBig::ZERO {
             Ordering::Less
@@ -103,7 +105,7 @@ impl Height {
         let mut stride: u64 = 1;
         while after - before > 1 {
             let bits = next.clamp(before + 1, after - 1);
-            let order = self.above_offset(f64::from_bits(bits));
+            let order = self.above_distance(f64::from_bits(bits));
             match order {
                 Greater => before = bits,
                 Equal => return [f64::from_bits(bits); 2],
@@ -136,7 +138,7 @@ mod tests {
                 random.u32(1..1 << bits)
             });
             let motion = [[0.0, 0.0, a.into()], [1.0, 0.0, -f64::from(b)]];
-            let [lower, upper] = ground.first_contact(motion, 0.0).unwrap();
+            let [lower, upper] = ground.first_contact(motion, Separation::ZERO).unwrap();
             // t (a + b) and a in units of 2⁻¹⁰⁷⁴.
             let at = |t: f64| integer(t) * (u64::from(a) + u64::from(b));
             let a = IBig::from(a) << UNIT;
@@ -155,26 +157,26 @@ mod tests {
             let mut number = || f64::from(random.i32(-99..100));
             let normal = [number(), number(), number()];
             let half_space = HalfSpace::new([number(), number(), number()], normal);
-            let offset = number().abs();
+            let d = Separation::new(number().abs()).expect("a magnitude is not negative");
             let x1 = [number(), number(), number()];
             if half_space.check(0).is_err() {
                 continue;
             }
             let motion = [[0.0; 3], x1];
             let at = |t: f64| x1.map(|x| t * x);
-            let first = half_space.first_contact(motion, offset);
+            let first = half_space.first_contact(motion, d);
             for eighth in 0..=8 {
                 let t = f64::from(eighth) / 8.0;
                 let is_before = first.is_none_or(|[lower, upper]| t < lower || t == lower && lower < upper);
                 // A vertex that leaves is not apart at the start, and then is: only the first time counts.
                 if first != Some([0.0; 2]) {
                     assert_eq!(
-                        half_space.is_apart(at(t), offset),
+                        half_space.is_apart(at(t), d),
                         is_before,
                         "{half_space:?} {x1:?} {t}"
                     );
                 } else if eighth == 0 {
-                    assert!(!half_space.is_apart(at(0.0), offset));
+                    assert!(!half_space.is_apart(at(0.0), d));
                 }
             }
             inside += usize::from(first.is_some_and(|[lower, _]| lower > 0.0));
@@ -185,7 +187,8 @@ mod tests {
     #[test]
     fn numbers_of_any_magnitude_have_their_times() {
         let ground = HalfSpace::new([0.0; 3], [0.0, 0.0, f64::MAX / 1e160]);
-        let first = |from: f64, to: f64| ground.first_contact([[0.0, 0.0, from], [0.0, 0.0, to]], 0.0);
+        let first =
+            |from: f64, to: f64| ground.first_contact([[0.0, 0.0, from], [0.0, 0.0, to]], Separation::ZERO);
         let tiny = f64::from_bits(1);
         assert_eq!(first(tiny, -tiny), Some([0.5; 2]));
         assert_eq!(first(f64::MAX, -f64::MAX), Some([0.5; 2]));

@@ -3,7 +3,7 @@
 mod first_contact;
 mod side;
 
-use exact_ccd::Point;
+use exact_ccd::{Point, Separation};
 
 use crate::vector::dot;
 
@@ -14,11 +14,11 @@ use crate::vector::dot;
 /// ([`HalfSpace::is_apart`]).
 ///
 /// ```
-/// use exact_ccd_mesh::HalfSpace;
+/// use exact_ccd_mesh::{HalfSpace, Separation};
 ///
 /// let ground = HalfSpace::new([0.0, 0.0, 0.1], [0.0, 0.0, 3.0]);
-/// assert!(ground.is_apart([0.0, 0.0, 0.1_f64.next_up()], 0.0));
-/// assert!(!ground.is_apart([0.0, 0.0, 0.1], 0.0));
+/// assert!(ground.is_apart([0.0, 0.0, 0.1_f64.next_up()], Separation::ZERO));
+/// assert!(!ground.is_apart([0.0, 0.0, 0.1], Separation::ZERO));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct HalfSpace {
@@ -91,13 +91,13 @@ impl HalfSpace {
         self.normal.map(|x| x / length)
     }
 
-    /// Returns true if a point is farther than `offset` ≥ 0 from the half space: n · (x − p) > `offset` |n|,
-    /// exactly, for the numbers as they are. False if a coordinate is not finite.
+    /// Returns true if a point is farther than d from the half space: n · (x − p) > d |n|, exactly, for the
+    /// numbers as they are. False if a coordinate is not finite.
     ///
     /// A vertex in linear motion has n · (x − p) linear in time, hence at least its lesser value at both
     /// ends: the vertex stays apart in the whole step if and only if it is apart at both ends.
     #[must_use]
-    pub fn is_apart(&self, x: Point, offset: f64) -> bool {
-        side::is_beyond(self.normal, self.point, x, offset)
+    pub fn is_apart(&self, x: Point, d: Separation) -> bool {
+        side::is_beyond(self.normal, self.point, x, d)
     }
 }

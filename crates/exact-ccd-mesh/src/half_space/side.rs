@@ -1,15 +1,15 @@
 //! The side of a plane, exactly.
 
 use dashu_int::IBig;
-use exact_ccd::{Point, environment};
+use exact_ccd::{Point, Separation, environment};
 
-/// Returns true if n · (x − p) > `offset` |n|, exactly, for `offset` ≥ 0. False if a number is not finite.
-pub(super) fn is_beyond(normal: Point, point: Point, x: Point, offset: f64) -> bool {
-    let numbers = normal.iter().chain(&point).chain(&x).chain([&offset]);
-    if !numbers.into_iter().all(|number| number.is_finite()) {
+/// Returns true if n · (x − p) > d |n| for a distance d, exactly. False if a coordinate is not finite.
+pub(super) fn is_beyond(normal: Point, point: Point, x: Point, d: Separation) -> bool {
+    let numbers = [normal, point, x];
+    if !numbers.as_flattened().iter().all(|number| number.is_finite()) {
         return false;
     }
-    in_floating_point(normal, point, x, offset).unwrap_or_else(|| in_integers(normal, point, x, offset))
+    in_floating_point(normal, point, x, d).unwrap_or_else(|| in_integers(normal, point, x, d))
 }
 
 /// The filter, which needs the default [`environment`]. With the unit roundoff u, each of the three
@@ -18,33 +18,33 @@ pub(super) fn is_beyond(normal: Point, point: Point, x: Point, offset: f64) -> b
 /// 4u) (N. Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, section 3.1). The computed S is
 /// at least (1 − u)⁴ S. The squares of |n| have one rounding error each and two sums, of positive terms,
 /// underflow adds at most 3u to their normal sum, the square root halves this and adds one error, and so
-/// does the product by the offset: less than 6u in all, relative to the result r. The difference s − r has
+/// does the product by d: less than 6u in all, relative to the result r. The difference s − r has
 /// another error, of u |s − r|. So the sign of s − r is right if |s − r| > 8u (S + r), up to underflow of
 /// the four other products, which adds at most 2⁻¹⁰⁷⁵ each: `MIN_POSITIVE` = 2⁻¹⁰²² covers that. Overflow
 /// gives an infinite bound or NaN, which prove nothing.
-fn in_floating_point(normal: Point, point: Point, x: Point, offset: f64) -> Option<bool> {
+fn in_floating_point(normal: Point, point: Point, x: Point, d: Separation) -> Option<bool> {
     let product = |axis: usize| normal[axis] * (x[axis] - point[axis]);
     let products = [product(0), product(1), product(2)];
     let sum = products[0] + products[1] + products[2];
     let size = products[0].abs() + products[1].abs() + products[2].abs();
     let squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-    let least = offset * squared.sqrt();
+    let least = d.get() * squared.sqrt();
     let bound = 4.0 * f64::EPSILON * (size + least) + f64::MIN_POSITIVE;
     let excess = sum - least;
     // Comparisons with NaN and with an infinite bound are false.
     (environment::is_default() && squared.is_normal() && excess.abs() > bound).then_some(excess > 0.0)
 }
 
-/// The definition: s = n · (x − p) is positive, and s² > `offset`² |n|².
-fn in_integers(normal: Point, point: Point, x: Point, offset: f64) -> bool {
+/// The definition: s = n · (x − p) is positive, and s² > d² |n|².
+fn in_integers(normal: Point, point: Point, x: Point, d: Separation) -> bool {
     let [normal, point, x] = [normal, point, x].map(|numbers| numbers.map(integer));
     let sum: IBig = (0..3).map(|axis| &normal[axis] * (&x[axis] - &point[axis])).sum();
     if sum <= IBig::ZERO {
         return false;
     }
     let squared: IBig = normal.iter().map(|n| n * n).sum();
-    let offset = integer(offset);
-    &sum * &sum > &offset * &offset * squared
+    let d = integer(d.get());
+    &sum * &sum > &d * &d * squared
 }
 
 /// The number times 2¹⁰⁷⁴, which is an integer for every finite f64.
@@ -88,16 +88,16 @@ mod tests {
             let normal = [number(), number(), number()].map(|x| scale * x);
             let point = [number(), number(), number()];
             let mut x = [number(), number(), number()];
-            let mut offset = if case % 3 == 0 { number().abs() } else { 0.0 };
+            let mut d = if case % 3 == 0 { number().abs() } else { 0.0 };
             if case % 4 > 1 {
                 // Near the boundary: the last coordinate solves the equation, up to some units of rounding.
                 let length = (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]).sqrt();
                 let rest = (0..2)
                     .map(|axis| normal[axis] * (x[axis] - point[axis]))
                     .sum::<f64>();
-                x[2] = point[2] + (offset * length - rest) / normal[2];
+                x[2] = point[2] + (d * length - rest) / normal[2];
                 (0..random.u32(0..40)).for_each(|_| x[2] = x[2].next_up());
-                offset = if offset > 0.0 { offset.next_up() } else { 0.0 };
+                d = if d > 0.0 { d.next_up() } else { 0.0 };
             }
             if normal
                 .iter()
@@ -105,11 +105,12 @@ mod tests {
                 .chain(&x)
                 .all(|number| number.is_finite())
             {
-                let exact = in_integers(normal, point, x, offset);
-                match in_floating_point(normal, point, x, offset) {
+                let d = Separation::new(d).expect("a magnitude is not negative");
+                let exact = in_integers(normal, point, x, d);
+                match in_floating_point(normal, point, x, d) {
                     Some(found) => {
                         decided += 1;
-                        assert_eq!(found, exact, "{normal:?} {point:?} {x:?} {offset}");
+                        assert_eq!(found, exact, "{normal:?} {point:?} {x:?} {d}");
                     }
                     None => left += 1,
                 }
@@ -121,8 +122,11 @@ mod tests {
     /// A point of the boundary is not beyond it, the next number is.
     #[test]
     fn the_boundary_is_exact() {
-        let ground =
-            |height: f64, offset| is_beyond([0.0, 3.0, 0.0], [7.0, 0.1, 0.0], [1e9, height, 0.3], offset);
+        let is_beyond = |normal, point, x, d| {
+            let d = Separation::new(d).expect("the distances here are not negative");
+            is_beyond(normal, point, x, d)
+        };
+        let ground = |height: f64, d| is_beyond([0.0, 3.0, 0.0], [7.0, 0.1, 0.0], [1e9, height, 0.3], d);
         assert!(!ground(0.1, 0.0) && ground(0.1_f64.next_up(), 0.0) && !ground(f64::NAN, 0.0));
         // 0.1 + 0.25 is not an f64: its neighbours are on different sides.
         let sum: f64 = 0.1 + 0.25;

@@ -35,10 +35,10 @@ pub struct FreeStep {
 impl Detector {
     /// A step from positions `x0` towards positions `x1` that is certified to be free of contact.
     ///
-    /// The size is 1 if the full step is free, otherwise `keep` times its time of impact, rounded down. The
-    /// positions there, by [`Step::at`], are rounded, and the step from `x0` to them is checked exactly. If
-    /// it is not free, the f64 1, 2, 4, … places below the first size are tried, until one is free or the
-    /// size is 0.
+    /// The size is 1 if the full step is free, otherwise `keep` times the largest f64 not above its time of
+    /// impact, the product rounded to nearest. The positions there, by [`Step::at`], are rounded, and the
+    /// step from `x0` to them is checked exactly. If it is not free, the f64 1, 2, 4, … places below the
+    /// first size are tried, until one is free or the size is 0.
     ///
     /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
     /// size is 1: without [`with_start_check`](Self::with_start_check), this is not found.

@@ -55,7 +55,7 @@ impl<'a> Sizes<'a> {
     pub(super) fn set_least(&mut self, least: f64) {
         self.least = least;
         self.has_fallen = None;
-        self.find_who_can_retreat();
+        self.update_can_retreat();
     }
 
     /// Searches the step to the positions for contact: the result of [`Retreats::found`].
@@ -87,10 +87,10 @@ impl<'a> Sizes<'a> {
         let has_fallen = self.has_fallen.get_or_insert_default();
         has_fallen.clear();
         has_fallen.extend(times.iter().map(|time| time.is_finite()));
-        self.find_who_can_retreat();
+        self.update_can_retreat();
     }
 
-    fn find_who_can_retreat(&mut self) {
+    fn update_can_retreat(&mut self) {
         let vertices = self.sizes.iter().zip(&self.is_pinned);
         self.can_retreat.clear();
         self.can_retreat

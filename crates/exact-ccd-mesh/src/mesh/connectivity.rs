@@ -40,11 +40,16 @@ pub enum MeshError {
         vertex_count: usize,
     },
     /// Vertices have 32-bit indices.
-    #[error("{vertex_count} vertices, expected at most 2^32")]
+    #[error("{vertex_count} vertices, expected at most 2^32 - 1")]
     TooManyVertices {
         /// The number of vertices.
         vertex_count: usize,
     },
+}
+
+/// Returns true if the vertices, and their number, are indices.
+pub(super) fn has_indices(vertex_count: usize) -> bool {
+    u32::try_from(vertex_count).is_ok()
 }
 
 impl TriangleMesh {
@@ -52,7 +57,7 @@ impl TriangleMesh {
     ///
     /// # Errors
     /// [`MeshError`] names the first face with an index that is not below `vertex_count`, or that
-    /// count if it exceeds 2³².
+    /// count if it exceeds 2³² − 1.
     pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         Self::with_edges(vertex_count, faces, &[])
     }
@@ -76,13 +81,13 @@ impl TriangleMesh {
     ///
     /// # Errors
     /// [`MeshError`] names the first face or edge with an index that is not below `vertex_count`,
-    /// or that count if it exceeds 2³².
+    /// or that count if it exceeds 2³² − 1.
     pub fn with_edges(
         vertex_count: usize,
         faces: Vec<[u32; 3]>,
         edges: &[[u32; 2]],
     ) -> Result<Self, MeshError> {
-        if vertex_count as u64 > 1 << 32 {
+        if !has_indices(vertex_count) {
             return Err(MeshError::TooManyVertices { vertex_count });
         }
         if let Some((face, vertex)) = out_of_range(&faces, vertex_count) {
@@ -195,10 +200,7 @@ impl TriangleMesh {
     /// mesh may have more vertices than fit into memory.
     pub fn loose_vertices(&self) -> impl Iterator<Item = u32> + use<> {
         let mut used = sorted(self.edges.as_flattened().to_vec()).into_iter().peekable();
-        let vertices = 0..self.vertex_count as u64;
-        vertices
-            .map(|vertex| vertex as u32)
-            .filter(move |&vertex| used.next_if_eq(&vertex).is_none())
+        (0..self.vertex_count as u32).filter(move |&vertex| used.next_if_eq(&vertex).is_none())
     }
 
     /// The vertices of faces and edges, each once, in increasing order.

@@ -37,7 +37,7 @@ pub enum TetMeshError {
         face: [u32; 3],
     },
     /// Vertices have 32-bit indices.
-    #[error("{vertex_count} vertices, expected at most 2^32")]
+    #[error("{vertex_count} vertices, expected at most 2^32 - 1")]
     TooManyVertices {
         /// The number of vertices.
         vertex_count: usize,

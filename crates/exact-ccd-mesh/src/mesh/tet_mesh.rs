@@ -6,6 +6,7 @@ use exact_ccd::Point;
 use exact_ccd::predicates::orient3d;
 
 use super::boundary::TetFaces;
+use super::connectivity::has_indices;
 use super::frame::Frame;
 use super::positions::{PositionsError, check_positions};
 use super::tet_error::TetMeshError;
@@ -40,7 +41,7 @@ impl TetMesh {
     /// the first tetrahedron without volume, or two tetrahedra on the same side of a common face.
     pub fn new(positions: Vec<Point>, tetrahedra: Vec<[u32; 4]>) -> Result<Self, TetMeshError> {
         check_positions(positions.len(), &positions)?;
-        if positions.len() as u64 > 1 << 32 {
+        if !has_indices(positions.len()) {
             let vertex_count = positions.len();
             return Err(TetMeshError::TooManyVertices { vertex_count });
         }

@@ -65,7 +65,8 @@ impl CandidateOptions {
 
     /// The same options with another minimum distance.
     #[must_use]
-    pub fn with_min_distance(self, min_distance: MinDistance) -> Self {
+    pub fn with_min_distance(self, min_distance: impl Into<MinDistance>) -> Self {
+        let min_distance = min_distance.into();
         Self { min_distance, ..self }
     }
 

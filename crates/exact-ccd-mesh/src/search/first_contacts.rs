@@ -35,12 +35,10 @@ impl FirstContacts {
     /// ```
     #[must_use]
     pub fn times(&self) -> Vec<f64> {
-        let time = |contact: usize| self.contacts[contact].impact.time.lower();
-        let times = self
-            .of_vertices
-            .iter()
-            .map(|&first| first.map_or(f64::INFINITY, time));
-        times.collect()
+        let contact = |first: &Option<usize>| self.contacts.get((*first)?);
+        let time = |contact: &Contact| contact.impact.time.lower();
+        let times = self.of_vertices.iter().map(contact);
+        times.map(|first| first.map_or(f64::INFINITY, time)).collect()
     }
 }
 

@@ -33,8 +33,8 @@ pub struct StepReport {
 ///
 /// `x0` and `x1` are the positions of the vertices at t = 0 and t = 1. Pairs of primitives that
 /// share a vertex always touch and are left out. For progress, or for another broad phase, call
-/// [`StepReport::new`], as this function does. If only the earliest contact matters, or only if
-/// there is one, [`Detector`](crate::Detector) is faster.
+/// [`StepReport::new`], as this function does. If only the earliest contact, or only its
+/// existence, matters, [`Detector`](crate::Detector) is faster.
 ///
 /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
 /// [`intersections`](crate::intersections) finds such edges.
@@ -64,8 +64,7 @@ pub fn step(mesh: &TriangleMesh, x0: &[Point], x1: &[Point]) -> Result<StepRepor
 impl StepReport {
     /// Examines all candidates of a step, as the broad phase finds them, without storing them.
     ///
-    /// Calls `progress`, from any thread, with the number of candidates examined since its last
-    /// call from there.
+    /// Calls `progress` after each batch, from any thread, with the number of candidates in it.
     #[must_use]
     pub fn new(step: Step<'_>, broad_phase: &dyn BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
         let report = Self::with_options(step, broad_phase, &CandidateOptions::default(), progress);

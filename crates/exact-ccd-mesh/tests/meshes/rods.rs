@@ -90,7 +90,7 @@ fn a_rod_is_not_in_contact_with_its_neighbours_within_a_distance() {
             let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
             assert_eq!(candidates.collisions(step, within()), [contact]);
 
-            let mut audit = Audit::with_min_distance(min_distance);
+            let mut audit = Audit::default().with_min_distance(min_distance);
             let frame = |x: Vec<Point>| Frame {
                 positions: x,
                 mesh: two_edges(),
@@ -242,7 +242,7 @@ fn no_pair_is_missing_and_none_counts_too_much() {
                 Some(_) if taken.size > 0.0 => assert_eq!(first(&mesh, [&x0, &taken.positions], d), None),
                 Some(_) => {}
             }
-            let mut audit = Audit::with_min_distance(min_distance);
+            let mut audit = Audit::default().with_min_distance(min_distance);
             let frame = |x: &[Point]| Frame {
                 positions: x.to_vec(),
                 mesh: mesh.clone(),

@@ -1,6 +1,6 @@
 //! The half spaces of a system.
 
-use exact_ccd_mesh::{Point, Step};
+use exact_ccd_mesh::{Point, Separation, Step};
 
 use super::geometry::Geometry;
 use super::{Designation, System, SystemError};
@@ -52,7 +52,8 @@ impl Geometry {
     pub(crate) fn first_grounded(&self, positions: &[Point]) -> Option<(u32, usize)> {
         let touches = |half_space: &HalfSpace, vertex: u32| {
             let (at, offset) = (positions.get(vertex as usize), self.offsets[vertex as usize]);
-            at.is_some_and(|&at| !half_space.is_apart(at, offset))
+            let is_apart = |&at: &Point| Separation::new(offset).is_ok_and(|d| half_space.is_apart(at, d));
+            at.is_some_and(|at| !is_apart(at))
         };
         let numbered = self.half_spaces.iter().enumerate();
         numbered.into_iter().find_map(|(number, half_space)| {

@@ -47,15 +47,17 @@ pub enum TrajectoriesError {
     },
 }
 
-/// A query names a vertex that does not exist.
+/// A query names a vertex that does not exist, or that has no thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("query {query} names vertex {vertex}, but there are only {vertex_count} vertices")]
+#[error(
+    "query {query} names vertex {vertex}, but only {vertex_count} vertices have a position and, where it counts, a thickness"
+)]
 pub struct VertexOutOfRange {
     /// The index of the query.
     pub query: usize,
     /// The index of the vertex.
     pub vertex: u32,
-    /// The number of vertices.
+    /// The number of vertices, or of thicknesses if these are fewer.
     pub vertex_count: usize,
 }
 

@@ -39,8 +39,8 @@ pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], Opti
     (parts.map(integer), unit)
 }
 
-/// One bit more than an f64 has: the largest f64 that is not above a number with so many bits is not above
-/// its integral part.
+/// 54: where the integral part of a number has at least so many bits, the largest f64 not above the number is
+/// not above its integral part either.
 pub(super) const ENOUGH_BITS: isize = 54;
 
 /// The bits of the largest f64 that is not above m 2ᵏ, for an integer m ≥ 0, and true if it is that number.

@@ -14,6 +14,7 @@ mod bracket;
 mod divisor;
 mod dyadic;
 mod evaluation;
+mod first;
 mod first_contact;
 mod gap;
 mod guess;
@@ -33,7 +34,9 @@ mod roots;
 mod split;
 
 pub(crate) use dyadic::{parts, to_integers};
+pub(crate) use first::First;
 pub(crate) use first_contact::FirstContact;
+#[cfg(test)]
 pub(crate) use nearness::FirstWithin;
 pub use nearness::distance_at;
 #[cfg(test)]
@@ -41,8 +44,6 @@ pub(crate) use polynomial::Polynomial;
 #[cfg(test)]
 pub(crate) use roots::roots;
 
-use crate::collision::Collision;
-use crate::filter::Decision;
 use crate::impact::Impact;
 use crate::interval::Intervals;
 use crate::kind::Kind;
@@ -57,30 +58,30 @@ pub fn collides<K: Kind>(query: &Query<K>, options: impl Into<Options>) -> bool 
         nearness::comes_within(query, options.separation)
     } else {
         // Contact, a part of the step, or none of it: NaN.
-        collision(query, options).is_some()
+        first(query, options).is_some()
     }
 }
 
 /// [`Query::time_of_impact`], computed in integers alone.
 #[must_use]
 pub fn time_of_impact<K: Kind>(query: &Query<K>, options: impl Into<Options>) -> Option<f64> {
-    collision(query, options.into()).map(|collision| collision.time_of_impact())
+    first(query, options.into()).map(|first| first.time().lower())
 }
 
 /// [`Query::intervals`], computed in integers alone.
 #[must_use]
 pub fn intervals<K: Kind>(query: &Query<K>, options: impl Into<Options>) -> Intervals {
-    collision(query, options.into()).map_or_else(Intervals::default, |collision| collision.intervals())
+    first(query, options.into()).map_or_else(Intervals::default, |first| first.intervals())
 }
 
 /// [`Query::impact`], computed in integers alone.
 #[must_use]
 pub fn impact<K: Kind>(query: &Query<K>, options: impl Into<Options>) -> Option<Impact> {
-    collision(query, options.into()).map(|collision| collision.impact())
+    first(query, options.into()).map(|first| first.impact())
 }
 
-/// The collision of a query, without filters: all its answers are computed in integers.
-fn collision<K: Kind>(query: &Query<K>, options: Options) -> Option<Collision<'_, K>> {
-    let collision = Collision::from_decision(query, options.separation, Decision::Unknown).ok()?;
-    collision.until(options.until)
+/// The first time at which the primitives touch, if it counts.
+fn first<K: Kind>(query: &Query<K>, options: Options) -> Option<First<K>> {
+    let first = First::of(query, options.separation)?;
+    (options.until >= 1.0 || first.time().is_at_most(options.until)).then_some(first)
 }

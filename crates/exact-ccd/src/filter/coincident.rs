@@ -13,8 +13,8 @@ use crate::kind::{Difference, Kind};
 use crate::query::Query;
 use crate::time::ContactTime;
 
-/// Contact that is certain because coordinates are equal: the first and the last time of an interval of
-/// contact, or of the only moment, as far as they are certain. It is the only one if both are.
+/// Contact that equal coordinates prove: the first and the last time of an interval or a moment of contact,
+/// each if it is certain. If both are known, there is no other contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Coincidence {
     pub(super) first: Option<ContactTime>,

@@ -5,6 +5,7 @@ use arrayvec::ArrayVec;
 use super::coincident::{self, Coincidence};
 use super::coplanarity;
 use super::cubic::Root;
+use super::exact_cubic::ExactCubic;
 use super::fixed_width;
 use super::impact::parameters_and_normal;
 use super::moment::Moment;
@@ -94,10 +95,7 @@ impl Contact {
     pub(crate) fn first<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
         let by_roundoff = match self {
             Self::AtRoot(at_root) => match at_root.since_first() {
-                Some((root, _)) => {
-                    let rounded = fixed_width::round(query, root);
-                    return rounded.or_else(|| coplanarity::precise(query).round(root));
-                }
+                Some((root, _)) => return times_of_roots(query)(root),
                 None => None,
             },
             Self::At(root) => return Some(ContactTime::exactly(root.near)),
@@ -150,17 +148,23 @@ impl Contact {
 
 /// The moments of contact at a root, and at those after it at which the primitives touch.
 fn moments<K: Kind>(query: &Query<K>, (first, later): (&Root, &[Root])) -> Option<Intervals> {
-    let precise = || coplanarity::precise(query);
-    let moment = |root: &Root| {
-        let rounded = fixed_width::round(query, root);
-        rounded.or_else(|| precise().round(root)).map(Interval::moment)
-    };
+    let time = times_of_roots(query);
+    let moment = |root: &Root| time(root).map(Interval::moment);
     let of_later = later.iter().filter_map(|root| match position::at(query, root) {
         Some(Position::Inside) => Some(moment(root)),
         Some(Position::Outside) => None,
         None => Some(None),
     });
     [moment(first)].into_iter().chain(of_later).collect()
+}
+
+/// The times of roots of the coplanarity cubic, where they are certain.
+fn times_of_roots<K: Kind>(query: &Query<K>) -> impl Fn(&Root) -> Option<ContactTime> {
+    let cubic = ExactCubic::of(query).ok_or_else(|| coplanarity::precise(query));
+    move |root| match &cubic {
+        Ok(exact) => exact.time_of_root(root),
+        Err(precise) => precise.round(root),
+    }
 }
 
 /// The filters do not determine the answer.

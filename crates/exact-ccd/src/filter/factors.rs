@@ -29,15 +29,15 @@ pub(super) fn difference<L: Length>(points: &Points<L>, (i, j): Difference) -> E
 /// determinant is f / f(0) times that with their values at t = 0 in place of them, at all times. The zeros of
 /// the functions have many digits, and are often double or triple roots, or next to other ones.
 ///
-/// Three differences that form a cycle have no third factor: from f u + g v = h w for functions f, g, h and
-/// vectors u, v, w follows that f and g have the same zero, and h with them, or that u and v are multiples of
-/// w, and the determinant is zero.
+/// Three differences that form a cycle have no third factor: if f u + g v = h w for linear functions f, g, h
+/// and vectors u, v, w, then f, g and h have the same zero, or u and v are multiples of w and the determinant
+/// is zero.
 pub(super) struct Factors<L> {
     /// The points, at rest along each axis that has a factor: all points have the same coordinate once.
     /// Contact is invariant under the scaling of an axis, by another number at each time, too. So at all
     /// other times, it is that of these points.
     pub(super) at_rest: Points<L>,
-    /// The rows without factors: two points whose difference has one meet once.
+    /// The rows without their factors. Two points whose difference has a factor coincide at one time.
     pub(super) rows: [Ends<L>; 3],
     /// The zeros of the factors, if the cubic is not zero at all times: it has at most three.
     pub(super) zeros: ArrayVec<Fraction, 3>,

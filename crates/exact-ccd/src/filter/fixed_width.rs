@@ -7,16 +7,14 @@
 
 use core::cmp::Ordering;
 
-use super::cubic::Root;
 use super::dyadic::Dyadic;
+use super::exact_cubic::ExactCubic;
 use super::fraction::Fraction;
 use super::lattice::Integers;
 use super::length::Volume;
 use super::moment::Moment;
-use super::precise_cubic::PreciseCubic;
-use super::wide::Wide;
-use super::window::{self, Window};
-use super::zeros::{Moments, insert, largest, narrowed, zeros};
+use super::window::Window;
+use super::zeros::{Moments, insert, narrowed, zeros};
 use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::query::Query;
@@ -62,10 +60,11 @@ pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
                 .collect()
         });
     }
+    let times = ExactCubic::new(cubic);
     let of_contact = coplanar(&integers, &cubic)?.into_iter().filter_map(|moment| {
         match decided(&integers, &cubic, moment) {
             Some((_, false)) => None,
-            Some((moment, true)) => Some(rounded(&cubic, &moment)),
+            Some((moment, true)) => Some(times.time(&moment)),
             None => Some(None),
         }
     });
@@ -92,48 +91,12 @@ fn decided<K: Kind>(integers: &Integers<K>, cubic: &[Volume; 4], moment: Moment)
     Some((narrow, touches))
 }
 
-/// The time of a root of the coplanarity cubic in a bracket.
-pub(super) fn round<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
-    rounded(&Integers::new(query)?.cubic(), &Moment::Root(Window::STEP, *root))
-}
-
 /// The time of a moment of contact. One that is known needs no integers.
 pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<ContactTime> {
     if let Moment::At(time) = moment {
         return Some(time.time());
     }
-    rounded(&Integers::new(query)?.rest_of_cubic(), moment)
-}
-
-/// The time at which a cubic vanishes, if it is certain.
-///
-/// In flat worlds, many are multiples of 2⁻¹⁰. In the step as a window, twice the precision suffices for most
-/// others.
-fn rounded(cubic: &[Volume; 4], moment: &Moment) -> Option<ContactTime> {
-    const DIGITS: u32 = 10;
-    match moment {
-        Moment::At(time) => Some(time.time()),
-        Moment::Root(window, root) => {
-            let shortest = window.shortest(root).filter(|time| time.digits() <= DIGITS);
-            if let Some(time) = shortest.filter(|&time| window::sign_at(cubic, time).is_eq()) {
-                return Some(Fraction::from(time).time());
-            }
-            let is_step = *window == Window::STEP;
-            let precise = is_step.then(|| between_adjacent(cubic, root)).flatten();
-            precise.or_else(|| window.time(cubic, root))
-        }
-        // An interval of times has none.
-        Moment::Later => None,
-    }
-}
-
-/// The time of a root of the step between two adjacent f64, if the signs of the cubic at both are certain.
-fn between_adjacent(cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
-    let (precise, [c0, c1, c2, c3]) = precise(cubic);
-    // The slope in the units of the integers.
-    let [a1, a2, a3] = [c1 - 3.0 * c0, c2 - 2.0 * c1 + 3.0 * c0, c3 - c2 + c1 - c0];
-    let slope = (3.0 * a3 * root.near + 2.0 * a2) * root.near + a1;
-    precise.round(&Root { slope, ..*root })
+    ExactCubic::new(Integers::new(query)?.rest_of_cubic()).time(moment)
 }
 
 /// The signs of the Bernstein coefficients of the coplanarity cubic until a time, if that is a multiple
@@ -143,16 +106,6 @@ pub(super) fn signs_until<K: Kind>(query: &Query<K>, time: f64) -> Option<[Order
     let window = Window::new(Dyadic::START, Dyadic::new(time)?)?;
     let cubic = Integers::new(query)?.cubic();
     Some(window.cubic(&cubic).map(|coefficient| coefficient.sign()))
-}
-
-/// The cubic in twice the precision, and its coefficients, rounded.
-///
-/// The bound of [`PreciseCubic::new`] holds with the largest coefficient as magnitude: one in twice the
-/// precision is off by 2⁻¹⁰⁴ of itself, less than one operation, of which seven lead to a coefficient there.
-fn precise(cubic: &[Volume; 4]) -> (PreciseCubic, [f64; 4]) {
-    let values = cubic.map(Wide::approximate);
-    let rounded = values.map(|value| value.high);
-    (PreciseCubic::new(values, largest(rounded)), rounded)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! A query in integers of fixed width, and the contact of its primitives by the signs of quadratics.
 
+use core::array::from_fn;
 use core::cell::OnceCell;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
@@ -10,6 +11,7 @@ use super::length::{Length, Volume};
 use super::moment::Moment;
 use crate::exact::parts;
 use crate::kind::{Difference, Kind, Side};
+use crate::point::Point;
 use crate::query::Query;
 
 /// The points of a query in integers, each axis in a unit of its own: contact is invariant under such
@@ -24,32 +26,12 @@ pub(super) enum Integers<K> {
 }
 
 impl<K: Kind> Integers<K> {
-    /// The query in the largest units that make all coordinates integers; `None` if these are too long.
+    /// The query in units that make all coordinates integers; `None` if these are too long.
     pub(super) fn new(query: &Query<K>) -> Option<Self> {
-        let parts = query.four().map(|points| points.map(|point| point.map(parts)));
-        let mut units = [0; 3];
-        let mut bits = 0;
-        for (axis, unit) in units.iter_mut().enumerate() {
-            let (mut low, mut high) = (i32::MAX, i32::MIN);
-            for point in parts.as_flattened() {
-                let (mantissa, exponent) = point[axis];
-                if mantissa != 0 {
-                    low = low.min(exponent + mantissa.trailing_zeros() as i32);
-                    high = high.max(exponent + f64::MANTISSA_DIGITS as i32);
-                }
-            }
-            if low < high {
-                *unit = low;
-                bits = bits.max((high - low) as u32);
-            }
-        }
-        if bits <= i64::MOST_BITS {
-            Some(Self::Short(Lattice::new(&parts, units)))
-        } else if bits <= i128::MOST_BITS {
-            Some(Self::Long(Lattice::new(&parts, units)))
-        } else {
-            None
-        }
+        let points = query.four();
+        let exponents = from_fn(|axis| parts(reach(&points, axis)).1);
+        let short = Lattice::new(&points, exponents).map(Self::Short);
+        short.or_else(|| Lattice::new(&points, exponents).map(Self::Long))
     }
 
     /// The first coefficient of the coplanarity cubic: the volume of the points at t = 0.
@@ -103,22 +85,25 @@ pub(super) struct Lattice<K, L> {
 }
 
 impl<K: Kind, L: Length> Lattice<K, L> {
-    /// The points with these mantissas and exponents, in units 2 to these powers.
+    /// The points, given the exponent of the largest coordinate of each axis, if all are short enough.
     #[inline(always)]
-    fn new(parts: &[[[(i64, i32); 3]; 4]; 2], units: [i32; 3]) -> Self {
-        let coordinate = |(mantissa, exponent), unit| L::scaled(mantissa, exponent - unit);
-        let point = |&[x, y, z]: &[_; 3]| {
-            [
-                coordinate(x, units[0]),
-                coordinate(y, units[1]),
-                coordinate(z, units[2]),
-            ]
-        };
-        Self {
-            points: parts.each_ref().map(|end| end.each_ref().map(point)),
+    fn new(points: &[[Point; 4]; 2], exponents: [i32; 3]) -> Option<Self> {
+        let mut are_integers = true;
+        let points = points.map(|end| {
+            end.map(|point| {
+                from_fn(|axis| {
+                    let (mantissa, exponent) = parts(point[axis]);
+                    let (coordinate, is_integer) = L::scaled(mantissa, (exponents[axis] - exponent) as u32);
+                    are_integers &= is_integer;
+                    coordinate
+                })
+            })
+        });
+        are_integers.then(|| Self {
+            points,
             factors: OnceCell::new(),
             kind: PhantomData,
-        }
+        })
     }
 
     fn factors(&self) -> &Factors<L> {
@@ -206,6 +191,15 @@ impl<K: Kind, L: Length> Lattice<K, L> {
     }
 }
 
+/// The largest magnitude of a coordinate along an axis.
+fn reach(points: &[[Point; 4]; 2], axis: usize) -> f64 {
+    let magnitudes = points.as_flattened().iter().map(|point| point[axis].abs());
+    magnitudes.fold(
+        0.0,
+        |reach, magnitude| if magnitude > reach { magnitude } else { reach },
+    )
+}
+
 /// The determinant of three differences: its coefficients in the form of the cubic.
 fn cubic<L: Length>([w, e1, e2]: &[Ends<L>; 3]) -> [Volume; 4] {
     let normal =
@@ -219,7 +213,8 @@ fn cubic<L: Length>([w, e1, e2]: &[Ends<L>; 3]) -> [Volume; 4] {
     ]
 }
 
-/// One of the conditions is `decisive` if any is; the other way round if all are certain and none is.
+/// `Some(decisive)` if a condition certainly equals it, `Some(!decisive)` if all are certain and none does,
+/// otherwise `None`.
 fn holds(conditions: impl Iterator<Item = Option<bool>>, decisive: bool) -> Option<bool> {
     let mut result = Some(!decisive);
     for condition in conditions {

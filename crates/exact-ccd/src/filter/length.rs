@@ -21,8 +21,9 @@ pub(super) trait Length: Copy + Default + PartialEq + Into<i128> {
     /// The product of two lengths, and sums of at most six of them.
     type Area: Area;
 
-    /// A coordinate m 2ᵏ, an integer below 2 to the power [`MOST_BITS`](Self::MOST_BITS); 0 for m = 0.
-    fn scaled(mantissa: i64, k: i32) -> Self;
+    /// A coordinate m 2⁻ᵏ times the largest power of two that keeps all those with a mantissa below 2⁵³ and k
+    /// ≥ 0 below 2 to the power [`MOST_BITS`](Self::MOST_BITS), and true if it is an integer; else its floor.
+    fn scaled(mantissa: i64, k: u32) -> (Self, bool);
 
     /// The nearest f64.
     fn value(self) -> f64;
@@ -53,8 +54,8 @@ impl Length for i64 {
     type Area = i128;
 
     #[inline(always)]
-    fn scaled(mantissa: i64, k: i32) -> Self {
-        shifted(mantissa, k)
+    fn scaled(mantissa: i64, k: u32) -> (Self, bool) {
+        halved(mantissa << (Self::MOST_BITS - f64::MANTISSA_DIGITS), k)
     }
 
     #[inline(always)]
@@ -77,16 +78,13 @@ impl Length for i64 {
     }
 }
 
-/// x 2ᵏ, if that is an integer that fits.
+/// The floor of x 2⁻ᵏ, and true if it is exact.
 #[inline(always)]
-fn shifted<T: Shl<u32, Output = T> + Shr<u32, Output = T>>(x: T, k: i32) -> T {
-    // A shift that is too long is that of zero.
-    let most = 8 * size_of::<T>() as u32 - 1;
-    if k >= 0 {
-        x << (k as u32).min(most)
-    } else {
-        x >> k.unsigned_abs().min(most)
-    }
+fn halved<T: Copy + PartialEq + Shl<u32, Output = T> + Shr<u32, Output = T>>(x: T, k: u32) -> (T, bool) {
+    // More halvings leave 0 or −1 too, which is exact for 0 only.
+    let k = k.min(8 * size_of::<T>() as u32 - 1);
+    let floor = x >> k;
+    (floor, floor << k == x)
 }
 
 impl Area for i128 {
@@ -110,8 +108,11 @@ impl Length for i128 {
     const MOST_BITS: u32 = 81;
     type Area = Volume;
 
-    fn scaled(mantissa: i64, k: i32) -> Self {
-        shifted(Self::from(mantissa), k)
+    fn scaled(mantissa: i64, k: u32) -> (Self, bool) {
+        halved(
+            Self::from(mantissa) << (Self::MOST_BITS - f64::MANTISSA_DIGITS),
+            k,
+        )
     }
 
     fn minus(self, other: Self) -> Self {
@@ -151,7 +152,7 @@ mod tests {
 
     /// A triple product of lengths below 2¹⁶, which fits in 128 bits.
     fn volume_of<L: Length>([a, b, c]: [i64; 3]) -> Volume {
-        let scaled = |x: i64| L::scaled(x, 0);
+        let scaled = |x: i64| L::scaled(x, L::MOST_BITS - f64::MANTISSA_DIGITS).0;
         scaled(a).volume(scaled(b).times(scaled(c)))
     }
 
@@ -173,25 +174,18 @@ mod tests {
     }
 
     #[test]
-    fn a_coordinate_is_a_power_of_two_of_its_mantissa() {
-        for k in -70..=8_i32 {
-            for mantissa in [0, 1, -1, 3, 1 << 52, -(1 << 52)] {
-                // It fits, or it is 0.
-                let unit = 1_i128 << k.unsigned_abs();
-                let wide = if k < 0 {
-                    i128::from(mantissa) / unit
-                } else {
-                    i128::from(mantissa) * unit
+    fn a_coordinate_is_halved_to_an_integer_or_its_floor() {
+        for k in (0..=140).chain([u32::MAX]) {
+            for mantissa in [0, 1, -1, 3, -3, 1 << 52, -(1 << 52), (1 << 53) - 1, 1 - (1 << 53)] {
+                let check = |scaled: (i128, bool), bits: u32| {
+                    let whole = i128::from(mantissa) << (bits - 53);
+                    let unit = 1_i128 << k.min(100);
+                    let expected = (whole.div_euclid(unit), whole.rem_euclid(unit) == 0);
+                    assert_eq!(scaled, expected, "{mantissa} {k}");
                 };
-                let is_integer = k >= 0 || i128::from(mantissa) % unit == 0;
-                if is_integer {
-                    assert_eq!(<i128 as Length>::scaled(mantissa, k), wide, "{mantissa} {k}");
-                    assert_eq!(
-                        <i64 as Length>::scaled(mantissa, k),
-                        wide as i64,
-                        "{mantissa} {k}"
-                    );
-                }
+                check(<i128 as Length>::scaled(mantissa, k), 81);
+                let (short, is_integer) = <i64 as Length>::scaled(mantissa, k);
+                check((short.into(), is_integer), 61);
             }
         }
     }

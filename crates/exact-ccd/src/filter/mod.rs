@@ -12,6 +12,7 @@ mod cubic;
 mod decision;
 mod double_double;
 mod dyadic;
+mod exact_cubic;
 mod factors;
 mod fixed_width;
 mod fraction;

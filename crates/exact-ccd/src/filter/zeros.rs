@@ -212,7 +212,7 @@ pub(super) fn largest(values: [f64; 4]) -> f64 {
     values.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
-/// The number of times that the sign of a coefficient that is not zero is another one than that before it.
+/// The number of sign changes in the sequence of nonzero coefficients.
 fn changes_of_sign<const N: usize>(coefficients: &[Wide<N>; 4]) -> usize {
     let signs = coefficients.map(|c| c.sign());
     let nonzero = signs.into_iter().filter(|sign| sign.is_ne());

@@ -14,6 +14,7 @@ use super::recording::Recording;
 use super::setup::Setup;
 use super::up;
 use crate::failure::Failure;
+use crate::output::page;
 
 /// A simulation that is recorded for its page, if there is to be one.
 pub(crate) struct SimulationRecording {
@@ -27,7 +28,7 @@ pub(crate) struct SimulationRecording {
 #[derive(clap::Args)]
 pub(crate) struct SimulationView {
     /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_name = "FILE.html", value_parser = page())]
     view: Option<PathBuf>,
     /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: `up` of the
     /// scene's table `[render]`, or else opposite to gravity, or y without gravity]

@@ -13,7 +13,7 @@ use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
 use control::{ENVIRONMENTS, set};
-use exact_ccd_mesh::HalfSpace;
+use exact_ccd_mesh::{HalfSpace, Separation};
 use meshes::Scene;
 use random::Random;
 
@@ -97,14 +97,14 @@ fn check(of_threads: usize) -> ExitCode {
 fn sides() -> Vec<bool> {
     let m = f64::MIN_POSITIVE;
     let [a, b, c] = [5.75, 3.0625, 3.0625].map(|x| black_box(x) * m);
-    let mut sides = vec![HalfSpace::new([4.0 * m; 3], [1.0; 3]).is_apart([a, b, c], 0.0)];
+    let mut sides = vec![HalfSpace::new([4.0 * m; 3], [1.0; 3]).is_apart([a, b, c], Separation::ZERO)];
     let mut random = Random(4);
     for _ in 0..2000 {
         let [x, y, z] = [0; 3].map(|_| random.integer(1 << 20));
         let unit = f64::from_bits((1023 - random.bits() % 1022) << 52);
         let point = [x, y, z].map(|x| x * unit);
         let normal = [y + z, z - x, -x - y].map(|n| n * 0.5);
-        sides.push(HalfSpace::new([0.0; 3], normal).is_apart(point, 0.0));
+        sides.push(HalfSpace::new([0.0; 3], normal).is_apart(point, Separation::ZERO));
     }
     sides
 }

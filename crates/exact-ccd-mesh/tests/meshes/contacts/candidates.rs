@@ -5,8 +5,8 @@ use std::sync::Mutex;
 
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, Pair, Point,
-    Step, StepError, Sweep, TriangleMesh,
+    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, MeshError, Pair,
+    Point, StepError, Sweep, TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -225,8 +225,12 @@ fn distances_that_are_no_distances_are_errors() {
 
 #[test]
 #[cfg(target_pointer_width = "64")]
-fn meshes_with_more_primitives_than_indices_are_errors() {
-    let mesh = TriangleMesh::new(1 << 32, vec![]).unwrap();
-    let error = Step::new(&mesh, &[], &[]).unwrap_err();
-    assert!(matches!(error, StepError::TooManyPrimitives(error) if error.count == 1 << 32));
+fn meshes_with_more_vertices_than_indices_are_errors() {
+    let most = u32::MAX as usize;
+    assert!(TriangleMesh::new(most, vec![]).is_ok());
+    let vertex_count = most + 1;
+    assert_eq!(
+        TriangleMesh::new(vertex_count, vec![]),
+        Err(MeshError::TooManyVertices { vertex_count })
+    );
 }

@@ -62,7 +62,7 @@ fn every_pair_has_the_answers_of_those_that_meet() {
             every.free_steps(x0, x1, &[], &free),
             usual.free_steps(x0, x1, &[], &free)
         );
-        let candidates = CandidateOptions::default().with_min_distance(d.into());
+        let candidates = CandidateOptions::default().with_min_distance(d);
         let colliding = |broad_phase: &dyn BroadPhase| {
             let report = StepReport::with_options(scene.step(), broad_phase, &candidates, &|_| ()).unwrap();
             (report.colliding, report.earliest)

@@ -237,7 +237,7 @@ fn audits_certify_the_distance() {
                 mesh: scene.mesh.clone(),
                 positions: x.to_vec(),
             };
-            let mut audit = Audit::with_min_distance(min_distance.clone());
+            let mut audit = Audit::default().with_min_distance(min_distance.clone());
             let options = Options::within(min_distance.clone());
             let at_rest = detector.collision(&scene.x0, &scene.x0, options).unwrap();
             let first = audit.examine(frame(&scene.x0)).unwrap();
@@ -321,7 +321,10 @@ fn an_audit_does_not_use_an_inner_distance() {
     let frame = frame.unwrap();
     let outer = MinDistance::uniform(separation(0.5));
     for distance in [outer.clone(), outer.with_inner(separation(0.1))] {
-        let violation = Audit::with_min_distance(distance).examine(frame.clone()).unwrap();
+        let violation = Audit::default()
+            .with_min_distance(distance)
+            .examine(frame.clone())
+            .unwrap();
         assert!(matches!(violation, Some(Violation::Contact { frame: 0, .. })));
     }
 }

@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::*;
+use crate::filter::cubic::Root;
 use crate::kind::EdgeEdge;
 
 /// The coefficients of the product of linear functions, given at both ends of the step.
@@ -18,10 +19,8 @@ fn product(factors: [[i128; 2]; 3]) -> [Volume; 4] {
 
 /// The times at which a cubic vanishes, if they are certain.
 fn times(cubic: &[Volume; 4]) -> Option<Vec<ContactTime>> {
-    zeros(cubic)?
-        .iter()
-        .map(|moment| rounded(cubic, moment))
-        .collect()
+    let exact = ExactCubic::new(*cubic);
+    zeros(cubic)?.iter().map(|moment| exact.time(moment)).collect()
 }
 
 /// The time a / (a + b).
@@ -105,7 +104,7 @@ fn times_of_early_roots_are_right_or_unknown() {
             for time in [Some(moment), narrow]
                 .iter()
                 .flatten()
-                .flat_map(|moment| rounded(&cubic, moment))
+                .flat_map(|moment| ExactCubic::new(cubic).time(moment))
             {
                 let is_last = time.lower() > 0.3;
                 assert!(
@@ -306,7 +305,8 @@ fn a_narrower_window_has_the_same_root() {
         let cubic = product(roots.map(|[a, b]| [-a, b]));
         for moment in zeros(&cubic).expect("the roots are apart") {
             if let Some(found) = narrowed(&cubic, &moment) {
-                assert_eq!(rounded(&cubic, &found), rounded(&cubic, &moment));
+                let exact = ExactCubic::new(cubic);
+                assert_eq!(exact.time(&found), exact.time(&moment));
                 if let Moment::Root(window, root) = &moment {
                     assert!(contains(&found, window, root), "{roots:?}");
                 }
@@ -355,7 +355,7 @@ fn signs_in_twice_the_precision_are_those_of_the_integers() {
         let mut other = || [(); 2].map(|()| random.i128(1 << 50..1 << 60));
         let cubic = product([[-a, whole - a], other(), other()]);
         let time = m as f64 / (1_u64 << 53) as f64;
-        if let Some(found) = precise(&cubic).0.sign_at(time) {
+        if let Some(found) = ExactCubic::new(cubic).approximate_sign_at(time) {
             assert_eq!(found, 0.cmp(&sign), "{m} {s} {sign}");
             certain += 1;
         }

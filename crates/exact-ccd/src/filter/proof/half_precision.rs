@@ -53,5 +53,10 @@ fn times_lie_between_their_ends() {
             [before, between, after].map(|time| time.is_at_most(next)),
             [true; 3]
         );
+        assert_eq!([before, between, after].map(|time| time.is_before(t)), [false; 3]);
+        assert_eq!(
+            [before, between, after].map(|time| time.is_before(next)),
+            [true, true, false]
+        );
     }
 }

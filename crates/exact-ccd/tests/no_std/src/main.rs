@@ -113,6 +113,9 @@ fn wrong_answer() -> Option<i32> {
     let collision = falling.collision(CONTACT)?;
     let times = collision.intervals();
     let coplanar = Coplanar::new();
+    // Contact between 0 and the least f64 above it, which may be read as 0.
+    let least = f64::from_bits(1);
+    let soon = Query::<VertexFace>::new(at(least), at(-1.0)).ok()?;
     for (first, environment) in (1..).step_by(10).zip(ENVIRONMENTS) {
         let is_default = environment == 0;
         set(environment);
@@ -121,6 +124,7 @@ fn wrong_answer() -> Option<i32> {
         let stage = vertex_face(1.0).decide(CONTACT).1;
         // Decided in the default environment, read in this one.
         let later = collision.intervals();
+        let is_before = soon.collision(CONTACT)?.is_before(black_box(least));
         // Here, not after the next change of the environment.
         let detected = black_box(!environment::is_default());
         let are_contacts_exact = coplanar.are_decided();
@@ -132,6 +136,7 @@ fn wrong_answer() -> Option<i32> {
             detected != is_default,
             (stage == Stage::Exact) != is_default,
             later == times,
+            is_before,
             are_contacts_exact,
         ];
         if let Some(index) = is_right.iter().position(|&is_right| !is_right) {

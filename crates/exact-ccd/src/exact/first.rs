@@ -1,0 +1,54 @@
+//! The first time at which the primitives touch, at any distance.
+
+use alloc::boxed::Box;
+
+use super::first_contact::FirstContact;
+use super::nearness::FirstWithin;
+use crate::distance::Separation;
+use crate::impact::Impact;
+use crate::interval::Intervals;
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::time::ContactTime;
+
+/// The first contact, or the first time within a separation above 0; with the polynomials from which all
+/// answers follow.
+#[derive(Clone, Debug)]
+pub(crate) enum First<K> {
+    Contact(Box<FirstContact<K>>),
+    Within(Box<FirstWithin>),
+}
+
+impl<K: Kind> First<K> {
+    /// The first time at which the primitives touch, if they do.
+    pub(crate) fn of(query: &Query<K>, separation: Separation) -> Option<Self> {
+        Some(if separation.is_zero() {
+            Self::Contact(Box::new(FirstContact::of(query)?))
+        } else {
+            Self::Within(Box::new(FirstWithin::of(query, separation)?))
+        })
+    }
+
+    pub(crate) fn time(&self) -> ContactTime {
+        match self {
+            Self::Contact(first) => first.time(),
+            Self::Within(first) => first.time(),
+        }
+    }
+
+    /// All times at which the primitives touch.
+    pub(crate) fn intervals(&self) -> Intervals {
+        match self {
+            Self::Contact(first) => first.intervals(),
+            Self::Within(first) => first.intervals(),
+        }
+    }
+
+    /// The closest points at the first time.
+    pub(crate) fn impact(&self) -> Impact {
+        match self {
+            Self::Contact(first) => first.impact(),
+            Self::Within(first) => first.impact::<K>(),
+        }
+    }
+}
