@@ -23,8 +23,8 @@ pub struct FrameOrder {
     /// Two files of which the second one would be before the first one if a point between digits were text
     /// between two numbers, as in `v2.9` and `v2.10`: their order is not certain.
     pub uncertain: Option<[PathBuf; 2]>,
-    /// Two consecutive files whose names differ in more than numbers, as those of two recordings: the first
-    /// such pair.
+    /// Two consecutive files whose names, without their extensions, differ in more than numbers, as those of
+    /// two recordings: the first such pair.
     pub unlike: Option<[PathBuf; 2]>,
     /// True if the files were given in another order.
     pub is_changed: bool,
@@ -92,7 +92,7 @@ impl FrameOrder {
         } else {
             Self {
                 missing: missing(&given),
-                unlike: first_pair(&given, |a, b| !are_alike(Reading::Decimals, a, b)),
+                unlike: first_pair(&given, are_unlike),
                 files: given,
                 uncertain: None,
                 is_changed: false,
@@ -109,7 +109,7 @@ impl FrameOrder {
         Self {
             is_changed: files != given,
             uncertain: first_pair(&files, is_uncertain),
-            unlike: first_pair(&files, |a, b| !are_alike(Reading::Decimals, a, b)),
+            unlike: first_pair(&files, are_unlike),
             missing: missing(&files),
             files,
         }
@@ -174,6 +174,12 @@ fn are_alike(reading: Reading, a: &Path, b: &Path) -> bool {
         })
     };
     texts(a).eq(texts(b))
+}
+
+/// Returns true if two names without their extensions differ in more than numbers.
+fn are_unlike(a: &Path, b: &Path) -> bool {
+    let [a, b] = [a, b].map(|path| path.with_extension(""));
+    !are_alike(Reading::Decimals, &a, &b)
 }
 
 /// Returns true if the order of two files that are alike depends on the meaning of a point.

@@ -233,22 +233,22 @@ fn errors_name_the_file() {
     let folder = heights(&[3.0, 1.0]);
     let Frame { mesh, positions } = tip_above_square(0.5);
     let fewer = Frame::new(positions, mesh.faces()[..2].to_vec()).unwrap();
-    folder.write("fewer.ply", ply(&fewer));
-    let run = folder.run(&["audit", "0.ply", "1.ply", "fewer.ply"]);
+    folder.write("2.ply", ply(&fewer));
+    let run = folder.run(&["audit", "0.ply", "1.ply", "2.ply"]);
     assert_eq!(run.stdout, "");
     assert_eq!(
         run.error(),
-        "1.ply and fewer.ply: 3 faces at the start, 2 at the end, expected the same mesh"
+        "1.ply and 2.ply: 3 faces at the start, 2 at the end, expected the same mesh"
     );
     folder.write("0.stl", stl(&tip_above_square(0.5)));
-    folder.write("fewer.stl", stl(&fewer));
+    folder.write("2.stl", stl(&fewer));
     assert_eq!(
-        folder.run(&["audit", "0.stl", "fewer.stl"]).error(),
-        "0.stl and fewer.stl: 9 vertices at the start, 6 at the end, expected the same mesh"
+        folder.run(&["audit", "0.stl", "2.stl"]).error(),
+        "0.stl and 2.stl: 9 vertices at the start, 6 at the end, expected the same mesh"
     );
-    folder.write("broken.ply", "ply\n");
-    let run = folder.run(&["audit", "0.ply", "broken.ply"]);
-    assert!(run.error().starts_with("broken.ply: line 2: "), "{run:?}");
+    folder.write("3.ply", "ply\n");
+    let run = folder.run(&["audit", "0.ply", "3.ply"]);
+    assert!(run.error().starts_with("3.ply: line 2: "), "{run:?}");
     let run = folder.run(&["audit", "missing.ply"]);
     assert!(run.error().starts_with("missing.ply: "), "{run:?}");
     std::fs::create_dir(folder.path("empty")).unwrap();

@@ -1,6 +1,8 @@
 //! Conjugate gradients against the sparse factorisation, on the first linear system of a time step. See
 //! `docs/simulation.md` for the command and its table.
 
+use std::fmt::Write;
+use std::path::Path;
 use std::time::Duration;
 
 use nalgebra::{Matrix3, Vector3};
@@ -59,6 +61,19 @@ impl Matrix {
             product[column] += sum;
         }
         product
+    }
+
+    /// The matrix in Matrix Market's format.
+    fn market(&self) -> String {
+        let (size, count) = (self.size(), self.rows.len());
+        let mut text = format!("%%MatrixMarket matrix coordinate real symmetric\n{size} {size} {count}\n");
+        for column in 0..size {
+            for place in self.starts[column]..self.starts[column + 1] {
+                let row = self.rows[place] + 1;
+                let _ = writeln!(text, "{row} {} {:e}", column + 1, self.values[place]);
+            }
+        }
+        text
     }
 
     /// The inverses of the 3 × 3 blocks on the diagonal.
@@ -295,6 +310,10 @@ fn conjugate_gradients_against_the_factorisation() {
         solve(&mut kept);
         let (_, numeric) = timed(|| solve(&mut kept));
         let matrix = Matrix::new(&pattern, values.clone());
+        if let Some(folder) = std::env::var_os("SYSTEMS") {
+            let file = format!("{}.mtx", name.replace([' ', ','], "-"));
+            std::fs::write(Path::new(&folder).join(file), matrix.market()).unwrap();
+        }
         let tetrahedra = simulation.system().tetrahedra().len();
         let mut row = format!(
             "| {name} | {tetrahedra} | {} | {contacts} | {:.0} | {:.0} |",
