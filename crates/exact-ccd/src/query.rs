@@ -20,10 +20,10 @@ pub struct Query<K: Kind> {
 
 /// A coordinate is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("coordinate {axis} of point {point} at t = {time} is {value}, not a finite number")]
+#[error("coordinate {axis} of point {point}{} is {value}, not a finite number", At(*.time))]
 pub struct NonFinite {
-    /// The end of the time step, 0 or 1.
-    pub time: usize,
+    /// The end of the time step, 0 or 1; `None` for points at rest.
+    pub time: Option<usize>,
     /// The index of the point among those given, from 0.
     pub point: usize,
     /// The axis of the coordinate.
@@ -32,16 +32,26 @@ pub struct NonFinite {
     pub value: f64,
 }
 
+/// The end of a time step, in a message.
+struct At(Option<usize>);
+
+impl fmt::Display for At {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.map_or(Ok(()), |time| write!(f, " at t = {time}"))
+    }
+}
+
 impl NonFinite {
-    /// Checks points at t = 0 and, if they move, at t = 1.
+    /// Checks points at rest, or at t = 0 and at t = 1.
     pub(crate) fn check(ends: &[&[Point]]) -> Result<(), Self> {
+        let is_moving = ends.len() > 1;
         for (time, points) in ends.iter().enumerate() {
             for (point, coordinates) in points.iter().enumerate() {
                 for &axis in Axis::ALL {
                     let value = coordinates[axis.index()];
                     if !value.is_finite() {
                         return Err(Self {
-                            time,
+                            time: is_moving.then_some(time),
                             point,
                             axis,
                             value,

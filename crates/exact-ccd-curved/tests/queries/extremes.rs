@@ -35,7 +35,7 @@ fn positions_and_bounds_that_are_not_numbers_are_errors() {
     };
     assert_eq!(
         (start, end, source.point, source.time, source.axis),
-        (0.0, 1.0, 0, 1, Axis::X)
+        (0.0, 1.0, 0, Some(1), Axis::X)
     );
     for (error, deviation) in [(f64::NAN, 0.0), (-1.0, 0.0), (0.0, f64::NAN), (0.0, -1e-300)] {
         let answer = search(&along_x(|_| 9.0, error, deviation), &options);

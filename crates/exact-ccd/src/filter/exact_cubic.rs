@@ -68,7 +68,7 @@ impl ExactCubic {
         self.time(&Moment::Root(Window::STEP, *root))
     }
 
-    /// The time of a root of the step between two adjacent f64, if the signs of the cubic at both are certain.
+    /// The time of a root of the step between two adjacent f64, if the signs at both are certain.
     fn between_adjacent(&self, root: &Root) -> Option<ContactTime> {
         let Approximate { cubic, rounded } = self.approximate();
         // The slope in the units of the integers.

@@ -29,7 +29,7 @@ impl<K: Kind> Integers<K> {
     /// The query in units that make all coordinates integers; `None` if these are too long.
     pub(super) fn new(query: &Query<K>) -> Option<Self> {
         let points = query.four();
-        let exponents = from_fn(|axis| parts(reach(&points, axis)).1);
+        let exponents = from_fn(|axis| parts(extent(&points, axis)).1);
         let short = Lattice::new(&points, exponents).map(Self::Short);
         short.or_else(|| Lattice::new(&points, exponents).map(Self::Long))
     }
@@ -192,12 +192,9 @@ impl<K: Kind, L: Length> Lattice<K, L> {
 }
 
 /// The largest magnitude of a coordinate along an axis.
-fn reach(points: &[[Point; 4]; 2], axis: usize) -> f64 {
+fn extent(points: &[[Point; 4]; 2], axis: usize) -> f64 {
     let magnitudes = points.as_flattened().iter().map(|point| point[axis].abs());
-    magnitudes.fold(
-        0.0,
-        |reach, magnitude| if magnitude > reach { magnitude } else { reach },
-    )
+    magnitudes.fold(0.0, |most, x| if x > most { x } else { most })
 }
 
 /// The determinant of three differences: its coefficients in the form of the cubic.

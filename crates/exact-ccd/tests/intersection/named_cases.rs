@@ -79,7 +79,7 @@ fn a_face_without_area_is_a_segment_or_a_point() {
 fn numbers_that_are_not_finite_are_named() {
     let error = |point, axis, value| {
         Err(NonFinite {
-            time: 0,
+            time: None,
             point,
             axis,
             value,
@@ -96,8 +96,10 @@ fn numbers_that_are_not_finite_are_named() {
         EdgeFace::new([v1, v2], face).map(drop),
         error(4, Axis::Z, f64::NEG_INFINITY)
     );
+    let oriented = orient3d([v1, v2, end, v1]).map(drop);
+    assert_eq!(oriented, error(2, Axis::Y, f64::INFINITY));
     assert_eq!(
-        orient3d([v1, v2, end, v1]).map(drop),
-        error(2, Axis::Y, f64::INFINITY)
+        oriented.unwrap_err().to_string(),
+        "coordinate y of point 2 is inf, not a finite number"
     );
 }

@@ -321,7 +321,7 @@ fn errors_of_arrays_name_query_and_coordinate() {
         let expected = NonFiniteQuery {
             query: bad,
             source: NonFinite {
-                time: 1,
+                time: Some(1),
                 point: 2,
                 axis: Axis::Y,
                 value: f64::NEG_INFINITY,

@@ -20,7 +20,7 @@ fn every_coordinate_is_checked() {
                     let mut points = [[[1.0; 3]; 4]; 2];
                     points[time][point][axis.index()] = value;
                     for error in errors(points) {
-                        assert_eq!((error.time, error.point, error.axis), (time, point, axis));
+                        assert_eq!((error.time, error.point, error.axis), (Some(time), point, axis));
                         assert_eq!(error.value.to_bits(), value.to_bits());
                         assert_eq!(
                             error.to_string(),
@@ -44,7 +44,7 @@ fn the_first_coordinate_is_named() {
     points[0][3][0] = f64::INFINITY;
     for error in errors(points) {
         let expected = NonFinite {
-            time: 0,
+            time: Some(0),
             point: 2,
             axis: Axis::Y,
             value: f64::NEG_INFINITY,

@@ -18,9 +18,9 @@ fn an_error_names_the_point_that_was_given() {
     let (good, bad) = ([0.0; 3], [0.0, f64::NAN, 0.0]);
     let place = |error: NonFinite| (error.time, error.point, error.value.is_nan());
     let error = Query::<VertexEdge>::new([good, good, bad], [good; 3]).unwrap_err();
-    assert_eq!(place(error), (0, 2, true));
+    assert_eq!(place(error), (Some(0), 2, true));
     let error = Query::<VertexEdge>::new([good; 3], [bad, good, good]).unwrap_err();
-    assert_eq!(place(error), (1, 0, true));
+    assert_eq!(place(error), (Some(1), 0, true));
     let error = Query::<VertexVertex>::new([good; 2], [good, bad]).unwrap_err();
-    assert_eq!(place(error), (1, 1, true));
+    assert_eq!(place(error), (Some(1), 1, true));
 }
