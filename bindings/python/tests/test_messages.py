@@ -22,6 +22,11 @@ CASES = {
     "mesh is of type str, expected an exact_ccd.Mesh": lambda: Detector("mesh"),
     "mesh is of type list, which has no attribute num_vertices": lambda: ipc.is_step_collision_free(FACES, X0, X1),
     "mesh is of type dict": lambda: ipc.Candidates().build({}, X0, X1),
+    "frames has the shape (6, 3), expected (T, V, 3)": lambda: exact_ccd.audit(X0, FACES),
+    "faces is a Mesh, expected an array: mesh.faces": lambda: exact_ccd.audit([X0], Mesh(6, FACES)),
+    "pinned has the dtype bool, expected integers: np.flatnonzero(mask) has them": lambda: Detector(
+        Mesh(6, FACES)
+    ).free_steps(X0, X1, pinned=np.zeros(6, bool)),
     "number of vertices is -1, expected an integer from 0": lambda: Mesh(-1, []),
     "number of vertices is 1180591620717411303424": lambda: Mesh(2**70, []),
     "threads is -1, expected an integer from 1 to 1024": lambda: Detector(Mesh(6, FACES), threads=-1),

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import exact_ccd
-from exact_ccd import AuditReport, ray_program
+from exact_ccd import AuditReport
 from exact_ccd.queries import POINTS
 from documents import PROGRAMS, needs_ray, run
 from generated import of_points, queries, write_queries
@@ -249,19 +249,6 @@ def test_the_program(cluster, tmp_path) -> None:
     pyarrow.parquet.write_table(table.set_column(1, "points", pa.array([[0.0] * 23] * 300)), tmp_path / "bad.parquet")
     status, _, errors = run("queries", "bad.parquet")
     assert status == 2 and "23 coordinates" in errors
-
-
-def test_messages_of_a_cluster_are_no_part_of_the_answer(monkeypatch, capsys) -> None:
-    def answer(options: object) -> tuple[str, int]:
-        print("(raylet) WARNING: many processes")
-        return '{"is_free": true}', 0
-
-    monkeypatch.setattr(ray_program, "run", answer)
-    monkeypatch.setattr(sys, "argv", ["exact-ccd-ray", "audit", "frames"])
-    with pytest.raises(SystemExit, match="0"):
-        ray_program.main()
-    output, errors = capsys.readouterr()
-    assert json.loads(output) == {"is_free": True} and "raylet" in errors
 
 
 @pytest.mark.parametrize("name", [name for name, code in PROGRAMS.items() if needs_ray(code)])

@@ -68,3 +68,16 @@ def test_reports_are_json() -> None:
             for ours, theirs in zip(again.violation.contact, report.violation.contact):
                 np.testing.assert_array_equal(ours, theirs)
                 assert np.asarray(ours).dtype == np.asarray(theirs).dtype
+
+
+def test_messages_of_a_cluster_are_no_part_of_the_answer(monkeypatch, capsys) -> None:
+    def answer(options: object) -> tuple[str, int]:
+        print("(raylet) WARNING: many processes")
+        return '{"is_free": true}', 0
+
+    monkeypatch.setattr(ray_program, "run", answer)
+    monkeypatch.setattr(sys, "argv", ["exact-ccd-ray", "audit", "frames"])
+    with pytest.raises(SystemExit, match="0"):
+        ray_program.main()
+    output, errors = capsys.readouterr()
+    assert json.loads(output) == {"is_free": True} and "raylet" in errors

@@ -7,6 +7,7 @@ use std::path::Path;
 use crate::failure::Failure;
 
 /// Checks that a file can be read. `expected` names its contents.
+#[cfg(feature = "queries")]
 pub(crate) fn check_file(path: &Path, expected: &'static str) -> Result<(), Failure> {
     check(path, expected, |metadata| {
         metadata.is_dir().then_some("this is a folder")

@@ -57,7 +57,8 @@ def _checked(name: str, values: ArrayLike, shape: Shape, kinds: str, expected: s
     if kinds == "iu" and array.size == 0:
         array = np.empty(array.shape, np.uint32)
     if array.dtype.kind not in kinds:
-        raise TypeError(f"{name} has the dtype {array.dtype}, expected {expected}")
+        hint = ": np.flatnonzero(mask) has them" if kinds == "iu" and array.dtype.kind == "b" else ""
+        raise TypeError(f"{name} has the dtype {array.dtype}, expected {expected}{hint}")
     if not _fits(array.shape, shape):
         sizes = ", ".join("N" if size is None else str(size) for size in shape)
         raise ValueError(f"{name} has the shape {array.shape}, expected ({sizes})")

@@ -265,6 +265,8 @@ def _begin(
     files = in_files(frames, faces, edges)
     if files is not None:
         return files.mesh(rules), files
+    if isinstance(frames, np.ndarray) and frames.ndim != 3:
+        raise ValueError(f"frames has the shape {frames.shape}, expected (T, V, 3)")
     remaining: Iterator[Any] = iter(frames)
     try:
         start = next(remaining)
@@ -274,6 +276,8 @@ def _begin(
         return _begin([start, *remaining], faces, edges, rules)
     if faces is None:
         raise TypeError("expected the faces of the mesh")
+    if isinstance(faces, Mesh):
+        raise TypeError("faces is a Mesh, expected an array: mesh.faces")
     return Mesh(len(start), faces, edges, *rules), chain([start], remaining)
 
 

@@ -42,7 +42,7 @@ fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
         return Err(uncertain(file));
     }
     if is_parquet(file) {
-        return of_columns(file).ok_or_else(|| uncertain(file));
+        return of_columns(file);
     }
     let rows = row_count(file).map_err(|source| DataError::Io {
         file: file.to_owned(),
@@ -96,19 +96,26 @@ fn of_folder(file: &Path) -> Option<Kind> {
     }
 }
 
-fn of_columns(file: &Path) -> Option<Kind> {
-    fn reads<K: QueryKind>(file: &Path) -> bool {
-        let first = ColumnReader::<K>::open(file).map(|reader| reader.records().next());
-        matches!(first, Ok(Some(Ok(_))))
+/// The kind of the queries in a Parquet file. A damaged file has the same error for each kind.
+fn of_columns(file: &Path) -> Result<Kind, Failure> {
+    fn read<K: QueryKind>(file: &Path) -> Result<bool, DataError> {
+        let first = ColumnReader::<K>::open(file)?.records().next().transpose()?;
+        Ok(first.is_some())
     }
-    [
-        (Kind::Vf, reads::<VertexFace>(file)),
-        (Kind::Ee, reads::<EdgeEdge>(file)),
-        (Kind::Ve, reads::<VertexEdge>(file)),
-        (Kind::Vv, reads::<VertexVertex>(file)),
-    ]
-    .into_iter()
-    .find_map(|(kind, reads)| reads.then_some(kind))
+    let kinds = [
+        (Kind::Vf, read::<VertexFace>(file)),
+        (Kind::Ee, read::<EdgeEdge>(file)),
+        (Kind::Ve, read::<VertexEdge>(file)),
+        (Kind::Vv, read::<VertexVertex>(file)),
+    ];
+    if let Some((kind, _)) = kinds.iter().find(|(_, read)| matches!(read, Ok(true))) {
+        return Ok(*kind);
+    }
+    let errors = kinds.map(|(_, read)| read.err().map(|error| error.to_string()));
+    match &errors[0] {
+        Some(error) if errors.iter().all(|other| *other == errors[0]) => Err(Failure::new(error)),
+        _ => Err(uncertain(file)),
+    }
 }
 
 /// A query has eight rows, of vf or ee, six of ve, or four of vv.

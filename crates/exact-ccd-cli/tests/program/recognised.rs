@@ -129,6 +129,9 @@ fn the_kind_is_recognised_where_it_is_certain() {
             .error()
             .starts_with("-: the kind of the queries is not certain")
     );
+    folder.write("damaged.parquet", "PAR1, and nothing that follows");
+    let damaged = run(&["damaged.parquet"]);
+    assert_eq!(damaged.error(), run(&["--kind", "vf", "damaged.parquet"]).error());
     let differ = run(&["ve.csv", "vv.csv"]);
     let last = "exact-ccd: error: vv.csv: queries of the kind vv, after others of the kind ve\n";
     assert!(differ.status == 2 && differ.stderr.ends_with(last), "{differ:?}");
