@@ -1,9 +1,9 @@
 //! A search by hill climbing for the costliest query within a distance.
 //!
-//! `cargo run --release -p exact-ccd-bench --example climb [-- STEPS [SEED]]`
+//! `cargo run --release -p exact-ccd-bench --example climb [-- STEPS [SEED [first|intervals|impact]]]`
 //!
-//! A step changes a coordinate, its exponent, a whole point, or the distance, and is kept if the first time
-//! within the distance costs no less. A climb that does not rise for a while begins anew. The cost is the
+//! A step changes a coordinate, its exponent, a whole point, or the distance, and is kept if the answer, by
+//! default the first time within the distance, costs no less. A climb that does not rise for a while begins anew. The cost is the
 //! least wall time of three attempts, so that another run may climb elsewhere.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
@@ -18,18 +18,30 @@ const ATTEMPTS: usize = 3;
 const PATIENCE: usize = 150;
 
 fn main() {
-    let mut arguments = std::env::args()
-        .skip(1)
-        .filter_map(|argument| argument.parse().ok());
-    let steps = arguments.next().unwrap_or(2_000);
-    let seed = arguments.next().unwrap_or(1);
-    println!("{steps} steps for each start, seed {seed}\n");
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let mut numbers = arguments.iter().filter_map(|argument| argument.parse().ok());
+    let steps = numbers.next().unwrap_or(2_000);
+    let seed = numbers.next().unwrap_or(1);
+    let answer = match arguments.last().map(String::as_str) {
+        Some("intervals") => Answer::Intervals,
+        Some("impact") => Answer::Impact,
+        _ => Answer::First,
+    };
+    println!("{steps} steps for each start, seed {seed}, {answer:?}\n");
     println!("| kind | coordinates | worst ms | mean ms of the starts | d |");
     println!("|---|---|---:|---:|---:|");
     for start in [Start::Ordinary, Start::Powers, Start::Any] {
-        climb::<VertexFace>("vf", start, steps, seed);
-        climb::<EdgeEdge>("ee", start, steps, seed);
+        climb::<VertexFace>("vf", start, answer, steps, seed);
+        climb::<EdgeEdge>("ee", start, answer, steps, seed);
     }
+}
+
+/// The answer whose cost counts.
+#[derive(Clone, Copy, Debug)]
+enum Answer {
+    First,
+    Intervals,
+    Impact,
 }
 
 /// The coordinates and distances with which climbs begin, and that their steps try.
@@ -49,7 +61,7 @@ struct Candidate {
     d: f64,
 }
 
-fn climb<K: Kind<Points = [Point; 4]>>(kind: &str, start: Start, steps: u64, seed: u64) {
+fn climb<K: Kind<Points = [Point; 4]>>(kind: &str, start: Start, answer: Answer, steps: u64, seed: u64) {
     let mut random = fastrand::Rng::with_seed(seed);
     let (mut worst, mut at) = (0.0, 0.0);
     let (mut begun, mut total) = (0_u32, 0.0);
@@ -58,7 +70,7 @@ fn climb<K: Kind<Points = [Point; 4]>>(kind: &str, start: Start, steps: u64, see
         let (cost, candidate, rested) = match climber.take() {
             Some((least, candidate, rested)) if rested < PATIENCE => {
                 let changed = start.change(candidate.clone(), &mut random);
-                match milliseconds::<K>(&changed) {
+                match milliseconds::<K>(&changed, answer) {
                     Some(cost) if cost >= least => {
                         (cost, changed, if cost > 1.02 * least { 0 } else { rested + 1 })
                     }
@@ -67,7 +79,7 @@ fn climb<K: Kind<Points = [Point; 4]>>(kind: &str, start: Start, steps: u64, see
             }
             _ => {
                 let candidate = start.begin(&mut random);
-                let cost = milliseconds::<K>(&candidate).unwrap_or_default();
+                let cost = milliseconds::<K>(&candidate, answer).unwrap_or_default();
                 begun += 1;
                 total += cost;
                 (cost, candidate, 0)
@@ -82,14 +94,25 @@ fn climb<K: Kind<Points = [Point; 4]>>(kind: &str, start: Start, steps: u64, see
     println!("| {kind} | {start:?} | {worst:.3} | {mean:.4} | {at:e} |");
 }
 
-/// The time of the first time within the distance; none if a coordinate is not finite.
-fn milliseconds<K: Kind<Points = [Point; 4]>>(candidate: &Candidate) -> Option<f64> {
+/// The time of an answer within the distance; none if a coordinate is not finite.
+fn milliseconds<K: Kind<Points = [Point; 4]>>(candidate: &Candidate, answer: Answer) -> Option<f64> {
     let [start, end] = candidate.points;
     let query = Query::<K>::new(start, end).ok()?;
     let d = Separation::new(candidate.d).ok()?;
     let attempt = |_| {
         let clock = Instant::now();
-        black_box(black_box(&query).time_of_impact(d));
+        let query = black_box(&query);
+        match answer {
+            Answer::First => {
+                black_box(query.time_of_impact(d));
+            }
+            Answer::Intervals => {
+                black_box(query.intervals(d));
+            }
+            Answer::Impact => {
+                black_box(query.impact(d));
+            }
+        }
         clock.elapsed().as_secs_f64() * 1e3
     };
     Some((0..ATTEMPTS).map(attempt).fold(f64::INFINITY, f64::min))

@@ -60,8 +60,9 @@ pub fn check(
             return unreadable(format!("frames {} and {} are not of one mesh", steps.len(), steps.len() + 1));
         }
         if let ([], Some(Step { contact, .. })) = (bytes.0, steps.last()) {
-            let (end, step) = (if contact.is_some() { "contact in" } else { "end of" }, steps.len() - 1);
-            return refused(format!("the certificate ends with the {end} step {step}, before all frames"));
+            let (end, last) = (if contact.is_some() { "contact in" } else { "end of" }, steps.len());
+            let end = format!("the certificate ends with the {end} step {}, before all frames", last - 1);
+            return refused(format!("{end}: leave out those after frame {last}"));
         }
         let motion = Motion::new(&last.positions, &next.positions, distance)?;
         let step = check_step(&mut bytes, &last.mesh, &motion);

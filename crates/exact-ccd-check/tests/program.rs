@@ -80,14 +80,14 @@ fn reasons() {
             CERTIFICATE,
             &[start.clone(), end.clone(), start.clone()],
             1,
-            "refused: the certificate ends with the contact in step 0, before all frames",
+            "refused: the certificate ends with the contact in step 0, before all frames: leave out those after frame 1",
         ),
         (
             "after the end",
             &free[..first + step.len()],
             &[far[0].clone(), far[1].clone(), far[0].clone()],
             1,
-            "refused: the certificate ends with the end of step 0, before all frames",
+            "refused: the certificate ends with the end of step 0, before all frames: leave out those after frame 1",
         ),
         (
             "before the end",

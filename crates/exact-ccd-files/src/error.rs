@@ -170,7 +170,7 @@ pub enum Fault {
         vertex_count: u64,
     },
     /// The file has more vertices than 32-bit indices can number.
-    #[error("more than 2^32 vertices")]
+    #[error("more than 2^32 - 1 vertices")]
     TooManyVertices,
     /// The contents follow the format but are not a valid frame.
     #[error(transparent)]

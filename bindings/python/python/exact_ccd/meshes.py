@@ -84,7 +84,7 @@ class Mesh:
         can_collide: Optional[Callable[[int, int], object]] = None,
     ) -> None:
         if isinstance(vertices_or_count, (int, np.integer)):
-            count = integer("the number of vertices", vertices_or_count, 0, 2**32)
+            count = integer("the number of vertices", vertices_or_count, 0, 2**32 - 1)
         else:
             count = len(floats("vertices", vertices_or_count, (None, 3)))
         if can_collide is not None and not callable(can_collide):

@@ -176,7 +176,7 @@ impl Part {
     /// Sets the vertices of the part in the scene.
     pub(super) fn set_vertices(&mut self, first: u32, end: usize) -> Result<(), Failure> {
         let end = u32::try_from(end)
-            .map_err(|_| Failure::new("all parts together have more than 2^32 vertices"))?;
+            .map_err(|_| Failure::new("all parts together have more than 2^32 - 1 vertices"))?;
         self.vertices = first..end;
         Ok(())
     }
