@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use exact_ccd::batch::{self, Trajectories};
+use exact_ccd::batch::{self, Trajectories, VertexOutOfRange};
 use exact_ccd::{Collision, Options, Separation};
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -92,7 +92,10 @@ impl<K: ArrayKind> Queries<'_, K> {
                     .map_err(|error| {
                         let exist = |row: &usize| trajectories.query::<K>(queries[*row]).is_some();
                         let row = rows.into_iter().find(|row| !exist(row)).unwrap_or(first);
-                        Failure::Row(row, error.to_string())
+                        let VertexOutOfRange {
+                            vertex, vertex_count, ..
+                        } = error;
+                        Failure::Row(row, format!("vertex {vertex}, expected one below {vertex_count}"))
                     })
             }
         }

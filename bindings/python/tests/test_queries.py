@@ -145,7 +145,7 @@ def test_errors_name_the_row() -> None:
 
     kind, x0, x1, vertices = of_vertices("ve", queries("ve", 5000))
     vertices[4000, 1] = 15000
-    with pytest.raises(ValueError, match=r"row 4000: .*vertex 15000, but there are only 15000"):
+    with pytest.raises(ValueError, match="row 4000: vertex 15000, expected one below 15000"):
         Queries(kind, x0, x1, vertices).collides()
     negative = vertices.astype(np.int32)
     negative[7, 2] = -1

@@ -49,9 +49,7 @@ pub enum TrajectoriesError {
 
 /// A query names a vertex that does not exist, or that has no thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "query {query} names vertex {vertex}, but only {vertex_count} vertices have a position and, where it counts, a thickness"
-)]
+#[error("query {query} names vertex {vertex}, expected one below {vertex_count}")]
 pub struct VertexOutOfRange {
     /// The index of the query.
     pub query: usize,

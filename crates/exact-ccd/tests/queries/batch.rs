@@ -293,6 +293,10 @@ fn errors_of_batches_name_query_and_vertex() {
         unreachable!("nothing is found");
     });
     assert_eq!(found, Err(expected));
+    assert_eq!(
+        expected.to_string(),
+        "query 1 names vertex 9, expected one below 5"
+    );
     // The first vertex that does not exist, and one without a thickness.
     let expected = |vertex_count| VertexOutOfRange {
         query: 0,
