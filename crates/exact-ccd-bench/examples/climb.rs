@@ -3,8 +3,8 @@
 //! `cargo run --release -p exact-ccd-bench --example climb [-- STEPS [SEED [first|intervals|impact]]]`
 //!
 //! A step changes a coordinate, its exponent, a whole point, or the distance, and is kept if the answer, by
-//! default the first time within the distance, costs no less. A climb that does not rise for a while begins anew. The cost is the
-//! least wall time of three attempts, so that another run may climb elsewhere.
+//! default the first time within the distance, costs no less. A climb that does not rise for a while begins
+//! anew. The cost is the least wall time of three attempts, so that another run may climb elsewhere.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
