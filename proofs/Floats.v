@@ -1,4 +1,4 @@
-(** The numbers of files as integers times powers of two, and adjacent f64: [dyadic] and [Time::new] of
+(** The numbers of files as integers times powers of two, and adjacent f64: [dyadic] and [Time::together] of
     [motion.rs], [Head::read] of [certificate.rs].
 
     Flocq has the meaning of the bits of an f64: [B2R (b64_of_bits b)]. *)
@@ -94,7 +94,7 @@ Qed.
 
 Definition one_bits : Z := 1023 * 2 ^ 52.
 
-(** [Time::new]. *)
+(** [Time::together], of one number. *)
 Definition time_of_bits (b : Z) : time :=
   match dyadic b with
   | Some (mantissa, exponent) =>
@@ -169,7 +169,7 @@ Proof.
   rewrite bpow_opp; f_equal; rewrite <- (IZR_Zpower radix2) by lia; rewrite pow_IZR; reflexivity.
 Qed.
 
-(** [Time::new] has the value of every f64 from 0 to 1. *)
+(** [Time::together] has the value of every f64 from 0 to 1. *)
 Theorem time_value b : (0 <= b <= one_bits)%Z -> moment (time_of_bits b) = real_of_bits b.
 Proof.
   intros range; unfold time_of_bits.

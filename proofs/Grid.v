@@ -37,7 +37,7 @@ Definition bits : Z := bit_length largest.
 (** [rounded]: both shifts, the one to the right rounding down. *)
 Definition rounded (x : Z) : Z := if (60 <? bits)%Z then Z.shiftr x (bits - 60) else Z.shiftl x (60 - bits).
 
-(** [Grid::point] and [Grid::distance]. *)
+(** A point and the distance in [Grid::new]. *)
 Definition point (e : bool) (v : V) : integer_point := fun k => rounded (at_time V m v (end_time e) k).
 Definition grid_distance : Z := Z.min (- rounded (- shift_left (distance V m) (power until))) (2 ^ 62).
 

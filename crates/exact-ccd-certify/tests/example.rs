@@ -39,8 +39,8 @@ fn the_certificate_of_the_documentation() {
         proved.to_string(),
         "step from frame 0 to frame 1 (pairs next to each other: 1):\n  \
          No edge pierces a face at t = 0.\n  \
-         No two primitives are in contact at any time of [0, 0.7499999999999999].\n  \
-         The earliest contact is that of vertex 3 and face 0, at a time after 0.7499999999999999 and not after 0.75.\n"
+         No two primitives that count are in contact at any time of [0, 0.7499999999999999].\n  \
+         Then vertex 3 and face 0 are in contact, at a time after 0.7499999999999999 and not after 0.75.\n"
     );
     // Three frames have two steps.
     let [start, end] = scene.frames.clone();

@@ -109,7 +109,7 @@ fn check_table(
     // The statement about edges and faces is about t = 0.
     let (until, ends): (_, &[usize]) = if kind == Kind::EdgeFace { (0.0, &[0]) } else { (until, &[0, 1]) };
     let count = bytes.number()? as usize;
-    // Every row has at least five bytes.
+    // Every row has at least six bytes.
     if count > bytes.0.len() {
         return unreadable("the certificate ends too early");
     }
@@ -150,9 +150,9 @@ fn named(kind: Kind, [i, j]: [u32; 2]) -> String {
 /// One sentence for each statement, each on a line.
 impl fmt::Display for Proved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (near, first) = match self.distance {
-            0.0 => ("in contact".to_owned(), "The earliest contact is that of".to_owned()),
-            d => (format!("within {d:?} of each other"), format!("The first within {d:?} of each other are")),
+        let near = match self.distance {
+            0.0 => "in contact".to_owned(),
+            d => format!("within {d:?} of each other"),
         };
         for (number, Step { head, contact, pairs }) in self.steps.iter().enumerate() {
             let next = number + 1;
@@ -161,14 +161,14 @@ impl fmt::Display for Proved {
                 writeln!(f, "  No edge pierces a face at t = 0.")?;
             }
             if let Some(until) = head.free {
-                writeln!(f, "  No two primitives are {near} at any time of [0, {until:?}].")?;
+                writeln!(f, "  No two primitives that count are {near} at any time of [0, {until:?}].")?;
             }
             let pair = contact.map(|(kind, ids)| named(kind, ids)).unwrap_or_default();
             match (head.free, head.contact) {
                 (_, None) => Ok(()),
                 (None, Some(_)) => writeln!(f, "  At t = 0, {pair} are {near}."),
                 (Some(t), Some(time)) => {
-                    writeln!(f, "  {first} {pair}, at a time after {t:?} and not after {time:?}.")
+                    writeln!(f, "  Then {pair} are {near}, at a time after {t:?} and not after {time:?}.")
                 }
             }?;
         }

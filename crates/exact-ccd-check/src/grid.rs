@@ -46,7 +46,7 @@ impl Grid {
     /// direction, by more than the distance, at these ends of the motion. If it is at t = 0 and at t =
     /// T, it is at all times between, as g · x is linear.
     ///
-    /// No sum overflows: coordinates are below 2^60 in magnitude, components of g below 2^48.
+    /// No sum overflows: coordinates are at most 2^60 in magnitude, components of g below 2^48.
     pub fn separates(&self, pair: &Pair<'_>, g: &Point, ends: &[usize]) -> bool {
         let g = g.each_ref().map(|component| i64::try_from(component).unwrap_or(i64::MAX));
         if g == [0; 3] || g.iter().any(|&component| component.unsigned_abs() >= 1 << 48) {

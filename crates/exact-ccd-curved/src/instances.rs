@@ -57,7 +57,7 @@ impl Instances {
     ///
     /// # Errors
     /// [`InstanceError`] names the body whose motion or positions are not valid, the vertex whose
-    /// place is not finite, or the number of vertices if it exceeds 2³².
+    /// place is not finite, or the number of vertices if it exceeds 2³² − 1.
     pub fn new(instances: &[Instance<'_>]) -> Result<Self, InstanceError> {
         let (mut faces, mut edges, mut positions) = (Vec::new(), Vec::new(), Vec::new());
         let (mut trajectories, mut bodies) = (Vec::new(), Vec::new());

@@ -65,6 +65,18 @@ impl Aabb {
         core::array::from_fn(|axis| self.upper[axis] - self.lower[axis])
     }
 
+    /// The axis of the longest side.
+    pub(super) fn longest_side(&self) -> usize {
+        let sides = self.sides();
+        (0..3).fold(0, |longest, axis| {
+            if sides[axis] > sides[longest] {
+                axis
+            } else {
+                longest
+            }
+        })
+    }
+
     /// Returns true if the boxes have a common point. Boxes that touch have one.
     #[must_use]
     #[inline]

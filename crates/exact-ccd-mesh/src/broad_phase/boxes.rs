@@ -1,11 +1,13 @@
 //! The boxes of many primitives, as the input of a broad phase.
 
+use std::sync::Arc;
+
 use exact_ccd::Point;
 use rayon::prelude::*;
 
 use super::aabb::Aabb;
 use super::block::{Block, LANES};
-use super::labels::Labels;
+use super::members::Members;
 use super::moving_box::MovingBox;
 use super::order::order;
 use super::primitive_count::{TooManyPrimitives, check_primitive_count};
@@ -23,14 +25,11 @@ const GRAIN: usize = 128;
 /// the broad phases of this crate pass none of them on, another one may.
 #[derive(Clone, Debug)]
 pub struct Boxes<const T: usize> {
-    /// The indices of the boxes, block by block.
-    pub(super) ids: Vec<u32>,
+    pub(super) members: Arc<Members>,
     /// The last block is filled up with empty boxes.
     pub(super) blocks: Vec<Block<T>>,
     /// The box around each block.
     pub(super) around: Vec<MovingBox<T>>,
-    /// The labels of the boxes.
-    pub(super) labels: Labels,
 }
 
 impl<const T: usize> Boxes<T> {
@@ -41,25 +40,21 @@ impl<const T: usize> Boxes<T> {
     pub fn new(boxes: &[[Aabb; T]]) -> Result<Self, TooManyPrimitives> {
         const { assert!(T == 1 || T == 2, "boxes rest, or move from one place to another") };
         check_primitive_count(boxes.len())?;
-        let centers: Vec<Point> = boxes.par_iter().map(center).collect();
-        let mut all = Self::in_order(order(&centers, (0..boxes.len() as u32).collect()));
+        let ids = order((0..boxes.len() as u32).collect(), |id| {
+            center(&boxes[id as usize])
+        });
+        let mut all = Self::of(Arc::new(Members::new(ids, |_| [])));
         all.replace(|_| true, |id| MovingBox::new(&boxes[id as usize], &[[0.0; 3]; T]));
         Ok(all)
     }
 
-    /// Empty boxes with these indices, in this order.
-    pub(crate) fn in_order(ids: Vec<u32>) -> Self {
-        Self::labelled(ids, |_| [])
-    }
-
-    /// Empty boxes with these indices, in this order, and their labels.
-    pub(crate) fn labelled<const N: usize>(ids: Vec<u32>, labels: impl Fn(u32) -> [u32; N]) -> Self {
-        let count = ids.len().div_ceil(LANES);
+    /// Empty boxes.
+    pub(crate) fn of(members: Arc<Members>) -> Self {
+        let count = members.block_count();
         Self {
             blocks: vec![Block::EMPTY; count],
             around: vec![MovingBox::EMPTY; count],
-            labels: Labels::new(&ids, labels),
-            ids,
+            members,
         }
     }
 
@@ -70,23 +65,19 @@ impl<const T: usize> Boxes<T> {
         moving: impl Fn(u32) -> MovingBox<T> + Sync,
     ) {
         let blocks = self.blocks.par_iter_mut().zip(&mut self.around);
-        let blocks = blocks.zip(self.ids.par_chunks(LANES)).with_min_len(GRAIN);
+        let blocks = blocks
+            .zip(self.members.ids().par_chunks(LANES))
+            .with_min_len(GRAIN);
         let chosen = blocks.filter(|(_, ids)| ids.iter().any(|&id| is_chosen(id)));
         chosen.for_each(|((block, around), ids)| fill(block, around, ids, |&id| moving(id)));
     }
 
     /// The boxes of some of the primitives.
     pub(crate) fn only(&self, is_chosen: impl Fn(u32) -> bool) -> Self {
-        let places = (0..self.ids.len()).filter(|&place| is_chosen(self.ids[place]));
-        let places: Vec<usize> = places.collect();
+        let ids = self.members.ids();
+        let places: Vec<usize> = (0..ids.len()).filter(|&place| is_chosen(ids[place])).collect();
         let moving = |place: usize| self.blocks[place / LANES].get(place % LANES);
-        let count = places.len().div_ceil(LANES);
-        let mut only = Self {
-            ids: places.iter().map(|&place| self.ids[place]).collect(),
-            blocks: vec![Block::EMPTY; count],
-            around: vec![MovingBox::EMPTY; count],
-            labels: self.labels.only(&places),
-        };
+        let mut only = Self::of(Arc::new(self.members.only(&places)));
         let blocks = only.blocks.iter_mut().zip(&mut only.around);
         for ((block, around), eight) in blocks.zip(places.chunks(LANES)) {
             fill(block, around, eight, |&place| moving(place));
@@ -96,25 +87,23 @@ impl<const T: usize> Boxes<T> {
 
     /// One block in every `stride`.
     pub(crate) fn sample(&self, stride: usize) -> Self {
-        let ids = self.ids.chunks(LANES).step_by(stride).flatten();
         Self {
-            ids: ids.copied().collect(),
+            members: Arc::new(self.members.sample(stride)),
             blocks: self.blocks.iter().step_by(stride).copied().collect(),
             around: self.around.iter().step_by(stride).copied().collect(),
-            labels: self.labels.sample(stride),
         }
     }
 
     /// The number of boxes.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.ids.len()
+        self.members.ids().len()
     }
 
     /// Returns true if there are no boxes.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.ids.is_empty()
+        self.members.ids().is_empty()
     }
 
     /// The index of each box, and the box at the start and at the end (T = 2) or at rest (T = 1):
@@ -124,19 +113,16 @@ impl<const T: usize> Boxes<T> {
             .blocks
             .iter()
             .flat_map(|block| (0..LANES).map(|lane| block.get(lane)));
-        self.ids.iter().copied().zip(boxes.map(|moving| moving.places()))
+        self.members
+            .ids()
+            .iter()
+            .copied()
+            .zip(boxes.map(|moving| moving.places()))
     }
 
-    /// The indices of the boxes, block by block.
-    pub(crate) fn ids(&self) -> &[u32] {
-        &self.ids
-    }
-
-    /// A bit for each place of a block that holds a box.
-    #[inline]
-    pub(super) fn filled(&self, block: usize) -> u32 {
-        let count = (self.ids.len() - LANES * block).min(LANES);
-        (1 << count) - 1
+    /// The indices of the boxes and their labels.
+    pub(crate) fn members(&self) -> &Arc<Members> {
+        &self.members
     }
 }
 

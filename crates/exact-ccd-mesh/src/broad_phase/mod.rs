@@ -6,7 +6,7 @@ mod block;
 mod boxes;
 mod bvh;
 mod collector;
-mod labels;
+mod members;
 mod moving_box;
 mod order;
 mod outward;
@@ -26,6 +26,7 @@ pub use primitive_count::TooManyPrimitives;
 pub use sweep::Sweep;
 
 pub(crate) use aabb::meet;
+pub(crate) use members::Members;
 pub(crate) use moving_box::MovingBox;
 pub(crate) use order::{extent, order};
 #[cfg(test)]

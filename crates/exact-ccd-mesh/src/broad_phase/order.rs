@@ -1,94 +1,110 @@
-//! An order of points in which neighbours are near each other.
+//! An order in which the boxes of each block, and of each node of a tree of blocks, are near each other.
+
+use core::cmp::Ordering::Equal;
 
 use exact_ccd::Point;
 use rayon::prelude::*;
 
 use super::aabb::Aabb;
+use super::block::LANES;
 
-/// The number of bits of a key for each axis.
-const BITS: u32 = 12;
+/// The center of a box, and the index of the box.
+type Placed = (Point, u32);
 
-/// Up to this number, points with the same key are not ordered further.
-const SMALL: usize = 8;
+/// The least number of boxes whose parts are ordered by two threads.
+const GRAIN: usize = 4096;
 
-/// The indices of some points along a curve that fills their box: D. Hilbert, *Über die stetige
-/// Abbildung einer Linie auf ein Flächenstück*, 1891.
+/// The indices of boxes, those of each block near each other, and those of each node of a tree whose nodes
+/// have as many children as a block has boxes.
 ///
-/// If many points fall into one cell of the curve, these are ordered along another curve. So
-/// points that are far away from all others cost a few more rounds, each with cells 2¹² times as
-/// small.
-pub(crate) fn order(points: &[Point], ids: Vec<u32>) -> Vec<u32> {
-    let mut keyed: Vec<(u64, u32)> = ids.into_iter().map(|id| (0, id)).collect();
-    sort(points, &mut keyed);
-    keyed.into_iter().map(|(_, id)| id).collect()
+/// The boxes are divided along the longest side of the box around their centers, into halves of whole
+/// blocks or nodes; so are the halves: J. L. Bentley, *Multidimensional binary search trees used for
+/// associative searching*, 1975.
+pub(crate) fn order(ids: Vec<u32>, center: impl Fn(u32) -> Point + Sync) -> Vec<u32> {
+    let mut placed: Vec<Placed> = ids
+        .into_par_iter()
+        .with_min_len(GRAIN)
+        .map(|id| (center(id), id))
+        .collect();
+    let mut node = LANES;
+    while node < placed.len() {
+        node *= LANES;
+    }
+    divide(&mut placed, node);
+    placed.into_iter().map(|(_, id)| id).collect()
 }
 
-/// The length of the path through the points in an order, in the maximum norm.
-pub(crate) fn extent(points: &[Point], order: &[u32]) -> f64 {
-    let part = |pair: &[u32]| {
-        let [a, b] = [pair[0], pair[1]].map(|id| points[id as usize]);
-        (0..3).fold(0.0, |most: f64, axis| most.max((a[axis] - b[axis]).abs()))
-    };
-    order.windows(2).map(part).sum()
-}
-
-fn sort(points: &[Point], keyed: &mut [(u64, u32)]) {
-    let Aabb { lower, upper } = keyed.iter().map(|&(_, id)| points[id as usize]).collect::<Aabb>();
-    // Halved, because a difference may overflow.
-    let extent = (0..3).fold(0.0, |most: f64, k| most.max(0.5 * upper[k] - 0.5 * lower[k]));
-    if extent.is_nan() || extent <= 0.0 {
+/// Divides the boxes of a node, or of some of its children, until the parts are blocks. The number of boxes of a
+/// node is a power of eight; only the last node has fewer.
+fn divide(placed: &mut [Placed], mut node: usize) {
+    if placed.len() <= LANES {
         return;
     }
-    let scale = f64::from(1u32 << (BITS - 1)) / extent;
-    let largest = (1 << BITS) - 1;
-    keyed.par_iter_mut().for_each(|(key, id)| {
-        let point = points[*id as usize];
-        // The conversion saturates, and NaN, of an extent that underflows, becomes 0.
-        let cell = |k: usize| (((0.5 * point[k] - 0.5 * lower[k]) * scale * 2.0) as u32).min(largest);
-        let [x, y, z] = along_hilbert([cell(0), cell(1), cell(2)]);
-        *key = spread(x) << 2 | spread(y) << 1 | spread(z);
+    while placed.len() <= node / LANES {
+        node /= LANES;
+    }
+    let child = node / LANES;
+    let middle = placed.len().div_ceil(child) / 2 * child;
+    let axis = around(placed.iter().map(|&(center, _)| center)).longest_side();
+    // There is no NaN here. This comparison takes less time than that of all floating-point numbers.
+    placed.select_nth_unstable_by(middle, |(a, _), (b, _)| {
+        a[axis].partial_cmp(&b[axis]).unwrap_or(Equal)
     });
-    keyed.par_sort_unstable();
-    let count = keyed.len();
-    for run in keyed.chunk_by_mut(|(a, _), (b, _)| a == b) {
-        // Threads that round subnormal numbers differently may put all points into one cell.
-        if run.len() > SMALL && run.len() < count {
-            sort(points, run);
-        }
+    let (first, second) = placed.split_at_mut(middle);
+    if first.len() < GRAIN {
+        divide(first, node);
+        divide(second, node);
+    } else {
+        rayon::join(|| divide(first, node), || divide(second, node));
     }
 }
 
-/// The bits of a cell's place along Hilbert's curve, distributed over the axes: J. Skilling,
-/// *Programming the Hilbert curve*, 2004.
-fn along_hilbert(mut cell: [u32; 3]) -> [u32; 3] {
-    for level in (1..BITS).rev() {
-        let below = (1 << level) - 1;
-        for axis in 0..3 {
-            // If the bit is set, the lower bits of the first axis are flipped; if not, they are
-            // swapped with those of this axis.
-            let is_set = (cell[axis] >> level & 1).wrapping_neg();
-            cell[0] ^= below & is_set;
-            let swap = (cell[0] ^ cell[axis]) & below & !is_set;
-            cell[0] ^= swap;
-            cell[axis] ^= swap;
-        }
-    }
-    // Gray code.
-    cell[1] ^= cell[0];
-    cell[2] ^= cell[1];
-    let mut flip = 0;
-    for level in 1..BITS {
-        flip ^= ((1 << level) - 1) & (cell[2] >> level & 1).wrapping_neg();
-    }
-    cell.map(|bits| bits ^ flip)
+/// The sum of the longest sides of the boxes around the points of each block in an order: small if points
+/// that are near in the order are near each other.
+pub(crate) fn extent(points: &[Point], order: &[u32]) -> f64 {
+    let blocks = order.chunks(LANES);
+    let boxes = blocks.map(|block| around(block.iter().map(|&id| points[id as usize])));
+    boxes.map(|aabb| aabb.sides()[aabb.longest_side()]).sum()
 }
 
-/// The bits, at most 21 of them, with two zeros between any two.
-fn spread(bits: u32) -> u64 {
-    let bits = u64::from(bits);
-    let bits = (bits | bits << 32) & 0x001f_0000_0000_ffff;
-    let bits = (bits | bits << 16) & 0x001f_0000_ff00_00ff;
-    let bits = (bits | bits << 8) & 0x100f_00f0_0f00_f00f;
-    let bits = (bits | bits << 4) & 0x10c3_0c30_c30c_30c3;
-    (bits | bits << 2) & 0x1249_2492_4924_9249
+fn around(points: impl Iterator<Item = Point>) -> Aabb {
+    points.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use exact_ccd::Point;
+    use fastrand::Rng;
+
+    use super::{extent, order};
+
+    #[test]
+    fn blocks_of_a_grid_are_cubes() {
+        let mut rng = Rng::with_seed(0);
+        let mut points: Vec<Point> = (0..4096)
+            .map(|i| [i % 16, i / 16 % 16, i / 256].map(f64::from))
+            .collect();
+        rng.shuffle(&mut points);
+        let found = order((0..4096).collect(), |id| points[id as usize]);
+        // 512 cubes of side 1.
+        assert_eq!(extent(&points, &found), 512.0);
+        assert!(extent(&points, &(0..4096).collect::<Vec<_>>()) > 5000.0);
+        let mut ids = found;
+        ids.sort_unstable();
+        assert!(ids.into_iter().eq(0..4096));
+    }
+
+    #[test]
+    fn each_index_comes_once_wherever_the_points_are() {
+        let mut rng = Rng::with_seed(0);
+        for count in [0, 1, 7, 8, 9, 63, 65, 511, 513, 20_000] {
+            let sizes = [0.0, 1.0, 1e-320, f64::MAX];
+            let points: Vec<Point> = (0..count)
+                .map(|_| [0, 1, 2].map(|_| sizes[rng.usize(..4)] * (2.0 * rng.f64() - 1.0)))
+                .collect();
+            let mut ids = order((0..count).rev().collect(), |id| points[id as usize]);
+            ids.sort_unstable();
+            assert!(ids.into_iter().eq(0..count), "{count}");
+        }
+    }
 }

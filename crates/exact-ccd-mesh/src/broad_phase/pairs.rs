@@ -7,7 +7,7 @@ use fearless_simd::Simd;
 use super::PairSink;
 use super::block::LANES;
 use super::boxes::Boxes;
-use super::labels::common;
+use super::members::common;
 
 /// The largest number of pairs in a batch: as many as fit into the nearest cache, with the data of
 /// their primitives.
@@ -54,18 +54,19 @@ impl<'a, const T: usize> Pairs<'a, T> {
     #[inline(always)]
     pub(super) fn add<S: Simd>(&mut self, simd: S, i: usize, j: usize) -> ControlFlow<()> {
         // Copies of the loop, for the kinds of pairs of a mesh.
-        let mut meeting = match (self.a.labels.count(), self.b.labels.count()) {
+        let [of_a, of_b] = [self.a, self.b].map(Boxes::members);
+        let mut meeting = match (of_a.label_count(), of_b.label_count()) {
             (1, 1) => self.meeting::<S, 1, 1>(simd, i, j),
             (1, 2) => self.meeting::<S, 1, 2>(simd, i, j),
             (1, 3) => self.meeting::<S, 1, 3>(simd, i, j),
             (2, 2) => self.meeting::<S, 2, 2>(simd, i, j),
             _ => self.meeting::<S, 0, 0>(simd, i, j),
         };
-        meeting &= EACH_LANE * u64::from(self.b.filled(j));
+        meeting &= EACH_LANE * u64::from(of_b.filled(j));
         if self.is_within && i == j {
             meeting &= LATER;
         }
-        let (ids, others) = (&self.a.ids[LANES * i..], &self.b.ids[LANES * j..]);
+        let (ids, others) = (&of_a.ids()[LANES * i..], &of_b.ids()[LANES * j..]);
         while meeting != 0 {
             let bit = meeting.trailing_zeros() as usize;
             meeting &= meeting - 1;
@@ -87,8 +88,9 @@ impl<'a, const T: usize> Pairs<'a, T> {
     #[inline(always)]
     fn meeting<S: Simd, const M: usize, const N: usize>(&self, simd: S, i: usize, j: usize) -> u64 {
         let (block, other) = (&self.a.blocks[i], &self.b.blocks[j]);
-        let (labels, others) = (self.a.labels.of::<M>(i), self.b.labels.of::<N>(j));
-        let mut lanes = block.meeting(simd, &self.b.around[j]) & self.a.filled(i);
+        let (of_a, of_b) = (self.a.members(), self.b.members());
+        let (labels, others) = (of_a.labels::<M>(i), of_b.labels::<N>(j));
+        let mut lanes = block.meeting(simd, &self.b.around[j]) & of_a.filled(i);
         // All 64 bits are computed before any is tested: branches here are hard to predict.
         let mut meeting = 0;
         while lanes != 0 {

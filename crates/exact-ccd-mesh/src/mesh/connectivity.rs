@@ -147,7 +147,7 @@ impl TriangleMesh {
         (mesh, vertices)
     }
 
-    /// The number of vertices, at most 2³².
+    /// The number of vertices, at most 2³² − 1.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.vertex_count

@@ -11,5 +11,6 @@ mod stream;
 pub use options::{BoxKind, CandidateError, CandidateOptions};
 
 pub(crate) use margin::Margin;
+pub(crate) use primitives::Primitives;
 pub(crate) use step_boxes::StepBoxes;
 pub(crate) use stream::{Receive, stream};

@@ -1,12 +1,120 @@
-//! The primitives that take part in a step, in the order of their first vertices.
+//! The primitives that take part in the steps of a mesh, those near each other side by side.
 
 use std::collections::HashSet;
+use std::sync::Arc;
 
+use exact_ccd::Point;
+
+use crate::broad_phase::{Aabb, Members, extent, order};
 use crate::mesh::{TriangleMesh, sides};
-use crate::pairs::CanCollide;
+use crate::pairs::{CanCollide, OtherEnds, PrimitiveSet, Searched};
+use crate::steps::Step;
+
+/// The primitives that take part in successive steps of one mesh, in an order in which those near each other
+/// at the start come side by side. The order is kept until vertices that are side by side have moved apart.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Primitives {
+    /// Those of each [`PrimitiveSet`].
+    sets: [Arc<Members>; PrimitiveSet::COUNT],
+    /// The other ends of the edges of each vertex, if there are loose edges.
+    other_ends: Arc<OtherEnds>,
+    /// The number of vertices of the mesh for which the order was made, if it was made.
+    ordered: Option<usize>,
+    /// The least extent of the vertices' order since it was made.
+    extent: f64,
+}
+
+/// The primitives are ordered anew when the extent of the vertices' order has grown by this factor.
+const MAX_GROWTH: f64 = 1.5;
+
+impl Primitives {
+    pub(crate) fn get(&self, set: PrimitiveSet) -> &Arc<Members> {
+        &self.sets[set as usize]
+    }
+
+    pub(crate) fn other_ends(&self) -> &OtherEnds {
+        &self.other_ends
+    }
+
+    /// Returns true if there are no pairs of a kind.
+    pub(crate) fn lack<K: Searched>(&self) -> bool {
+        K::SETS.iter().any(|&set| self.get(set).ids().is_empty())
+    }
+
+    /// Takes the next step, with the same predicate as before.
+    pub(crate) fn begin(&mut self, step: &Step<'_>, can_collide: &CanCollide) {
+        let [x0, _] = step.positions();
+        let now = extent(x0, self.get(PrimitiveSet::Vertices).ids());
+        if self.ordered != Some(x0.len()) || now > MAX_GROWTH * self.extent {
+            *self = Self::new(step.mesh(), x0, can_collide);
+        } else {
+            self.extent = self.extent.min(now);
+        }
+    }
+
+    fn new(mesh: &TriangleMesh, x: &[Point], can_collide: &CanCollide) -> Self {
+        let ids = (0..x.len() as u32).filter(|&vertex| can_collide.takes_part(&[vertex]));
+        let vertices = order(ids.collect(), |vertex| x[vertex as usize]);
+        let faces = in_order(mesh.faces(), x, can_collide);
+        let edges = in_order(mesh.edges(), x, can_collide);
+
+        let other_ends = OtherEnds::new(mesh, &edges);
+        let loose_vertices = among(&vertices, |vertex| other_ends.is_loose(vertex));
+        let loose_edges = loose_edges(mesh, &edges, can_collide);
+        let (ends, other_ends) = if loose_edges.is_empty() {
+            Default::default()
+        } else {
+            (
+                among(&vertices, |vertex| other_ends.is_end(mesh, vertex)),
+                other_ends,
+            )
+        };
+
+        let extent = extent(x, &vertices);
+        let of_vertices = |ids| Members::new(ids, |vertex| [vertex]);
+        let of_faces = |ids| Members::new(ids, |face| mesh.faces()[face as usize]);
+        let of_edges = |ids| Members::new(ids, |edge| mesh.edges()[edge as usize]);
+        // In the order of `PrimitiveSet`.
+        let sets = [
+            of_vertices(vertices),
+            of_faces(faces),
+            of_edges(edges),
+            of_vertices(loose_vertices),
+            of_vertices(ends),
+            of_edges(loose_edges),
+        ];
+        Self {
+            sets: sets.map(Arc::new),
+            other_ends: Arc::new(other_ends),
+            ordered: Some(x.len()),
+            extent,
+        }
+    }
+}
+
+/// The indices of the primitives that take part, those near each other side by side.
+fn in_order<const N: usize>(primitives: &[[u32; N]], x: &[Point], can_collide: &CanCollide) -> Vec<u32> {
+    let taking_part = (0..)
+        .zip(primitives)
+        .filter(|(_, vertices)| can_collide.takes_part(*vertices));
+    let center = |id: u32| {
+        let corners = primitives[id as usize].map(|vertex| x[vertex as usize]);
+        corners.into_iter().collect::<Aabb>().center()
+    };
+    order(taking_part.map(|(id, _)| id).collect(), center)
+}
+
+/// Those of some vertices, in their order.
+fn among(vertices: &[u32], is_chosen: impl Fn(u32) -> bool) -> Vec<u32> {
+    vertices
+        .iter()
+        .copied()
+        .filter(|&vertex| is_chosen(vertex))
+        .collect()
+}
 
 /// Those of the edges that belong to no face that takes part.
-pub(super) fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
+fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
     let takes_part = |face: &&[u32; 3]| can_collide.takes_part(*face);
     let left_out = mesh.faces().iter().filter(|face| !takes_part(face));
     // Only edges of faces that are left out may lack a face.
@@ -20,37 +128,4 @@ pub(super) fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanC
     let is_loose =
         |&edge: &u32| edge as usize >= first_loose || lacking.contains(&mesh.edges()[edge as usize]);
     edges.iter().copied().filter(is_loose).collect()
-}
-
-/// The indices of the primitives that take part, in the order of the ranks of their first vertices.
-pub(super) fn by_first_vertex<const N: usize>(
-    rank: &[u32],
-    primitives: &[[u32; N]],
-    can_collide: &CanCollide,
-) -> Vec<u32> {
-    let first = |vertices: &[u32; N]| vertices.iter().map(|&v| rank[v as usize]).min().unwrap_or(0);
-    let taking_part = || {
-        (0..)
-            .zip(primitives)
-            .filter(|(_, vertices)| can_collide.takes_part(*vertices))
-    };
-    // A counting sort: `begin` has the first place of each rank.
-    let mut begin = vec![0u32; rank.len() + 1];
-    let mut sum = 0;
-    for (_, vertices) in taking_part() {
-        begin[first(vertices) as usize + 1] += 1;
-        sum += 1;
-    }
-    let mut ids = vec![0; sum];
-    let mut sum = 0;
-    for count in &mut begin {
-        sum += *count;
-        *count = sum;
-    }
-    for (id, vertices) in taking_part() {
-        let place = &mut begin[first(vertices) as usize];
-        ids[*place as usize] = id;
-        *place += 1;
-    }
-    ids
 }

@@ -1,16 +1,17 @@
 //! The boxes of a mesh's primitives during a step.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use exact_ccd::Point;
 use rayon::prelude::*;
 
 use super::margin::Margin;
 use super::path::{between, until};
-use super::primitives::{by_first_vertex, loose_edges};
-use crate::broad_phase::{BoxPairs, Boxes, MovingBox, PairSink, extent, order};
+use super::primitives::Primitives;
+use crate::broad_phase::{BoxPairs, Boxes, MovingBox, PairSink};
 use crate::mesh::TriangleMesh;
-use crate::pairs::{CanCollide, OtherEnds, PrimitiveSet, Searched};
+use crate::pairs::{PrimitiveSet, Searched};
 use crate::steps::Step;
 
 /// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at
@@ -18,16 +19,12 @@ use crate::steps::Step;
 ///
 /// A box contains its primitive until the time for which it is placed, and in a motion to rounded positions
 /// before that (`path.rs`).
-///
-/// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come
-/// where the first of their vertices does. The order is kept from step to step until it has become
-/// too long.
 #[derive(Clone, Debug)]
 pub(crate) struct StepBoxes<const T: usize> {
     /// The boxes of each [`PrimitiveSet`].
     sets: [Boxes<T>; PrimitiveSet::COUNT],
-    /// The other ends of the edges of each vertex, if there are loose edges.
-    other_ends: OtherEnds,
+    /// The primitives, in the order of their boxes.
+    primitives: Primitives,
     /// The boxes of the vertices, in the order of the mesh.
     moving: Vec<MovingBox<T>>,
     /// The amounts by which boxes are larger on each side.
@@ -43,21 +40,14 @@ pub(crate) struct StepBoxes<const T: usize> {
     time: f64,
     /// True if the boxes are those of the current step.
     has_begun: bool,
-    /// The number of vertices of the mesh for which the order was made, if it was made.
-    ordered: Option<usize>,
-    /// The shortest extent of the order since it was made.
-    extent: f64,
 }
-
-/// Vertices are ordered anew when the extent of their order has grown by this factor.
-const MAX_GROWTH: f64 = 1.5;
 
 impl<const T: usize> Default for StepBoxes<T> {
     /// No boxes yet.
     fn default() -> Self {
         Self {
-            sets: [(); PrimitiveSet::COUNT].map(|()| Boxes::in_order(Vec::new())),
-            other_ends: OtherEnds::default(),
+            sets: [(); PrimitiveSet::COUNT].map(|()| Boxes::of(Arc::default())),
+            primitives: Primitives::default(),
             moving: Vec::new(),
             margin: Margin::default(),
             margins: Vec::new(),
@@ -65,8 +55,6 @@ impl<const T: usize> Default for StepBoxes<T> {
             origins: [[0.0; 3]; T],
             time: f64::NAN,
             has_begun: false,
-            ordered: None,
-            extent: 0.0,
         }
     }
 }
@@ -82,61 +70,25 @@ impl<const T: usize> StepBoxes<T> {
         }
     }
 
-    /// Orders the primitives for a new step, if it has not begun; places no boxes.
-    fn begin(&mut self, step: &Step<'_>, can_collide: &CanCollide) {
+    /// Takes the primitives of a new step, if it has not begun; places no boxes.
+    fn begin(&mut self, step: &Step<'_>, primitives: &Primitives) {
         if self.has_begun {
             return;
         }
-        let [x0, _] = step.positions();
         (self.has_begun, self.time) = (true, f64::NAN);
-        let now = extent(x0, self.get(PrimitiveSet::Vertices).ids());
-        if self.ordered != Some(x0.len()) || now > MAX_GROWTH * self.extent {
-            self.order(step.mesh(), x0, can_collide);
-        } else {
-            self.extent = self.extent.min(now);
+        self.primitives.clone_from(primitives);
+        for (set, boxes) in PrimitiveSet::ALL.into_iter().zip(&mut self.sets) {
+            if !Arc::ptr_eq(boxes.members(), primitives.get(set)) {
+                *boxes = Boxes::of(primitives.get(set).clone());
+            }
         }
-        if self.margin.uniform().is_none() && self.margins.len() != x0.len() {
+        if self.margin.uniform().is_none() && self.margins.len() != step.mesh().vertex_count() {
             self.margins = self.margin.largest(step.mesh());
         }
         // A vertex in the middle of the order is amid many others, even if some vertices are far
         // away.
-        let ids = self.get(PrimitiveSet::Vertices).ids();
+        let ids = primitives.get(PrimitiveSet::Vertices).ids();
         self.origin = ids.get(ids.len() / 2).copied();
-    }
-
-    fn order(&mut self, mesh: &TriangleMesh, x0: &[Point], can_collide: &CanCollide) {
-        let ids = (0..x0.len() as u32).filter(|&vertex| can_collide.takes_part(&[vertex]));
-        let vertices = order(x0, ids.collect());
-        self.extent = extent(x0, &vertices);
-        let mut rank = vec![0; x0.len()];
-        for (place, &id) in (0..).zip(&vertices) {
-            rank[id as usize] = place;
-        }
-        let faces = by_first_vertex(&rank, mesh.faces(), can_collide);
-        let edges = by_first_vertex(&rank, mesh.edges(), can_collide);
-
-        let other_ends = OtherEnds::new(mesh, &edges);
-        let loose_vertices = among(&vertices, |vertex| other_ends.is_loose(vertex));
-        let loose_edges = loose_edges(mesh, &edges, can_collide);
-        let mut ends = Vec::new();
-        if !loose_edges.is_empty() {
-            ends = among(&vertices, |vertex| other_ends.is_end(mesh, vertex));
-            self.other_ends = other_ends;
-        }
-
-        let of_vertices = |ids| Boxes::labelled(ids, |vertex| [vertex]);
-        let of_faces = |ids| Boxes::labelled(ids, |face| mesh.faces()[face as usize]);
-        let of_edges = |ids| Boxes::labelled(ids, |edge| mesh.edges()[edge as usize]);
-        // In the order of `PrimitiveSet`.
-        self.sets = [
-            of_vertices(vertices),
-            of_faces(faces),
-            of_edges(edges),
-            of_vertices(loose_vertices),
-            of_vertices(ends),
-            of_edges(loose_edges),
-        ];
-        self.ordered = Some(x0.len());
     }
 
     pub(crate) fn get(&self, set: PrimitiveSet) -> &Boxes<T> {
@@ -144,8 +96,8 @@ impl<const T: usize> StepBoxes<T> {
     }
 
     /// Places the boxes of all primitives of a kind of pairs for the step until `time`.
-    pub(crate) fn place<K: Searched>(&mut self, step: &Step<'_>, can_collide: &CanCollide, time: f64) {
-        self.begin(step, can_collide);
+    pub(crate) fn place<K: Searched>(&mut self, step: &Step<'_>, primitives: &Primitives, time: f64) {
+        self.begin(step, primitives);
         let [first, second] = K::SETS;
         self.move_vertices(step, time);
         self.place_set(step.mesh(), first);
@@ -207,11 +159,6 @@ impl<const T: usize> StepBoxes<T> {
         true
     }
 
-    /// Returns true if the current step has begun, and its mesh has no pairs of a kind.
-    pub(crate) fn lacks<K: Searched>(&self) -> bool {
-        self.has_begun && K::SETS.iter().any(|&set| self.get(set).is_empty())
-    }
-
     /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked, in any order. Those of
     /// two marked primitives are found twice, and passed on once. Of two primitives of one set, the smaller
     /// index comes first.
@@ -252,7 +199,8 @@ impl<const T: usize> StepBoxes<T> {
         sink: &'a PairSink<'a>,
     ) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a {
         let is_covered = |&ids: &[u32; 2]| {
-            K::vertices(mesh, ids).is_none_or(|vertices| K::is_covered(&self.other_ends, &vertices))
+            K::vertices(mesh, ids)
+                .is_none_or(|vertices| K::is_covered(self.primitives.other_ends(), &vertices))
         };
         move |pairs: &[[u32; 2]]| {
             if !K::SOME_ARE_COVERED {
@@ -317,15 +265,6 @@ impl<const T: usize> StepBoxes<T> {
                 .collect_into_vec(moving),
         }
     }
-}
-
-/// Those of some vertices, in their order.
-fn among(vertices: &[u32], is_chosen: impl Fn(u32) -> bool) -> Vec<u32> {
-    vertices
-        .iter()
-        .copied()
-        .filter(|&vertex| is_chosen(vertex))
-        .collect()
 }
 
 #[inline(always)]

@@ -6,6 +6,7 @@ use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex, environme
 
 use super::margin::Margin;
 use super::options::{BoxKind, CandidateError, CandidateOptions};
+use super::primitives::Primitives;
 use super::step_boxes::StepBoxes;
 use crate::broad_phase::{Aabb, BoxPairs, BroadPhase, meet};
 use crate::pairs::{CanCollide, Searched};
@@ -55,12 +56,14 @@ struct Overlaps<'a, const T: usize, F> {
 
 impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T, F> {
     fn new(step: Step<'a>, can_collide: &'a CanCollide, margin: Margin, of_vertex: F) -> Self {
+        let mut primitives = Primitives::default();
+        primitives.begin(&step, can_collide);
         let mut boxes = StepBoxes::default();
         boxes.end(&margin);
-        boxes.place::<VertexFace>(&step, can_collide, 1.0);
-        boxes.place::<EdgeEdge>(&step, can_collide, 1.0);
-        boxes.place::<VertexEdge>(&step, can_collide, 1.0);
-        boxes.place::<VertexVertex>(&step, can_collide, 1.0);
+        boxes.place::<VertexFace>(&step, &primitives, 1.0);
+        boxes.place::<EdgeEdge>(&step, &primitives, 1.0);
+        boxes.place::<VertexEdge>(&step, &primitives, 1.0);
+        boxes.place::<VertexVertex>(&step, &primitives, 1.0);
         Self {
             step,
             can_collide,

@@ -49,6 +49,15 @@ pub(crate) enum PrimitiveSet {
 
 impl PrimitiveSet {
     pub(crate) const COUNT: usize = 6;
+
+    pub(crate) const ALL: [Self; Self::COUNT] = [
+        Self::Vertices,
+        Self::Faces,
+        Self::Edges,
+        Self::LooseVertices,
+        Self::Ends,
+        Self::LooseEdges,
+    ];
 }
 
 /// A kind of pairs in the search for all pairs of a mesh.

@@ -13,7 +13,7 @@ use super::kept::Kept;
 use super::narrow_phase::NarrowPhase;
 use super::screen::Screen;
 use crate::broad_phase::{BoxPairs, BroadPhase};
-use crate::overlaps::{Margin, StepBoxes};
+use crate::overlaps::{Margin, Primitives, StepBoxes};
 use crate::pairs::{CanCollide, MinDistance, Pair, Searched};
 use crate::steps::Step;
 
@@ -29,6 +29,7 @@ pub(crate) struct CulledSearch {
 struct Memory {
     narrow_phase: NarrowPhase,
     screen: Screen,
+    primitives: Primitives,
     resting: StepBoxes<1>,
     moving: StepBoxes<2>,
     /// The candidates of the last search, if they were kept.
@@ -52,6 +53,7 @@ impl Memory {
         Self {
             narrow_phase: NarrowPhase::new(can_collide),
             screen: Screen::new(),
+            primitives: Primitives::default(),
             resting: StepBoxes::default(),
             moving: StepBoxes::default(),
             kept: None,
@@ -142,6 +144,7 @@ impl CulledSearch {
         let Memory {
             narrow_phase,
             screen,
+            primitives,
             resting,
             moving,
             ..
@@ -149,6 +152,7 @@ impl CulledSearch {
         // All on threads of the pool: entering it from outside costs a context switch each time.
         let _ = rayon::scope(|_| {
             narrow_phase.begin(step, min_distance.clone());
+            primitives.begin(step, narrow_phase.can_collide());
             let margin = Margin::new(min_distance.clone(), 0.0);
             resting.end(&margin);
             moving.end(&margin);
@@ -158,6 +162,7 @@ impl CulledSearch {
                 broad_phase: &**broad_phase,
                 narrow_phase: &*narrow_phase,
                 screen,
+                primitives,
                 collector,
                 kept,
                 short: time_of_short_displacements(step),
@@ -183,6 +188,7 @@ impl CulledSearch {
         let Self { broad_phase, memory } = self;
         let Memory {
             narrow_phase,
+            primitives,
             moving,
             kept,
             ..
@@ -190,6 +196,7 @@ impl CulledSearch {
         *kept = None;
         let _ = rayon::scope(|_| {
             narrow_phase.begin(step, min_distance.clone());
+            primitives.begin(step, narrow_phase.can_collide());
             let is_placed = moving.move_marked(step, marked);
             if !is_placed {
                 moving.end(&Margin::new(min_distance.clone(), 0.0));
@@ -199,6 +206,7 @@ impl CulledSearch {
                 step,
                 broad_phase: &**broad_phase,
                 narrow_phase: &*narrow_phase,
+                primitives,
                 collector,
                 marked,
             };
@@ -238,6 +246,7 @@ struct Pass<'a, C> {
     broad_phase: &'a dyn BroadPhase,
     narrow_phase: &'a NarrowPhase,
     screen: &'a mut Screen,
+    primitives: &'a Primitives,
     collector: &'a C,
     kept: Option<&'a Kept>,
     /// The time until which all displacements are short.
@@ -251,7 +260,7 @@ impl<C: Collect> Pass<'_, C> {
         resting: &mut StepBoxes<1>,
         moving: &mut StepBoxes<2>,
     ) -> ControlFlow<()> {
-        if resting.lacks::<K>() || moving.lacks::<K>() {
+        if self.primitives.lack::<K>() {
             return ControlFlow::Continue(());
         }
         let of_sample = C::PROFITS_FROM_SAMPLE.then_some(Some(SAMPLE_STRIDE));
@@ -285,7 +294,7 @@ impl<C: Collect> Pass<'_, C> {
     ) -> ControlFlow<()> {
         let (mesh, can_collide) = (self.step.mesh(), self.narrow_phase.can_collide());
         if let Some(time) = new_time {
-            boxes.place::<K>(self.step, can_collide, time);
+            boxes.place::<K>(self.step, self.primitives, time);
         }
         let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
         let Some(kept) = self.kept.filter(|_| sample.is_none()) else {
@@ -310,6 +319,7 @@ struct Marked<'a, C> {
     step: &'a Step<'a>,
     broad_phase: &'a dyn BroadPhase,
     narrow_phase: &'a NarrowPhase,
+    primitives: &'a Primitives,
     collector: &'a C,
     marked: &'a [bool],
     /// True if the boxes of the vertices are those of the step.
@@ -318,14 +328,14 @@ struct Marked<'a, C> {
 
 impl<C: Collect> Marked<'_, C> {
     fn examine<K: Searched>(&self, boxes: &mut StepBoxes<2>) -> ControlFlow<()> {
-        if boxes.lacks::<K>() {
+        if self.primitives.lack::<K>() {
             return ControlFlow::Continue(());
         }
         let mesh = self.step.mesh();
         if self.is_placed {
             boxes.place_marked::<K>(mesh, self.marked);
         } else {
-            boxes.place::<K>(self.step, self.narrow_phase.can_collide(), 1.0);
+            boxes.place::<K>(self.step, self.primitives, 1.0);
         }
         boxes.pairs_of_marked::<K>(mesh, self.broad_phase, self.marked, &|pairs: &[_]| {
             self.collector.examine::<K>(self.narrow_phase, mesh, pairs)

@@ -3,6 +3,7 @@
 use super::row::Row;
 use crate::collision::Collision;
 use crate::kind::Kind;
+use crate::options::Options;
 use crate::query::Query;
 use crate::thickness::Separations;
 
@@ -41,7 +42,8 @@ impl<K: Kind> Batch<'_, K> {
                 for (index, vertices) in self.queries.iter().enumerate() {
                     let (a, b) = vertices.as_ref().split_at(K::FIRST);
                     let query: Query<K> = query_of(self.rows, vertices);
-                    if let Some(collision) = query.collision(self.separations.between(a, b)) {
+                    let options = Options::within(self.separations.between(a, b)).until(self.until);
+                    if let Some(collision) = query.collision(options) {
                         found(index, collision);
                     }
                 }

@@ -22,7 +22,7 @@ pub(crate) fn run<K: Kind>(batch: Batch<'_, K>, instructions: Instructions) {
     }
 }
 
-/// The same without the limit of times.
+/// The same, but collisions after the last time may be passed on too.
 fn run_all<K: Kind>(batch: Batch<'_, K>, instructions: Instructions) {
     if environment::is_default() {
         vectors::run(batch, instructions);

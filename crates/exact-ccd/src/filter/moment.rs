@@ -51,9 +51,9 @@ impl Moment {
     /// The sign of d₀ (1−t) + d₁ t at a root, for coefficients rounded once, if it is certain and not zero.
     ///
     /// The value results from n = 7 roundings: that of the coefficient, three of t, which its place in the
-    /// window determines, those of 1 − t, a product and a sum. Terms are at most |d₀| + |d₁|, which bounds
-    /// the slope, too. The radius is one in time: that in the window times its width, with a factor of two
-    /// for roundings.
+    /// window determines, those of 1 − t, a product and a sum. The error of t counts in 1 − t too: terms are
+    /// at most 2 (|d₀| + |d₁|). The slope is at most |d₀| + |d₁|. The radius is one in time: that in the
+    /// window times its width, with a factor of two for roundings.
     pub(super) fn sign_of_linear(&self, [start, end]: [f64; 2]) -> Option<Ordering> {
         let Self::Root(window, root) = self else {
             return None;

@@ -1,28 +1,30 @@
-//! The labels of boxes: two boxes with a common label are no pair.
+//! The indices of boxes, and their labels: two boxes with a common label are no pair.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{mask32x8, u32x8};
 
 use super::block::LANES;
 
-/// The labels of boxes in blocks of eight, as many for each box.
+/// The indices of boxes in blocks of eight, and as many labels for each box.
 ///
 /// The labels of a primitive are its vertices. Boxes of neighbours in a mesh always meet, and most pairs
 /// that meet on a smooth surface are neighbours.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Labels {
+pub(crate) struct Members {
+    /// The indices, block by block.
+    ids: Vec<u32>,
     /// The number of labels of each box.
-    count: usize,
-    /// Block by block, and in a block label by label. The places after the last box have no meaning.
+    label_count: usize,
+    /// The labels, block by block, and in a block label by label. The places after the last box have no meaning.
     rows: Vec<[u32; LANES]>,
 }
 
 /// N labels of each box of a block.
 type Rows<const N: usize> = [[u32; LANES]; N];
 
-impl Labels {
-    /// The labels of boxes with these indices.
-    pub(super) fn new<const N: usize>(ids: &[u32], labels: impl Fn(u32) -> [u32; N]) -> Self {
+impl Members {
+    /// Boxes with these indices, in this order, and their labels.
+    pub(crate) fn new<const N: usize>(ids: Vec<u32>, labels: impl Fn(u32) -> [u32; N]) -> Self {
         let mut rows = Vec::with_capacity(N * ids.len().div_ceil(LANES));
         for eight in ids.chunks(LANES) {
             let mut block = [[0; LANES]; N];
@@ -33,40 +35,72 @@ impl Labels {
             }
             rows.extend(block);
         }
-        Self { count: N, rows }
+        Self {
+            ids,
+            label_count: N,
+            rows,
+        }
+    }
+
+    /// The indices, block by block.
+    pub(crate) fn ids(&self) -> &[u32] {
+        &self.ids
+    }
+
+    /// The number of blocks.
+    pub(super) fn block_count(&self) -> usize {
+        self.ids.len().div_ceil(LANES)
+    }
+
+    /// A bit for each place of a block that holds a box.
+    #[inline]
+    pub(super) fn filled(&self, block: usize) -> u32 {
+        let count = (self.ids.len() - LANES * block).min(LANES);
+        (1 << count) - 1
     }
 
     /// The number of labels of each box.
-    pub(super) fn count(&self) -> usize {
-        self.count
+    pub(super) fn label_count(&self) -> usize {
+        self.label_count
     }
 
     /// The first N labels of each box of a block.
     #[inline(always)]
-    pub(super) fn of<const N: usize>(&self, block: usize) -> &Rows<N> {
-        let rows = &self.rows[self.count * block..];
+    pub(super) fn labels<const N: usize>(&self, block: usize) -> &Rows<N> {
+        let rows = &self.rows[self.label_count * block..];
         rows.first_chunk().expect("there are at least N labels")
     }
 
-    /// Those of the boxes at some places.
+    /// The boxes at some places.
     pub(super) fn only(&self, places: &[usize]) -> Self {
-        let mut rows = Vec::with_capacity(self.count * places.len().div_ceil(LANES));
+        let mut rows = Vec::with_capacity(self.label_count * places.len().div_ceil(LANES));
         for eight in places.chunks(LANES) {
-            for label in 0..self.count {
+            for label in 0..self.label_count {
                 let mut row = [0; LANES];
                 for (to, &place) in row.iter_mut().zip(eight) {
-                    *to = self.rows[self.count * (place / LANES) + label][place % LANES];
+                    *to = self.rows[self.label_count * (place / LANES) + label][place % LANES];
                 }
                 rows.push(row);
             }
         }
-        Self { rows, ..*self }
+        Self {
+            ids: places.iter().map(|&place| self.ids[place]).collect(),
+            rows,
+            ..*self
+        }
     }
 
-    /// Those of one block in every `stride`.
+    /// The boxes of one block in every `stride`.
     pub(super) fn sample(&self, stride: usize) -> Self {
-        let blocks = self.rows.chunks(self.count.max(1)).step_by(stride);
+        let blocks = self.rows.chunks(self.label_count.max(1)).step_by(stride);
         Self {
+            ids: self
+                .ids
+                .chunks(LANES)
+                .step_by(stride)
+                .flatten()
+                .copied()
+                .collect(),
             rows: blocks.flatten().copied().collect(),
             ..*self
         }
@@ -94,9 +128,11 @@ pub(super) fn common<S: Simd, const M: usize, const N: usize>(
 #[cfg(test)]
 mod tests {
     use std::ops::ControlFlow;
+    use std::sync::Arc;
 
     use fastrand::Rng;
 
+    use super::Members;
     use crate::broad_phase::{
         Aabb, AllPairs, BoxPairs, Boxes, Bvh, MovingBox, PairCollector, PairSink, Sweep,
     };
@@ -112,7 +148,7 @@ mod tests {
             .collect();
         let mut ids: Vec<u32> = (0..count).collect();
         rng.shuffle(&mut ids);
-        let mut boxes = Boxes::labelled(ids, |id| all[id as usize].1);
+        let mut boxes = Boxes::of(Arc::new(Members::new(ids, |id| all[id as usize].1)));
         boxes.replace(|_| true, |id| MovingBox::new(&[all[id as usize].0], &[[0.0; 3]]));
         (boxes, all)
     }
@@ -146,7 +182,13 @@ mod tests {
         for count in [1, 8, 9, 100] {
             let (a, of_a) = boxes::<M>(&mut rng, count);
             let (b, of_b) = boxes::<N>(&mut rng, count + 3);
-            let is_in_sample = |id: u32| a.ids().chunks(8).step_by(3).any(|ids| ids.contains(&id));
+            let is_in_sample = |id: u32| {
+                a.members()
+                    .ids()
+                    .chunks(8)
+                    .step_by(3)
+                    .any(|ids| ids.contains(&id))
+            };
             for (chosen, expected) in [
                 (a.clone(), apart(&of_a, &of_b, |_| true)),
                 (a.only(|id| id % 3 == 0), apart(&of_a, &of_b, |[i, _]| i % 3 == 0)),
