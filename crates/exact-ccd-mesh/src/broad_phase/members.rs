@@ -15,7 +15,7 @@ pub(crate) struct Members {
     ids: Vec<u32>,
     /// The number of labels of each box.
     label_count: usize,
-    /// The labels, block by block, and in a block label by label. The places after the last box have no meaning.
+    /// The labels, block by block, and in a block label by label. Places after the last box have no meaning.
     rows: Vec<[u32; LANES]>,
 }
 
