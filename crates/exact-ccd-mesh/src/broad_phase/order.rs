@@ -34,8 +34,8 @@ pub(crate) fn order(ids: Vec<u32>, center: impl Fn(u32) -> Point + Sync) -> Vec<
     placed.into_iter().map(|(_, id)| id).collect()
 }
 
-/// Divides the boxes of a node, or of some of its children, until the parts are blocks. The number of boxes of
-/// a node is a power of eight; only the last node has fewer.
+/// Divides the boxes of a node, or of some of its children, until the parts are blocks. The number of boxes
+/// of a node is a power of eight; only the last node has fewer.
 fn divide(placed: &mut [Placed], mut node: usize) {
     if placed.len() <= LANES {
         return;
