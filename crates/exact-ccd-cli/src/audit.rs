@@ -114,16 +114,17 @@ impl<'a> Run<'a> {
     fn begin(arguments: &'a Arguments) -> Result<Self, Failure> {
         let Arguments { mesh, frames, .. } = arguments;
         mesh.check_places()?;
-        let certificate = mesh.certificate.begin(frames, mesh.min_distance)?;
+        let clock = Seconds::begin();
+        let mut notes = Notes::default();
+        let scene = Scene::of_sequence(frames, arguments.as_given, &mesh.scene, &mut notes)?;
+        mesh.check(&scene)?;
+        let names = (0..scene.frame_count()).map(|index| scene.frame_name(index).into());
+        let certificate = mesh.certificate.begin(names, mesh.min_distance)?;
         if certificate.is_wanted() && mesh.all.is_some() {
             return Err(Failure::new(
                 "a certificate ends with the first violation: leave out --all",
             ));
         }
-        let clock = Seconds::begin();
-        let mut notes = Notes::default();
-        let scene = Scene::of_sequence(frames, arguments.as_given, &mesh.scene, &mut notes)?;
-        mesh.check(&scene)?;
         let half_spaces = mesh
             .half_spaces
             .around(scene.moving_vertices(), mesh.min_distance, None);

@@ -6,7 +6,6 @@ use std::process::ExitCode;
 
 use exact_ccd::Separation;
 use exact_ccd_certify::Maker;
-use exact_ccd_files::Format;
 use exact_ccd_mesh::{Contact, Frame, Motion, Point, TriangleMesh, Violation};
 
 use crate::failure::Failure;
@@ -42,18 +41,20 @@ impl CertificateOption {
     ///
     /// # Errors
     /// For files that `exact-ccd-check` does not read, and a place where no file can be written.
-    pub(crate) fn begin(&self, files: &[PathBuf], distance: Separation) -> Result<Certificate<'_>, Failure> {
+    pub(crate) fn begin(
+        &self,
+        files: impl IntoIterator<Item = PathBuf>,
+        distance: Separation,
+    ) -> Result<Certificate<'_>, Failure> {
         let Some(place) = self.certificate.as_deref() else {
             return Ok(Certificate::default());
         };
         check_place(place)?;
-        if let Some(file) = files
-            .iter()
-            .find(|file| file.is_file() && Format::of_path(file) != Some(Format::Ply))
-        {
-            let reason = "a certificate is about PLY files, which exact-ccd-check reads: convert the mesh to PLY, by meshio or \
-                 trimesh";
-            return Err(Failure::of(file, reason));
+        let is_read = |file: &Path| file.extension().is_some_and(|it| it.eq_ignore_ascii_case("ply"));
+        if let Some(file) = files.into_iter().find(|file| !is_read(file)) {
+            let reason = "a certificate is about uncompressed PLY files, which exact-ccd-check reads: convert the mesh to \
+                 PLY, by meshio or trimesh";
+            return Err(Failure::of(&file, reason));
         }
         Ok(Certificate {
             making: Some((place, Maker::new(distance))),

@@ -48,6 +48,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     } = imported;
     let mut notes = Notes::default();
     facts.iter().for_each(|text| notes.note(text.to_string()));
+    arguments.output.check(std::slice::from_ref(&arguments.scene))?;
     arguments.output.write(&toml)?;
     if let Some(output) = arguments.output.file()
         && output.parent() != Some(&meshes)

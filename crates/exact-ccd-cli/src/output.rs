@@ -49,17 +49,9 @@ impl Output {
     }
 
     /// Checks that the file is none of the inputs.
-    #[cfg(feature = "queries")]
+    #[cfg(any(feature = "queries", feature = "simulate"))]
     pub(crate) fn check(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
-        let place = |file: &Path| fs::canonicalize(file).ok();
-        let Some(output) = self.file().and_then(place) else {
-            return Ok(());
-        };
-        if inputs.iter().any(|input| place(input).as_ref() == Some(&output)) {
-            let reason = "the answer would replace this input: name another file";
-            return Err(Failure::of(&self.output, reason));
-        }
-        Ok(())
+        self.file().map_or(Ok(()), |file| check_is_no_input(file, inputs))
     }
 
     /// Writes the answer, with a line break at its end.
@@ -101,6 +93,18 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
         .and_then(|()| output.flush())
         .map_err(Failure::from)
         .or_else(Failure::unless_closed_pipe)
+}
+
+/// Checks that a file to write is none of the inputs.
+#[cfg(any(feature = "queries", feature = "simulate"))]
+pub(crate) fn check_is_no_input(file: &Path, inputs: &[PathBuf]) -> Result<(), Failure> {
+    let place = |file: &Path| fs::canonicalize(file).ok();
+    let output = place(file);
+    if output.is_some() && inputs.iter().any(|input| place(input) == output) {
+        let reason = "the answer would replace this input: name another file";
+        return Err(Failure::of(file, reason));
+    }
+    Ok(())
 }
 
 /// Checks that a file can be written in its folder, before it is computed.

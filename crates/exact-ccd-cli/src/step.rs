@@ -82,7 +82,9 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let Arguments { mesh, .. } = arguments;
     mesh.check_places()?;
-    let mut certificate = mesh.certificate.begin(&arguments.files, mesh.min_distance)?;
+    let mut certificate = mesh
+        .certificate
+        .begin(arguments.files.iter().cloned(), mesh.min_distance)?;
     if certificate.is_wanted() && (arguments.files.len() != 2 || arguments.inner_distance().is_some()) {
         return Err(Failure::new(
             "a certificate is about one pair of files, without --inner-distance",

@@ -59,6 +59,13 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, 
     } else {
         BodyKind::Obstacle { faces }
     };
+    if described.name.contains(char::is_control) {
+        let message = format!(
+            "the name {:?} has a control character, expected none",
+            described.name
+        );
+        return Err(FieldError::new("name", message));
+    }
     let placement = described.placement();
     placement.check()?;
     let body = Body {

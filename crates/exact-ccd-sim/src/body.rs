@@ -47,7 +47,7 @@ pub enum BodyKind {
         material: ShellProperties,
     },
     /// A thin elastic rod, or several of them. They resist twist between edges that are held, if the material
-    /// has a shear modulus.
+    /// has a shear modulus, but for closed loops without a branch.
     Rod {
         /// Its edges. The rods bend at the vertices of two edges; more than two edges are hinged.
         edges: Vec<[u32; 2]>,
@@ -125,7 +125,8 @@ pub struct RodProperties {
     pub young: f64,
     /// The radius of the cross section, in m. It enters mass and stiffness, but not contact.
     pub radius: f64,
-    /// The shear modulus G in Pa, by which a rod between two held edges resists twist. `None`: it does not.
+    /// The shear modulus G in Pa, by which a rod between two held edges resists twist. `None`: it does not. A
+    /// closed loop without a branch does not resist twist.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear: Option<f64>,
 }

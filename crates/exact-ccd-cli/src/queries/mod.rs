@@ -141,11 +141,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 Kind::Ve => run.answer_all::<VertexEdge>(&|query| Ok(Answer::exact(query, d))),
                 Kind::Vv => run.answer_all::<VertexVertex>(&|query| Ok(Answer::exact(query, d))),
             }?;
+            if run.tally.queries() == 0 {
+                return Err(no_queries());
+            }
             Ok(run.tally)
         })
     });
     match tally {
-        Ok(tally) if tally.queries() == 0 => return Err(no_queries()),
         Ok(tally) => tally.report(),
         Err(failure) => failure.unless_closed_pipe()?,
     }

@@ -38,7 +38,8 @@ pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes)
 /// The kind that a Parquet file names, that of the folder as in the published data sets, or the only one
 /// whose queries fill the rows of the file.
 fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
-    if is_dash(file) {
+    // A pipe can be read only once.
+    if is_dash(file) || !file.is_file() {
         return Err(uncertain(file));
     }
     if is_parquet(file) {
@@ -110,6 +111,9 @@ fn of_columns(file: &Path) -> Result<Kind, Failure> {
     ];
     if let Some((kind, _)) = kinds.iter().find(|(_, read)| matches!(read, Ok(true))) {
         return Ok(*kind);
+    }
+    if kinds.iter().all(|(_, read)| matches!(read, Ok(false))) {
+        return Err(no_queries());
     }
     let errors = kinds.map(|(_, read)| read.err().map(|error| error.to_string()));
     match &errors[0] {

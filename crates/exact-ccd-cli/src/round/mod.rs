@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::inputs::check_file;
 use crate::json::to_json;
 use crate::notes::Notes;
-use crate::output::{print, write_file};
+use crate::output::{check_is_no_input, print, write_file};
 use crate::progress::{self, during};
 use crate::queries::kind::Kind as AnyKind;
 use crate::queries::query_files;
@@ -92,6 +92,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     query_files::check(&arguments.inputs, |input| {
         check_file(input, "a mesh file, or a query file with --kind")
     })?;
+    // A mesh can take the place of its input. A query file would lose its answers.
+    let output = arguments.output.iter().filter(|_| arguments.kind.is_some());
+    for file in output.chain(&arguments.plot) {
+        check_is_no_input(file, &arguments.inputs)?;
+    }
     if let Some(kind) = arguments.kind {
         note_other_folders(kind.into(), &arguments.inputs, &mut Notes::default());
     }

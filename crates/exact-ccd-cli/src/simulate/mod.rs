@@ -59,8 +59,8 @@ use queries::QueryFolder;
 ///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal distance,
 ///                        energies and run times; column names end with units
 ///   DIR/checkpoint.json  the state for --resume, which replaces the previous one
-/// An interrupted run continues with --resume from the last checkpoint, at most about a
-/// second of work earlier. On the same machine, its results are identical to those of an
+/// An interrupted run continues with --resume from the last checkpoint: one is written with the files of a
+/// time step, at most about once a second. On the same machine, its results are identical to those of an
 /// uninterrupted run. The results of an earlier run in DIR are an error without --resume
 /// or --overwrite. Without --output, only the files of --view and --dump-queries are written.
 ///
@@ -103,7 +103,8 @@ pub(crate) struct Arguments {
     /// Write the CCD queries as a data set for `exact-ccd bench` and `exact-ccd queries`. For each time step
     /// N, the folder gets `vertex-face/N.csv` and `edge-edge/N.csv`, with the exact answer in the last
     /// column, and a row of `counts.csv`. The queries are all pairs of primitives whose boxes overlap in a
-    /// step that the line search proposes or takes.
+    /// step that the line search proposes or takes. Those of an earlier run in the folder are an error without
+    /// --resume or --overwrite.
     #[arg(long, value_name = "DIR")]
     dump_queries: Option<PathBuf>,
     /// The maximal number of queries in contact, and of queries without contact, to write for each kind and
@@ -155,6 +156,8 @@ enum Ended {
     Complete,
     /// By Ctrl-C.
     Interrupted,
+    /// By a time step without an answer.
+    Failed(SimulationError),
 }
 
 /// Runs the command. `command` is the program with its arguments if it is a process of its own, in which
@@ -193,7 +196,8 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     let (mut simulation, mut queries) = match &arguments.dump_queries {
         None => (simulation, None),
         Some(folder) => {
-            let (simulation, queries) = QueryFolder::open(folder, simulation, most)?;
+            let replaces = arguments.resume || arguments.overwrite;
+            let (simulation, queries) = QueryFolder::open(folder, simulation, most, replaces)?;
             (simulation, Some(queries))
         }
     };
@@ -243,7 +247,10 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             if matches!(stepped, Err(SimulationError::Interrupted { .. })) && command.is_some() {
                 return Ok(Ended::Interrupted);
             }
-            let statistics = stepped.map_err(|error| Failure::of(&arguments.scene, error))?;
+            let statistics = match stepped {
+                Ok(statistics) => statistics,
+                Err(error) => return Ok(Ended::Failed(error)),
+            };
             let path = path.map_or_else(|| Ok(Vec::new()), path::Path::finish)?;
             if let Some(queries) = &mut queries {
                 queries.add(statistics.step)?;
@@ -277,18 +284,29 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         }
         Ok(Ended::Complete)
     });
-    if let (Ended::Interrupted, Some(command)) = (ended?, command) {
-        if let Some(folder) = &mut folder {
-            folder.finish(&simulation)?;
-        }
-        let message = interrupt::message(simulation.state().step, arguments, command);
-        let _ = writeln!(std::io::stderr(), "exact-ccd: {message}");
-        return Ok(ExitCode::from(interrupt::STATUS));
-    }
+    let ended = ended?;
     let distance = simulation.settings().contact_distance;
     let distance = distance.meters(simulation.system().size());
-    let verdict = line::of_convergence(&unconverged, remaining);
-    recording.finish(&verdict, &text_of_page, distance)?;
+    if !matches!(ended, Ended::Complete)
+        && let Some(folder) = &mut folder
+    {
+        folder.finish(&simulation)?;
+    }
+    let taken = remaining.saturating_sub(steps.saturating_sub(simulation.state().step));
+    recording.finish(
+        &line::of_convergence(&unconverged, taken),
+        &text_of_page,
+        distance,
+    )?;
+    match (ended, command) {
+        (Ended::Failed(error), _) => return Err(Failure::of(&arguments.scene, error)),
+        (Ended::Interrupted, Some(command)) => {
+            let message = interrupt::message(simulation.state().step, arguments, command);
+            let _ = writeln!(std::io::stderr(), "exact-ccd: {message}");
+            return Ok(ExitCode::from(interrupt::STATUS));
+        }
+        _ => {}
+    }
     if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
         notes.warn(warning);
     }

@@ -38,11 +38,22 @@ pub(super) struct Numbers {
     pub(super) kept: usize,
 }
 
+impl Counts {
+    fn add(&mut self, row: &Row) {
+        let Self {
+            vertex_face,
+            edge_edge,
+        } = self;
+        vertex_face.add([row.vertex_face, row.vertex_face_in_contact, row.vertex_face_kept]);
+        edge_edge.add([row.edge_edge, row.edge_edge_in_contact, row.edge_edge_kept]);
+    }
+}
+
 impl Numbers {
-    fn add(&mut self, other: &Self) {
-        self.total += other.total;
-        self.in_contact += other.in_contact;
-        self.kept += other.kept;
+    fn add(&mut self, [total, in_contact, kept]: [usize; 3]) {
+        self.total += total;
+        self.in_contact += in_contact;
+        self.kept += kept;
     }
 }
 
@@ -59,24 +70,36 @@ struct Row {
 }
 
 impl QueryFolder {
-    /// Opens the folder for a simulation in its current state. Queries of later time steps are removed.
+    /// Opens the folder for a simulation in its current state. Queries of later time steps are removed, if the
+    /// run replaces earlier ones.
     pub(super) fn open(
         folder: &Path,
         simulation: Simulation,
         most: usize,
+        replaces: bool,
     ) -> Result<(Simulation, Self), Failure> {
         let last = simulation.state().step;
+        let counts = folder.join("counts.csv");
+        if counts.exists() && !replaces {
+            return Err(Failure::of(
+                folder,
+                "the folder has the queries of an earlier run: remove it, name another one, or replace the run and its \
+                 queries with --output and --overwrite",
+            ));
+        }
         for kind in [VertexFace::FOLDER, EdgeEdge::FOLDER] {
             make_folder(&folder.join(kind))?;
             steps::remove_after(&folder.join(kind), Some(last))?;
         }
-        let log = Log::resume(folder.join("counts.csv"), last, |row: &Row| row.step)?;
+        let log = Log::resume(counts, last, |row: &Row| row.step)?;
+        let mut total = Counts::default();
+        log.rows()?.iter().for_each(|row| total.add(row));
         let (simulation, recording) = Recording::of(simulation, most)?;
         let this = Self {
             folder: folder.to_owned(),
             recording,
             log,
-            total: Counts::default(),
+            total,
         };
         Ok((simulation, this))
     }
@@ -88,7 +111,7 @@ impl QueryFolder {
             self.write(step, &samples.vertex_face)?,
             self.write(step, &samples.edge_edge)?,
         ];
-        self.log.add(&Row {
+        let row = Row {
             step,
             vertex_face: vertex_face.total,
             vertex_face_in_contact: vertex_face.in_contact,
@@ -96,9 +119,9 @@ impl QueryFolder {
             edge_edge: edge_edge.total,
             edge_edge_in_contact: edge_edge.in_contact,
             edge_edge_kept: edge_edge.kept,
-        })?;
-        self.total.vertex_face.add(&vertex_face);
-        self.total.edge_edge.add(&edge_edge);
+        };
+        self.log.add(&row)?;
+        self.total.add(&row);
         self.log.sync()
     }
 

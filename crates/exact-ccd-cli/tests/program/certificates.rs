@@ -144,3 +144,19 @@ fn without_a_proof_the_status_is_3_and_there_is_no_file() {
         (false, Some(1.0))
     );
 }
+
+/// The checker reads uncompressed PLY files alone.
+#[test]
+fn frames_that_the_checker_does_not_read_have_no_certificate() {
+    let folder = heights(&[2.0, 0.5]);
+    fs::create_dir(folder.path("frames")).unwrap();
+    for frame in ["frames/0.obj", "frames/1.obj"] {
+        folder.write(frame, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    }
+    fs::copy(folder.path("0.ply"), folder.path("0.ply.gz")).unwrap();
+    for arguments in [&["audit", "frames"][..], &["step", "0.ply.gz", "1.ply"]] {
+        let run = folder.run(&[arguments, &["--certificate", "proof"]].concat());
+        assert!(run.error().contains("uncompressed PLY files"), "{run:?}");
+        assert!(!folder.path("proof").exists());
+    }
+}

@@ -169,6 +169,10 @@ fn no_answer_replaces_a_mesh() {
     for output in ["vf.csv", "./vf.csv"] {
         let run = folder.run(&["queries", "--kind", "vf", "vf.csv", "-o", output]);
         assert!(run.error().contains("would replace this input"), "{run:?}");
+        for option in ["-o", "--plot"] {
+            let run = folder.run(&["round", "--kind", "vf", "vf.csv", option, output]);
+            assert!(run.error().contains("would replace this input"), "{run:?}");
+        }
         assert_eq!(read("vf.csv"), before);
     }
 }

@@ -182,6 +182,11 @@ fn an_empty_input_is_an_error() {
     );
     let run = folder.run_with_input(&["queries", "--kind", "ee", "-"], "");
     assert_eq!(run.error(), "0 queries: the input is empty");
+    // The answers of another input stay.
+    folder.write("answers.csv", HEADER);
+    let run = folder.run(&["queries", "--kind", "vf", "empty.csv", "-o", "answers.csv"]);
+    assert_eq!(run.error(), "0 queries: the input is empty");
+    assert_eq!(folder.read("answers.csv"), HEADER);
 }
 
 #[test]

@@ -141,3 +141,22 @@ fn results_are_kept_and_complete() {
         "out/checkpoint.json: the checkpoint has time step 3, but the file out/frames/000001.ply is missing";
     assert_error(&simulate(&["--resume"]), error);
 }
+
+/// A name that no file of results could have is refused before an earlier run is replaced.
+#[test]
+fn a_control_character_in_a_name_is_an_error() {
+    let folder = folder();
+    let run = folder.run(&["simulate", "scene.toml", "--steps", "1", "--output", "result"]);
+    assert_eq!(run.status, 0, "{run:?}");
+    let before = fs::read(folder.path("result/frames/000001.ply")).unwrap();
+    folder.write(
+        "tab.toml",
+        SCENE.replacen("[[body]]", "[[body]]\nname = \"a\\tb\"", 1),
+    );
+    let run = folder.run(&["simulate", "tab.toml", "--output", "result", "--overwrite"]);
+    assert!(
+        run.stderr.contains("has a control character, expected none"),
+        "{run:?}"
+    );
+    assert_eq!(fs::read(folder.path("result/frames/000001.ply")).unwrap(), before);
+}

@@ -138,3 +138,38 @@ fn recording_queries_does_not_change_results() {
         assert!(read("observed") == read("plain"), "{ccd}");
     }
 }
+
+#[test]
+fn queries_of_an_earlier_run_stay_and_count() {
+    let folder = folder();
+    let whole = [
+        "simulate",
+        "scene.toml",
+        "--output",
+        "whole",
+        "--dump-queries",
+        "queries",
+    ];
+    let expected = folder.run(&whole);
+    assert_eq!(expected.status, 0, "{expected:?}");
+    let before = counts(&folder);
+    let again = folder.run(&["simulate", "scene.toml", "--dump-queries", "queries"]);
+    assert!(
+        again.error().starts_with("queries: the folder has the queries"),
+        "{again:?}"
+    );
+    assert_eq!(counts(&folder), before);
+
+    let parts = [
+        "simulate",
+        "scene.toml",
+        "--output",
+        "parts",
+        "--dump-queries",
+        "parts/queries",
+    ];
+    let begun = folder.run(&[parts.as_slice(), &["--steps", "3"]].concat());
+    assert_eq!(begun.status, 0, "{begun:?}");
+    let found = folder.run(&[parts.as_slice(), &["--resume"]].concat());
+    assert_eq!(found.stdout.lines().last(), expected.stdout.lines().last());
+}

@@ -105,6 +105,14 @@ fn errors_name_the_pointer() {
             "/geometry/transformation/rotation: found [1,2]",
         ),
         (
+            json!({ "geometry": { "surface_selection": { "id": 5, "normal": [0, 0, 0] } } }),
+            "/geometry/surface_selection/normal: found [0,0,0], expected a vector of positive length",
+        ),
+        (
+            json!({ "geometry": { "surface_selection": { "id": 5, "radius": 1, "p1": [1, 2, 3], "p2": [1, 2, 3] } } }),
+            "/geometry/surface_selection: found {",
+        ),
+        (
             json!({ "geometry": { "surface_selection": "ids.txt" } }),
             "/geometry/surface_selection: exact-ccd has no counterpart of a selection by a file",
         ),

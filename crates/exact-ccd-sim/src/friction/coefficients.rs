@@ -4,11 +4,13 @@ use std::collections::HashMap;
 
 use crate::settings::Friction;
 
-/// The friction coefficient of each pair of bodies and half spaces, by their places in the list of all
-/// bodies, followed by the half spaces.
+/// The friction coefficient of each pair of bodies and half spaces.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Coefficients {
     default: f64,
+    /// The number of the name of each body, and of each half space after them. Equal names have one number.
+    numbers: Vec<usize>,
+    /// The coefficients of pairs of names, by the numbers of these, the lesser one first.
     pairs: HashMap<[usize; 2], f64>,
 }
 
@@ -19,28 +21,32 @@ impl Coefficients {
     /// # Errors
     /// The first name that no body has.
     pub(crate) fn new(friction: &Friction, names: &[&str]) -> Result<Self, String> {
-        let places = |name: &String| {
-            let named = |(place, of): (usize, &&str)| (*of == name).then_some(place);
-            let places: Vec<usize> = names.iter().enumerate().filter_map(named).collect();
-            if places.is_empty() || name.is_empty() {
-                Err(name.clone())
-            } else {
-                Ok(places)
-            }
+        let mut first = HashMap::new();
+        let numbered = names.iter().enumerate();
+        let numbers = numbered
+            .map(|(place, name)| *first.entry(*name).or_insert(place))
+            .collect();
+        let number = |name: &String| {
+            let number = first.get(name.as_str()).filter(|_| !name.is_empty());
+            number.copied().ok_or_else(|| name.clone())
         };
         let mut pairs = HashMap::new();
         for pair in &friction.pairs {
-            let [first, second] = [places(&pair.between[0])?, places(&pair.between[1])?];
-            for a in first {
-                pairs.extend(second.iter().map(|&b| ([a.min(b), a.max(b)], pair.coefficient)));
-            }
+            let [a, b] = [number(&pair.between[0])?, number(&pair.between[1])?];
+            pairs.insert([a.min(b), a.max(b)], pair.coefficient);
         }
         let default = friction.coefficient;
-        Ok(Self { default, pairs })
+        Ok(Self {
+            default,
+            numbers,
+            pairs,
+        })
     }
 
-    /// The coefficient of two bodies.
-    pub(crate) fn of(&self, [a, b]: [usize; 2]) -> f64 {
+    /// The coefficient of two bodies or half spaces, by their places in the list of all bodies, followed by the
+    /// half spaces.
+    pub(crate) fn of(&self, bodies: [usize; 2]) -> f64 {
+        let [a, b] = bodies.map(|place| self.numbers[place]);
         let pair = self.pairs.get(&[a.min(b), a.max(b)]);
         pair.copied().unwrap_or(self.default)
     }

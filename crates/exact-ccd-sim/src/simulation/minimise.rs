@@ -15,11 +15,13 @@ use crate::statistics::Statistics;
 
 impl Problem<'_> {
     /// Minimises the potential from an iterate, with friction from the forces there, and again with friction
-    /// from the forces at the minimum, as often as the settings say.
+    /// from the forces at the minimum, as often as the settings say. If `convergent`, ends where Newton's method
+    /// does not converge.
     pub(super) fn minimise(
         &mut self,
         memory: &mut Memory,
         now: &mut Iterate<'_>,
+        convergent: bool,
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<Statistics, SimulationError> {
         let mut statistics = Statistics {
@@ -31,14 +33,15 @@ impl Problem<'_> {
         self.newton.terms.dampers = self.dampers();
         let mut stiffness = self.kept_stiffness().unwrap_or(now.stiffness);
         let settings = &self.simulation.settings.friction;
-        for lag in 0..settings.lags.max(1) {
+        for lag in 0..settings.lags {
             let iterations = statistics.iterations;
             self.newton.terms.friction = self.friction(now, stiffness);
-            statistics.converged &= self.newton.minimise(memory, now, &mut statistics, visit)?;
+            let converged = self.newton.minimise(memory, now, &mut statistics, visit)?;
+            statistics.converged &= converged;
             stiffness = now.stiffness;
             // The forces of an update leave the positions where they are, within the tolerance.
-            let is_settled = lag > 0 && statistics.converged && statistics.iterations == iterations + 1;
-            if is_settled || !settings.acts() {
+            let is_settled = lag > 0 && converged && statistics.iterations == iterations + 1;
+            if is_settled || convergent && !converged || !settings.acts() {
                 break;
             }
         }

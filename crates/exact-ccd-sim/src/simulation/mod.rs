@@ -88,7 +88,7 @@ impl Simulation {
     /// the system, or two primitives that intersect or touch, as in [`Simulation::new`].
     pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
         let filter = StepFilter::default();
-        if settings.ccd != filter.name() {
+        if !settings.ccd.eq_ignore_ascii_case(filter.name()) {
             return Err(SimulationError::Method { name: settings.ccd });
         }
         Self::resume_with(system, settings, state, filter)

@@ -62,14 +62,17 @@ impl Simulation {
                 }
                 Ok(statistics) => {
                     seconds = seconds.plus(&statistics.seconds);
-                    let is_taken = statistics.converged || is_last || self.is_stuck_since(&start);
+                    let is_whole = self.state.step > start.step;
+                    let is_stuck = || is_whole && self.is_stuck_since(&start);
+                    let is_taken = statistics.converged || is_last || is_stuck();
                     is_taken.then_some(statistics)
                 }
             };
             let is_smooth = || touching.as_ref().is_none_or(|before| *before == self.touching());
             match found {
                 None => parts *= 2,
-                Some(statistics) if is_impact || is_smooth() => {
+                // Parts were steps of implicit Euler already.
+                Some(statistics) if is_impact || parts > 1 || is_smooth() => {
                     if is_impact {
                         self.state.earlier = None;
                     }
@@ -102,7 +105,7 @@ impl Simulation {
     }
 
     /// Takes one time step in parts of equal duration. If `convergent`, ends after a part that does not
-    /// converge. An error leaves the state unchanged.
+    /// converge, within the time step unless that is the last part. An error leaves the state unchanged.
     fn substeps(
         &mut self,
         parts: usize,
@@ -117,16 +120,17 @@ impl Simulation {
                 self.state.earlier = None;
             }
             let times = Times::new(start.step, self.settings.time_step, [part, parts]);
-            match self.advance(times, visit) {
+            match self.advance(times, convergent, visit) {
                 Ok(statistics) => {
-                    let is_last = convergent && !statistics.converged;
-                    sum = Some(match sum {
+                    let ends_early = convergent && !statistics.converged && part < parts;
+                    let statistics = match sum {
                         None => statistics,
                         Some(before) => before.followed_by(statistics),
-                    });
-                    if is_last {
-                        break;
+                    };
+                    if ends_early {
+                        return Ok(statistics);
                     }
+                    sum = Some(statistics);
                 }
                 Err(error) => {
                     self.state = start;
@@ -141,10 +145,12 @@ impl Simulation {
         Ok(sum.unwrap_or_default())
     }
 
-    /// Takes one part of a time step.
+    /// Takes one part of a time step. If `convergent`, ends with the first lag of friction that does not
+    /// converge.
     fn advance(
         &mut self,
         times: Times,
+        convergent: bool,
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<Statistics, SimulationError> {
         let clock = Instant::now();
@@ -152,7 +158,7 @@ impl Simulation {
         let paths = Paths::new(&self.system, &self.state, times);
         let mut problem = Problem::new(self, &paths);
         let mut now = problem.first();
-        let mut statistics = problem.minimise(&mut memory, &mut now, visit)?;
+        let mut statistics = problem.minimise(&mut memory, &mut now, convergent, visit)?;
         let (state, collisions) = problem.record(now, &mut statistics);
         self.known = Some(KnownCollisions {
             positions: state.positions.clone(),

@@ -49,9 +49,8 @@ impl Parts {
             center,
             covariance,
         } = moments;
-        let flat = BodyError::Flat { element: 0 };
-        let root = covariance.cholesky().ok_or_else(|| flat.clone())?.l();
-        let inverse = root.try_inverse().ok_or_else(|| flat.clone())?;
+        let root = covariance.cholesky().ok_or(BodyError::Hollow)?.l();
+        let inverse = root.try_inverse().ok_or(BodyError::Hollow)?;
         let count = self.start.len();
         let carriers = self.start[first..].iter().map(|&point| {
             let at = inverse * (Vector3::from(point) - center);
@@ -65,7 +64,7 @@ impl Parts {
         self.start.extend(nodes);
         let vertices = [0, 1, 2, 3].map(|node| (count + node) as u32);
         let element = Tetrahedron::new(vertices, &self.start)
-            .ok_or(flat)?
+            .ok_or(BodyError::Hollow)?
             .with_volume(volume);
         let stiffness = SaintVenantKirchhoff::orthogonality(material.stiffness);
         self.add_element(

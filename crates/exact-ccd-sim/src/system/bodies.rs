@@ -42,6 +42,12 @@ impl Bodies {
         Designation::of_body(place, self.names.get(place).map_or("", String::as_str))
     }
 
+    /// The names of the bodies, and the ends of their ranges of vertices.
+    pub(super) fn named_ranges(&self) -> Vec<(&str, u32)> {
+        let names = self.names.iter().map(String::as_str);
+        names.zip(self.ranges.iter().map(|range| range.end)).collect()
+    }
+
     /// The diagonals of the bounding boxes of the bodies at these positions, in m.
     pub(crate) fn sizes(&self, points: &[Point]) -> impl Iterator<Item = f64> {
         let points = |range: &Range<u32>| points[range.start as usize..range.end as usize].iter();

@@ -44,6 +44,9 @@ pub enum BodyError {
          as in the other one"
     )]
     Open,
+    /// The surface of an affine body encloses no volume, up to rounding.
+    #[error("the surface of the affine body encloses no volume, expected a positive one")]
+    Hollow,
     /// Two edges of a rod return along each other.
     #[error("the rod is folded onto itself at an end of edge {element}, expected an angle")]
     Folded {

@@ -11,7 +11,7 @@ use crate::digest::{Digest, Hash};
 use crate::half_space::HalfSpace;
 
 /// The definition of the hashes, which is another one whenever equal systems would get other hashes.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 
 /// Hashes of the parts of a [`System`], of 64 bits: against accidental differences, not against forgery.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -25,6 +25,9 @@ pub struct Fingerprint {
     velocities: String,
     /// The hash of the corners of faces, edges and tetrahedra.
     elements: String,
+    /// The hash of the names of all bodies, which decide their friction, and of their numbers of vertices.
+    #[serde(default)]
+    bodies: String,
     /// The hash of the materials and offsets of all bodies.
     materials: String,
     /// The hash of the scripts.
@@ -45,6 +48,7 @@ impl Fingerprint {
             positions: Hash::of(&system.start),
             velocities: Hash::of(&system.velocities),
             elements: Hash::of(&(system.surface(), system.tetrahedra())),
+            bodies: Hash::of(&system.bodies.named_ranges()),
             materials: system.bodies.materials.clone(),
             scripts: Hash::of(&system.scripts),
             half_spaces: Hash::of(system.half_spaces()),
@@ -64,6 +68,7 @@ impl Fingerprint {
             ("positions", &self.positions, &other.positions),
             ("elements", &self.elements, &other.elements),
             ("velocities", &self.velocities, &other.velocities),
+            ("bodies", &self.bodies, &other.bodies),
             ("materials", &self.materials, &other.materials),
             ("scripts", &self.scripts, &other.scripts),
             ("half spaces", &self.half_spaces, &other.half_spaces),

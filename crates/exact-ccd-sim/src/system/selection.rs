@@ -7,8 +7,8 @@ use super::body_error::{BodyError, Selecting};
 use super::error::SystemError;
 use crate::carriers::Carriers;
 
-/// The selected vertices, with the nodes of affine bodies in place of the vertices that they carry. `what`
-/// selects them, for the error.
+/// The selected vertices, each once, with the nodes of affine bodies in place of the vertices that they carry.
+/// `what` selects them, for the error.
 ///
 /// # Errors
 /// [`BodyError::Partly`], if some vertices of an affine body are selected, but not all.
@@ -18,9 +18,6 @@ pub(super) fn unknowns(
     vertices: &[u32],
     what: Selecting,
 ) -> Result<Vec<u32>, SystemError> {
-    if carriers.is_empty() {
-        return Ok(vertices.to_vec());
-    }
     let mut selected: BTreeSet<u32> = vertices.iter().copied().collect();
     for carried in carriers.bodies() {
         let (found, expected) = (selected.range(carried.clone()).count(), carried.len());

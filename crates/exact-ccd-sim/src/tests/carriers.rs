@@ -94,9 +94,12 @@ fn the_moments_of_a_box_are_exact() {
     let sides = Vector3::new(1.0, 2.0, 3.0);
     let center = Vector3::new(50.0, -20.0, 30.0);
     let corner = |place: usize| [0, 1, 2].map(|axis| (place >> axis & 1) as f64 - 0.5);
+    // A vertex of another body, far away, is not at any corner.
+    let far = [1e9, -1e9, 1e9];
     let points: Vec<Point> = (0..8)
         .map(|place| (center + turn * Vector3::from(corner(place)).component_mul(&sides)).into())
         .collect();
+    let points = [vec![far], points].concat();
     let faces = [
         [0, 2, 1],
         [1, 2, 3],
@@ -110,7 +113,8 @@ fn the_moments_of_a_box_are_exact() {
         [2, 4, 6],
         [1, 3, 5],
         [3, 7, 5],
-    ];
+    ]
+    .map(|face: [u32; 3]| face.map(|corner| corner + 1));
     assert!(is_closed(&faces));
     assert!(!is_closed(&faces[1..]));
     let moments = Moments::new(&points, &faces);

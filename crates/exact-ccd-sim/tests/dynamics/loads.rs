@@ -120,6 +120,20 @@ fn a_column_stretches_under_traction() {
     assert!(((height - 1.0) / 1e-4 - 1.0).abs() < 1e-3, "{height}");
 }
 
+/// A vertex that a load names twice is loaded once, as beside an affine body.
+#[test]
+fn a_vertex_counts_once() {
+    let column = column();
+    let once = on(&column, Force::Acceleration([0.0, 10.0, 0.0]), |[_, y, _]| {
+        y == 1.0
+    });
+    let twice = Load {
+        vertices: [once.vertices.clone(), once.vertices.clone()].concat(),
+        ..once.clone()
+    };
+    assert_eq!(equilibrium(column.clone(), once), equilibrium(column, twice));
+}
+
 /// A pressure acts against the normal, and a cube under it in all directions keeps its momentum.
 #[test]
 fn pressure_compresses() {

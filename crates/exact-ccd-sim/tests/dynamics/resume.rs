@@ -149,6 +149,7 @@ fn a_checkpoint_of_another_simulation_is_an_error() {
         }
     };
     assert_eq!(changed(&denser, &[]), "materials");
+    assert_eq!(changed(&|cube| cube.name = "cube".to_owned(), &[]), "bodies");
     let fewer = |cube: &mut Body| {
         if let BodyKind::Solid { tetrahedra, .. } = &mut cube.kind {
             tetrahedra.pop();
