@@ -8,7 +8,7 @@ use std::ops::Range;
 /// PLY files have them as comments: `comment part FIRST END NAME`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedPart {
-    /// The name, without control characters. Several parts may share it.
+    /// The name, not empty, without control characters. Several parts may share it.
     pub name: String,
     /// The vertices, from the first one to the one after the last.
     pub vertices: Range<u32>,
@@ -23,9 +23,10 @@ impl fmt::Display for NamedPart {
 }
 
 impl NamedPart {
-    /// The part in the text of a comment, if it is one.
+    /// The part in the text of a comment, if it is one. The name has all its blanks.
     pub(crate) fn parse(comment: &[u8]) -> Option<Self> {
-        let text = str::from_utf8(comment).ok()?.trim().strip_prefix("part ")?;
+        let text = str::from_utf8(comment).ok()?.trim_end_matches('\r');
+        let text = text.trim_start().strip_prefix("part ")?;
         let (start, rest) = text.split_once(' ')?;
         let (end, name) = rest.split_once(' ')?;
         Some(Self {

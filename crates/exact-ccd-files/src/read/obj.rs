@@ -128,7 +128,7 @@ pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
             Some(b"f") => statements.faces.add(&mut tokens, vertices)?,
             Some(b"l") => statements.add_polyline(&mut tokens)?,
             Some(b"p") => statements.points.add(&mut tokens, vertices)?,
-            Some(b"o" | b"g") => statements.begin_group(tokens.rest_of_line()),
+            Some(b"o" | b"g") => statements.begin_group(tokens.rest_of_line().trim_ascii()),
             _ => {}
         }
     }

@@ -24,8 +24,8 @@ pub fn write_ply(writer: impl io::Write, frame: &Frame) -> io::Result<()> {
 /// [`MeshFile::groups`](crate::MeshFile) has.
 ///
 /// # Errors
-/// Those of [`write_ply`]; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a name with a control
-/// character, or parts that do not cover all vertices, in their order.
+/// Those of [`write_ply`]; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a name that is empty or has
+/// a control character, or parts that do not cover all vertices, in their order.
 pub fn write_ply_with_parts(
     mut writer: impl io::Write,
     frame: &Frame,
@@ -34,6 +34,9 @@ pub fn write_ply_with_parts(
     check_frame(frame)?;
     if !parts.is_empty() && !NamedPart::cover(parts, frame.positions.len()) {
         return Err(invalid("the parts do not cover all vertices in their order"));
+    }
+    if parts.iter().any(|part| part.name.is_empty()) {
+        return Err(invalid("the name of a part is empty"));
     }
     if let Some(part) = parts.iter().find(|part| part.name.contains(char::is_control)) {
         return Err(invalid(format!(

@@ -47,6 +47,25 @@ fn names_are_read_as_they_were_written() {
 }
 
 #[test]
+fn names_keep_their_blanks() {
+    let parts = [
+        part(" cube ", 0..2),
+        part("cube", 2..3),
+        part("  ", 3..5),
+        part("\u{3000}", 5..6),
+    ];
+    let mut file = Vec::new();
+    write_ply_with_parts(&mut file, &frame(), &parts).unwrap();
+    let expected = [
+        group(" cube ", &[0, 1]),
+        group("cube", &[2]),
+        group("  ", &[3, 4]),
+        group("\u{3000}", &[5]),
+    ];
+    assert_eq!(read(&file).groups, expected);
+}
+
+#[test]
 fn other_comments_and_parts_with_gaps_name_nothing() {
     let mut plain = Vec::new();
     write_ply(&mut plain, &frame()).unwrap();
@@ -57,6 +76,11 @@ fn other_comments_and_parts_with_gaps_name_nothing() {
     assert_eq!(
         with("comment part 0 6 all\n"),
         [group("all", &[0, 1, 2, 3, 4, 5])]
+    );
+    // An empty name names nothing, and the other parts keep theirs. A carriage return ends a line, too.
+    assert_eq!(
+        with("comment part 0 4 \ncomment part 4 6 tip\r\n"),
+        [group("tip", &[4, 5])]
     );
     for comments in [
         "comment part 0 6\n",
@@ -83,6 +107,7 @@ fn parts_that_a_file_cannot_hold_are_not_written() {
     let gap = "the parts do not cover all vertices in their order";
     assert_eq!(error(&[part("a", 0..5)]), gap);
     assert_eq!(error(&[part("a", 3..6), part("b", 0..3)]), gap);
+    assert_eq!(error(&[part("", 0..6)]), "the name of a part is empty");
     assert_eq!(
         error(&[part("a\nb", 0..6)]),
         "the name \"a\\nb\" has a control character"

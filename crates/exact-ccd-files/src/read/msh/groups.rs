@@ -41,7 +41,7 @@ impl<'b> Groups<'b> {
         const NAME: &str = "a dimension, a tag and a name in quotes";
         for _ in 0..count_line(tokens, "the number of physical names")? {
             tokens.expect_line(|| NAME.to_owned())?;
-            let line = tokens.rest_of_line();
+            let line = tokens.rest_of_line().trim_ascii();
             let text = String::from_utf8_lossy(line);
             let (physical, name) = parse_name(&text).ok_or_else(|| tokens.unexpected(NAME, line))?;
             self.group(physical).name = name.replace(char::is_control, "\u{fffd}");

@@ -62,9 +62,9 @@ impl<'a> Tokens<'a> {
         (line, continues)
     }
 
-    /// The rest of the current line, which is read with this.
+    /// The rest of the current line with its blanks, which is read with this.
     pub(in super::super) fn rest_of_line(&mut self) -> &'a [u8] {
-        std::mem::take(&mut self.line).trim_ascii()
+        std::mem::take(&mut self.line)
     }
 
     /// The text of the next line, which may be empty, in place of the current one.
