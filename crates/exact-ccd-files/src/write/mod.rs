@@ -7,6 +7,7 @@ mod ply;
 mod pvd;
 mod vtp;
 mod vtu;
+mod xml;
 
 pub use grid::UnstructuredGrid;
 pub use obj::write_obj;

@@ -3,6 +3,7 @@
 use std::io;
 
 use super::check::invalid;
+use super::xml::attribute;
 
 /// Writes a collection, `.pvd`, with one file for each time. ParaView opens it as an animation.
 ///
@@ -28,30 +29,12 @@ pub fn write_pvd(
          <Collection>\n",
     );
     for (time, path) in frames {
-        let path = path.as_ref();
         if !time.is_finite() {
             return Err(invalid(format!("the time is {time}, expected a finite number")));
         }
-        let path =
-            escaped(path).ok_or_else(|| invalid(format!("the path {path:?} does not fit into XML")))?;
+        let path = attribute("path", path.as_ref())?;
         file += &format!("<DataSet timestep=\"{time:?}\" file=\"{path}\"/>\n");
     }
     file += "</Collection>\n</VTKFile>\n";
     writer.write_all(file.as_bytes())
-}
-
-/// Text as the value of an attribute, or none if XML 1.0 does not allow one of its characters.
-fn escaped(text: &str) -> Option<String> {
-    let mut escaped = String::new();
-    for character in text.chars() {
-        match character {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '"' => escaped += "&quot;",
-            '\t' | '\n' | '\r' => escaped += &format!("&#{};", u32::from(character)),
-            '\0'..'\u{20}' | '\u{fffe}' | '\u{ffff}' => return None,
-            _ => escaped.push(character),
-        }
-    }
-    Some(escaped)
 }

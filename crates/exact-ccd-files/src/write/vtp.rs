@@ -6,6 +6,7 @@ use exact_ccd_mesh::{Point, check_positions};
 
 use super::check::invalid;
 use super::vtu::{data_array, encoded, vectors};
+use super::xml::attribute;
 
 /// Data of points: one value for each.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +35,8 @@ pub enum PointArray<'a> {
 ///
 /// # Errors
 /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is
-/// written, if a coordinate is not finite, or the numbers of values and points differ.
+/// written, if a coordinate is not finite, the numbers of values and points differ, or a name has a character
+/// that XML does not allow.
 pub fn write_vtp(
     mut writer: impl io::Write,
     points: &[Point],
@@ -50,7 +52,8 @@ pub fn write_vtp(
             )));
         }
     }
-    let arrays: Vec<String> = data.iter().map(|(name, array)| array.element(name)).collect();
+    let element = |(name, array): &(&str, PointArray<'_>)| Ok(array.element(&attribute("name", name)?));
+    let arrays = data.iter().map(element).collect::<io::Result<Vec<_>>>()?;
     let cells = |ids: std::ops::Range<i64>| encoded(ids.map(i64::to_le_bytes));
     let file = format!(
         r#"<?xml version="1.0"?>

@@ -299,7 +299,7 @@ fn points_keep_their_data() {
     let data = [
         ("time", PointArray::Reals(&[0.25, 1.0])),
         ("normal", PointArray::Vectors(&normals)),
-        ("id", PointArray::Integers(&[-1, i64::MAX])),
+        ("a\"b<c", PointArray::Integers(&[-1, i64::MAX])),
     ];
     let mut file = Vec::new();
     write_vtp(&mut file, &points, &data).unwrap();
@@ -323,7 +323,9 @@ fn points_keep_their_data() {
     };
     assert_eq!(reals("time"), [0.25, 1.0]);
     assert_eq!(reals("normal"), normals.as_flattened());
-    let ids = array(values, "id", "Int64").into_iter().map(i64::from_le_bytes);
+    let ids = array(values, "a\"b<c", "Int64")
+        .into_iter()
+        .map(i64::from_le_bytes);
     assert_eq!(ids.collect::<Vec<_>>(), [-1, i64::MAX]);
     let cells = child(piece, "Verts");
     let integers = |name: &str| {
@@ -350,4 +352,8 @@ fn points_with_other_numbers_of_values_are_refused() {
         "0 values of time, expected one for each of 1 points"
     );
     write(&[[0.0, f64::NAN, 0.0]], &[]);
+    assert_eq!(
+        write(&[[0.0; 3]], &[("a\0", PointArray::Reals(&[1.0]))]),
+        "the name \"a\\0\" does not fit into XML"
+    );
 }
