@@ -6,7 +6,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// A closed interval of real numbers that contains the exact result, in spite of rounding.
 ///
 /// Its ends may be infinite, after an overflow, but are never NaN.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Interval {
     pub(crate) lower: f64,
     pub(crate) upper: f64,

@@ -25,6 +25,7 @@ mod integers;
 mod interval;
 pub mod parity;
 mod registry;
+mod ring;
 mod root_finding;
 mod vector;
 

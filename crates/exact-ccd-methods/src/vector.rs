@@ -2,13 +2,13 @@
 
 // Without closures: those of arrays are not always inlined.
 
-use std::ops::{Add, Mul, Sub};
+use crate::ring::Ring;
 
 /// A vector of numbers.
 pub(crate) type Vector<N> = [N; 3];
 
 #[inline(always)]
-pub(crate) fn plus<N: Clone + Add<Output = N>>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> Vector<N> {
+pub(crate) fn plus<N: Ring>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> Vector<N> {
     [
         a.clone() + x.clone(),
         b.clone() + y.clone(),
@@ -17,7 +17,7 @@ pub(crate) fn plus<N: Clone + Add<Output = N>>([a, b, c]: &Vector<N>, [x, y, z]:
 }
 
 #[inline(always)]
-pub(crate) fn minus<N: Clone + Sub<Output = N>>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> Vector<N> {
+pub(crate) fn minus<N: Ring>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> Vector<N> {
     [
         a.clone() - x.clone(),
         b.clone() - y.clone(),
@@ -26,31 +26,25 @@ pub(crate) fn minus<N: Clone + Sub<Output = N>>([a, b, c]: &Vector<N>, [x, y, z]
 }
 
 #[inline(always)]
-pub(crate) fn dot<N: Clone + Add<Output = N> + Mul<Output = N>>(
-    [a, b, c]: &Vector<N>,
-    [x, y, z]: &Vector<N>,
-) -> N {
+pub(crate) fn dot<N: Ring>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> N {
     a.clone() * x.clone() + b.clone() * y.clone() + c.clone() * z.clone()
 }
 
 /// The two products whose difference is the component of a × b along an axis.
 #[inline(always)]
-pub(crate) fn products<N: Clone + Mul<Output = N>>(axis: usize, a: &Vector<N>, b: &Vector<N>) -> [N; 2] {
+pub(crate) fn products<N: Ring>(axis: usize, a: &Vector<N>, b: &Vector<N>) -> [N; 2] {
     let [j, k] = [[1, 2], [2, 0], [0, 1]][axis];
     [a[j].clone() * b[k].clone(), a[k].clone() * b[j].clone()]
 }
 
 /// The component of a × b along an axis.
 #[inline(always)]
-pub(crate) fn turn<N>(axis: usize, a: &Vector<N>, b: &Vector<N>) -> N
-where
-    N: Clone + Sub<Output = N> + Mul<Output = N>,
-{
+pub(crate) fn turn<N: Ring>(axis: usize, a: &Vector<N>, b: &Vector<N>) -> N {
     let [forth, back] = products(axis, a, b);
     forth - back
 }
 
 #[inline(always)]
-pub(crate) fn cross<N: Clone + Sub<Output = N> + Mul<Output = N>>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
+pub(crate) fn cross<N: Ring>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
     [turn(0, a, b), turn(1, a, b), turn(2, a, b)]
 }

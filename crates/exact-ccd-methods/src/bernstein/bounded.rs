@@ -3,14 +3,14 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::number::Number;
+use super::number::{Number, Signed};
 
 /// A number that differs from `value` by at most `error`.
 ///
 /// This is a running error bound: it depends on the numbers that occur, where an a-priori bound
 /// depends on the largest possible ones. An infinite or undefined bound means that the value is
 /// unknown.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Bounded {
     value: f64,
     error: f64,
@@ -91,7 +91,9 @@ impl Number for Bounded {
             error: self.error * f64::from(n) + value.abs() * UNIT,
         }
     }
+}
 
+impl Signed for Bounded {
     /// `Equal` unless the bound rules out zero.
     #[inline]
     fn sign(&self) -> Option<Ordering> {
@@ -103,9 +105,5 @@ impl Number for Bounded {
         } else {
             Ordering::Equal
         })
-    }
-
-    fn is_zero(&self) -> bool {
-        self.value == 0.0 && self.error == 0.0
     }
 }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::cmp::Ordering::Equal;
 
-use super::number::{Number, signs};
+use super::number::{Number, Signed, signs};
 
 /// A cubic over [0, 1] in Bernstein form.
 pub(super) struct Curve<N> {
@@ -27,7 +27,7 @@ pub(super) enum Roots {
     Anywhere,
 }
 
-impl<N: Number> Curve<N> {
+impl<N: Signed> Curve<N> {
     pub(super) fn new(coefficients: [N; 4]) -> Option<Self> {
         let signs = signs(coefficients.each_ref())?;
         Some(Self { coefficients, signs })
@@ -189,9 +189,9 @@ impl<N: Number> Curve<N> {
 }
 
 /// Linear M and T with (j₀ − 2j₁ + j₂)² Y = M J + T, unless J is linear for certain.
-fn divide<N: Number>([k0, k1, k2, k3]: &[N; 4], [j0, j1, j2]: &[N; 3]) -> Option<[[N; 2]; 2]> {
+fn divide<N: Signed>([k0, k1, k2, k3]: &[N; 4], [j0, j1, j2]: &[N; 3]) -> Option<[[N; 2]; 2]> {
     let bend = j0.clone() - j1.clone().times(2) + j2.clone();
-    if bend.is_zero() {
+    if bend == N::default() {
         return None;
     }
     // The inner coefficients of Y are those of M J + T if (rise, −drop; drop, fall) (m₀, m₁) = (c, d).

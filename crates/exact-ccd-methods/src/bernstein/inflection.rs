@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::cmp::Ordering::{Equal, Greater, Less};
 
-use super::number::{Number, signs};
+use super::number::{Signed, signs};
 
 /// The root of the second derivative of a cubic.
 pub(super) struct Inflection<N> {
@@ -13,7 +13,7 @@ pub(super) struct Inflection<N> {
     pub(super) bends: [Ordering; 2],
 }
 
-impl<N: Number> Inflection<N> {
+impl<N: Signed> Inflection<N> {
     /// The root of a linear polynomial with these values at 0 and 1, unless it is open where that is.
     ///
     /// If the sign of one value is open, the root may lie outside of [0, 1]. One of the parts then

@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 
 use super::curve::{Curve, Roots};
-use super::number::Number;
+use super::number::{Number, Signed};
 
 /// True if, at one of the roots of Y, none of the quartics is negative for certain.
-pub(super) fn is_inside<N: Number>(
+pub(super) fn is_inside<N: Signed>(
     curve: &Curve<N>,
     roots: Roots,
     quartics: impl Iterator<Item = [N; 5]>,

@@ -7,7 +7,7 @@ use exact_ccd::{Decide, Query};
 use super::configuration::{Configuration, Configured, Polynomials};
 use super::curve::{Curve, Roots};
 use super::inside::is_inside;
-use super::number::{Number, signs};
+use super::number::{Signed, signs};
 use crate::integers::to_integers;
 use crate::interval::Interval;
 
@@ -57,7 +57,7 @@ impl Default for BernsteinSignClassification {
 }
 
 /// True for contact; `None` if the arithmetic leaves a sign open.
-fn decide<N: Number>(polynomials: &Polynomials<N>) -> Option<bool> {
+fn decide<N: Signed>(polynomials: &Polynomials<N>) -> Option<bool> {
     let curve = Curve::new(polynomials.coplanarity())?;
     if curve.is_one_sided() {
         return Some(false);

@@ -1,20 +1,9 @@
 //! F, one coordinate at a time, in floating-point or interval arithmetic.
 
-use std::ops::{Add, Mul, Sub};
-
 use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 
 use super::cell::Cell;
-use crate::interval::Interval;
-
-/// The arithmetic in which F is evaluated.
-pub(crate) trait Arithmetic:
-    Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
-{
-}
-
-impl Arithmetic for f64 {}
-impl Arithmetic for Interval {}
+use crate::ring::Ring;
 
 /// The coordinates of the four points of a query over time.
 pub(crate) struct Coordinates<T> {
@@ -24,7 +13,7 @@ pub(crate) struct Coordinates<T> {
     displacement: [[T; 4]; 3],
 }
 
-impl<T: Arithmetic> Coordinates<T> {
+impl<T: Ring + Copy + From<f64>> Coordinates<T> {
     pub(crate) fn new(points: &[[Point; 4]; 2]) -> Self {
         let [start, end]: [[[T; 4]; 3]; 2] =
             points.map(|points| [0, 1, 2].map(|axis| points.map(|point| point[axis].into())));
@@ -47,7 +36,7 @@ pub(crate) trait Gap: Kind<Points = [Point; 4]> {
     const EDGES: [[usize; 2]; 2];
 
     /// A coordinate of F, from that coordinate of the four points.
-    fn gap<T: Arithmetic>(points: [T; 4], u: T, v: T) -> T;
+    fn gap<T: Ring + Copy>(points: [T; 4], u: T, v: T) -> T;
 
     /// Returns true if a part of the box lies in the domain.
     fn meets_domain(cell: &Cell<3>) -> bool;
@@ -57,7 +46,7 @@ impl Gap for VertexFace {
     const EDGES: [[usize; 2]; 2] = [[1, 2], [1, 3]];
 
     #[inline]
-    fn gap<T: Arithmetic>([p, v1, v2, v3]: [T; 4], u: T, v: T) -> T {
+    fn gap<T: Ring + Copy>([p, v1, v2, v3]: [T; 4], u: T, v: T) -> T {
         p - ((v2 - v1) * u + (v3 - v1) * v + v1)
     }
 
@@ -73,7 +62,7 @@ impl Gap for EdgeEdge {
     const EDGES: [[usize; 2]; 2] = [[0, 1], [2, 3]];
 
     #[inline]
-    fn gap<T: Arithmetic>([a0, a1, b0, b1]: [T; 4], u: T, v: T) -> T {
+    fn gap<T: Ring + Copy>([a0, a1, b0, b1]: [T; 4], u: T, v: T) -> T {
         ((a1 - a0) * u + a0) - ((b1 - b0) * v + b0)
     }
 

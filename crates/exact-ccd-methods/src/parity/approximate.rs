@@ -3,8 +3,6 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
 
-use super::number::Signed;
-
 /// A polynomial in f64 numbers, computed in f64, and the sum of the magnitudes of its terms.
 ///
 /// Let k be the most operations on a path from a coordinate to the result. Each term of the value is off
@@ -30,9 +28,10 @@ impl From<f64> for Approximate {
     }
 }
 
-impl Signed for Approximate {
+impl Approximate {
+    /// The sign, if the error bound leaves no other.
     #[inline]
-    fn certain_sign(&self) -> Option<Ordering> {
+    pub(super) fn sign(self) -> Option<Ordering> {
         // 16 u of the magnitude, and more than the underflow.
         let error = 8.0 * f64::EPSILON * self.magnitude + f64::MIN_POSITIVE;
         if self.value > error {

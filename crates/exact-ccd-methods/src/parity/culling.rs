@@ -4,7 +4,6 @@ use std::cmp::Ordering;
 
 use exact_ccd::Point;
 
-use super::number::Signed;
 use crate::interval::Interval;
 use crate::vector::{Vector, cross, dot, minus};
 
@@ -42,7 +41,7 @@ fn normal([a, b, c]: [Point; 3]) -> Option<Point> {
 
 fn is_on_one_side(corners: &[Vector<Interval>; 8], normal: Point) -> bool {
     let normal = normal.map(Interval::exactly);
-    let mut sides = corners.iter().map(|corner| dot(&normal, corner).certain_sign());
+    let mut sides = corners.iter().map(|corner| dot(&normal, corner).sign());
     let first = sides.next().flatten();
     matches!(first, Some(Ordering::Less | Ordering::Greater)) && sides.all(|side| side == first)
 }

@@ -7,8 +7,6 @@ use geometry_predicates::predicates::{fast_expansion_sum_zeroelim, scale_expansi
 
 use exact_ccd::Point;
 
-use super::number::Signed;
-
 /// The sum of numbers of increasing magnitude that have no bits in common: exact, as long as
 /// nothing overflows or underflows.
 ///
@@ -40,17 +38,16 @@ impl Expansion {
         components.truncate(length);
         Self(components)
     }
+
+    /// The sign, unless an overflow made it undefined.
+    pub(super) fn sign(&self) -> Option<Ordering> {
+        self.0.last()?.partial_cmp(&0.0)
+    }
 }
 
 impl From<f64> for Expansion {
     fn from(x: f64) -> Self {
         Self(vec![x])
-    }
-}
-
-impl Signed for Expansion {
-    fn certain_sign(&self) -> Option<Ordering> {
-        self.0.last()?.partial_cmp(&0.0)
     }
 }
 
@@ -145,7 +142,7 @@ mod tests {
             for (predicate, degree) in predicates {
                 let (expansion, integer) = (predicate.value(&expansions), predicate.value(&integers));
                 let sum = expansion.0.iter().fold(RBig::ZERO, |sum, &x| sum + exactly(x));
-                prop_assert_eq!(expansion.certain_sign(), integer.certain_sign());
+                prop_assert_eq!(expansion.sign(), Some(predicate.sign(&integers)));
                 prop_assert_eq!(sum, RBig::from(integer) * unit.pow(degree));
             }
         }

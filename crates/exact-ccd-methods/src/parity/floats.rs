@@ -7,7 +7,6 @@ use geometry_predicates::{orient2d, orient3d};
 
 use super::approximate::Approximate;
 use super::image::{Image, Predicate, Vectors, integers};
-use super::number::Signed;
 use crate::vector::products;
 
 /// An image whose vectors are exactly f64, in the range (`Expansion::can_hold`) of the
@@ -65,7 +64,7 @@ impl Image for Floats {
                 (forth == 0.0).then_some(Ordering::Equal)
             }
         } else {
-            predicate.value(&self.0).certain_sign()
+            predicate.value(&self.0).sign()
         };
         sign.unwrap_or_else(|| self.sign_near_zero(predicate))
     }

@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 use dashu_int::IBig;
 use exact_ccd::{Kind, Point, Query};
 
-use super::number::Signed;
 use crate::integers::to_integers;
+use crate::ring::Ring;
 use crate::vector::{Vector, cross, dot, turn};
 
 /// The domain of (t, u, v): its corners, and the faces as cycles of four of them.
@@ -88,7 +88,7 @@ pub(super) fn with_ray(pairs: &[[Point; 2]; 8], ray: Point) -> Differences {
 }
 
 #[inline]
-pub(super) fn vectors<N: Signed + From<f64>>(differences: &Differences) -> Vectors<N> {
+pub(super) fn vectors<N: Ring + From<f64>>(differences: &Differences) -> Vectors<N> {
     differences.map(|[minuend, subtrahend]| {
         [0, 1, 2].map(|axis: usize| N::from(minuend[axis]) - N::from(subtrahend[axis]))
     })
@@ -135,7 +135,7 @@ impl Predicate {
     }
 
     #[inline(always)]
-    pub(super) fn value<N: Signed>(self, vectors: &[Vector<N>]) -> N {
+    pub(super) fn value<N: Ring>(self, vectors: &[Vector<N>]) -> N {
         match self {
             Self::Volume(corners) => volume(vectors, corners),
             Self::Turn(axis, [a, b]) => turn(axis, &vectors[a], &vectors[b]),
@@ -151,7 +151,7 @@ impl Predicate {
 
 /// a · (b × c).
 #[inline(always)]
-fn volume<N: Signed>(vectors: &[Vector<N>], [a, b, c]: [usize; 3]) -> N {
+fn volume<N: Ring>(vectors: &[Vector<N>], [a, b, c]: [usize; 3]) -> N {
     dot(&vectors[a], &cross(&vectors[b], &vectors[c]))
 }
 

@@ -7,7 +7,6 @@ use dashu_int::IBig;
 
 use super::expansion::Expansion;
 use super::image::{Differences, Image, Predicate, Vectors, integers, vectors};
-use super::number::Signed;
 use crate::interval::Interval;
 
 /// An image in intervals, and exactly where these leave a sign open.
@@ -36,7 +35,7 @@ impl Exact {
         match self {
             Self::Expansions(vectors) => predicate
                 .value(vectors.as_slice())
-                .certain_sign()
+                .sign()
                 .unwrap_or(Ordering::Equal),
             Self::Integers(vectors) => vectors.sign(predicate),
         }
@@ -68,7 +67,7 @@ impl Intervals {
 
 impl Image for Intervals {
     fn sign(&self, predicate: Predicate) -> Ordering {
-        let sign = predicate.value(&self.vectors).certain_sign();
+        let sign = predicate.value(&self.vectors).sign();
         sign.unwrap_or_else(|| self.exact_sign(predicate))
     }
 }

@@ -44,7 +44,6 @@ mod floats;
 mod fold;
 mod image;
 mod intervals;
-mod number;
 mod patch;
 mod rational;
 mod ray;
