@@ -31,9 +31,29 @@ pub fn unit(vector: Point) -> Option<Point> {
     unit.iter().all(|x| x.is_finite()).then_some(unit)
 }
 
+/// The vectors that have a direction, as errors describe them.
+pub const DIRECTION: &str =
+    "three finite numbers, not all 0, of a length from about 1e-153 to 1e154, such as 1";
+
+/// Returns true if a vector has a direction, see [`DIRECTION`]: the square of its length is a normal number.
+#[must_use]
+pub fn has_direction(vector: Point) -> bool {
+    dot(vector, vector).is_normal()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{cross, dot, unit};
+    use super::{cross, dot, has_direction, unit};
+
+    #[test]
+    fn directions_have_lengths_whose_squares_are_normal() {
+        for length in [1.0, 1e-153, 1e154] {
+            assert!(has_direction([0.0, -length, 0.0]), "{length}");
+        }
+        for length in [0.0, 1e-155, 1e155, f64::INFINITY, f64::NAN] {
+            assert!(!has_direction([0.0, 0.0, length]), "{length}");
+        }
+    }
 
     #[test]
     fn products_of_vectors() {

@@ -1,6 +1,7 @@
 //! The placement of a mesh in the scene.
 
 use exact_ccd_mesh::Point;
+use exact_ccd_mesh::vector::{DIRECTION, has_direction};
 use nalgebra::{Rotation3, Unit, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -71,8 +72,8 @@ impl Placement {
             return Err(FieldError::new("scale", message));
         }
         if let Some(Rotation { axis, degrees }) = self.rotate {
-            if !Vector3::from(axis).norm().is_normal() {
-                let message = format!("the axis is {axis:?}, expected a vector of positive length");
+            if !has_direction(axis) {
+                let message = format!("the axis is {axis:?}, expected {DIRECTION}");
                 return Err(FieldError::new("rotate", message));
             }
             if !degrees.is_finite() {

@@ -1,6 +1,7 @@
 //! The pictures of a scene.
 
 use exact_ccd_mesh::Point;
+use exact_ccd_mesh::vector::{DIRECTION, has_direction};
 use serde::{Deserialize, Serialize};
 
 use super::field_error::FieldError;
@@ -73,21 +74,17 @@ impl Rendering {
 
     /// Checks all settings.
     pub(super) fn check(&self) -> Result<(), FieldError> {
-        let is_direction = |vector: Option<Point>| {
-            vector.is_none_or(|x| x.iter().all(|x| x.is_finite()) && x.iter().any(|&x| x != 0.0))
-        };
         let is_box = match self.subject {
             Subject::Box { lower, upper } => (0..3)
                 .all(|axis| lower[axis].is_finite() && upper[axis].is_finite() && lower[axis] <= upper[axis]),
             Subject::Moving | Subject::All => true,
         };
         let is_size = self.size.iter().all(|side| (16..=4096).contains(side));
-        let direction = "a direction that is finite and not zero";
         let corners = "finite corners, `lower` not above `upper` along any axis";
         let checks = [
             ("size", is_size, "a width and a height from 16 to 4096 pixels"),
-            ("up", is_direction(self.up), direction),
-            ("camera", is_direction(self.camera), direction),
+            ("up", self.up.is_none_or(has_direction), DIRECTION),
+            ("camera", self.camera.is_none_or(has_direction), DIRECTION),
             ("subject", is_box, corners),
             (
                 "speed",

@@ -2,6 +2,8 @@
 
 use std::fmt::Display;
 
+use exact_ccd_mesh::vector::{DIRECTION, has_direction};
+
 /// A value that is out of its range.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{field}` is {found}, expected {expected}")]
@@ -58,7 +60,10 @@ pub(crate) fn check_finite(field: &'static str, vector: &[f64; 3]) -> Result<(),
 
 /// Checks that a vector has a direction.
 pub(crate) fn check_direction(field: &'static str, vector: &[f64; 3]) -> Result<(), OutOfRange> {
-    let length = nalgebra::Vector3::from(*vector).norm();
-    let expected = "a vector of positive length";
-    check(length.is_normal(), field, format_args!("{vector:?}"), expected)
+    check(
+        has_direction(*vector),
+        field,
+        format_args!("{vector:?}"),
+        DIRECTION,
+    )
 }

@@ -1,6 +1,7 @@
 //! The direction upwards on a page, on the command line.
 
 use exact_ccd_mesh::Point;
+use exact_ccd_mesh::vector::{DIRECTION, has_direction};
 
 use crate::shortest::numbers;
 
@@ -16,6 +17,6 @@ pub(super) fn parse(text: &str) -> Result<Point, String> {
         "z" => return Ok([0.0, 0.0, sign]),
         _ => {}
     }
-    let up = numbers(text).filter(|up: &Point| up.iter().all(|x| x.is_finite()) && *up != [0.0; 3]);
-    up.ok_or_else(|| "expected x, y, z, -x, -y, -z, or three numbers, finite and not all zero".to_owned())
+    let up = numbers(text).filter(|&up| has_direction(up));
+    up.ok_or_else(|| format!("expected x, y, z, -x, -y, -z, or {DIRECTION}"))
 }

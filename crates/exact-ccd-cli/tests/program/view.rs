@@ -207,7 +207,7 @@ fn the_scene_has_a_direction_upwards() {
 #[test]
 fn a_direction_upwards_is_an_axis_or_three_numbers() {
     let folder = fall(1.0, -1.0);
-    for bad in ["w", "0,0,0", "1,2", "nan,0,0"] {
+    for bad in ["w", "0,0,0", "1,2", "nan,0,0", "1e200,0,0"] {
         let run = folder.run(&[
             "step",
             "start.ply",
@@ -220,7 +220,7 @@ fn a_direction_upwards_is_an_axis_or_three_numbers() {
         assert_eq!(run.status, 2, "{bad}: {run:?}");
         assert!(
             run.stderr
-                .contains("expected x, y, z, -x, -y, -z, or three numbers"),
+                .contains("expected x, y, z, -x, -y, -z, or three finite numbers"),
             "{run:?}"
         );
     }

@@ -5,7 +5,7 @@ mod side;
 
 use exact_ccd::{Point, Separation};
 
-use crate::vector::dot;
+use crate::vector::{DIRECTION, dot, has_direction};
 
 /// A half space that no vertex enters: all x with n · (x − p) ≤ 0, for a point p of its boundary and the
 /// normal n of the boundary, which points outward.
@@ -74,12 +74,8 @@ impl HalfSpace {
         if !point.iter().all(|x| x.is_finite()) {
             return Err(error("point", point, "finite numbers"));
         }
-        if !dot(normal, normal).is_normal() {
-            return Err(error(
-                "normal",
-                normal,
-                "three finite numbers, not all 0, of a length from about 1e-153 to 1e154, such as 1",
-            ));
+        if !has_direction(normal) {
+            return Err(error("normal", normal, DIRECTION));
         }
         Ok(())
     }

@@ -105,7 +105,8 @@ fn numbers_out_of_range_are_reported_at_their_field() {
         (
             "axis = [1.0, 0.0, 0.0], degrees",
             "axis = [0.0, 0.0, 0.0], degrees",
-            "line 22, body[0].rotate: the axis is [0.0, 0.0, 0.0], expected a vector of positive length",
+            "line 22, body[0].rotate: the axis is [0.0, 0.0, 0.0], expected three finite numbers, \
+             not all 0, of a length from about 1e-153 to 1e154, such as 1",
         ),
         (
             "velocity = [0.0, 1.0, 0.0]",
