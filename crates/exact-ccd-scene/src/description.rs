@@ -34,7 +34,7 @@ pub(super) struct Description {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) spring: Vec<SpringDescription>,
     /// The settings of the pictures.
-    #[serde(default, skip_serializing_if = "Rendering::is_default")]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) render: Rendering,
 }
 

@@ -68,10 +68,6 @@ impl Rendering {
         self.up.unwrap_or(otherwise)
     }
 
-    pub(super) fn is_default(&self) -> bool {
-        *self == Self::default()
-    }
-
     /// Checks all settings.
     pub(super) fn check(&self) -> Result<(), FieldError> {
         let is_box = match self.subject {
