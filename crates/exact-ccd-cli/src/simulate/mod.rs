@@ -2,6 +2,7 @@
 
 mod bodies;
 mod contact_points;
+pub(crate) mod curves;
 mod filters;
 mod folder;
 mod grid;

@@ -6,7 +6,10 @@ use exact_ccd_compare::plot::plotters::series::LineSeries;
 use exact_ccd_compare::plot::{
     Area, Axis, Drawn, Frame, GREATEST, Scale, color, decades, linear, logarithmic, power, svg, write,
 };
+use exact_ccd_sim::Energies;
+use exact_ccd_view::Curve;
 
+use super::curves;
 use super::folder::OutputFolder;
 use super::layout::{DISTANCE, ENERGIES};
 use super::statistics::Row;
@@ -18,29 +21,15 @@ const SIZE: (u32, u32) = (1000, 640);
 /// The width of the legend.
 const LEGEND: i32 = 170;
 
-/// A line of a plot: a name, and pairs of a time and a value. Values may be missing.
-struct Line {
-    name: &'static str,
-    points: Vec<(f64, Option<f64>)>,
-}
-
-impl Line {
-    /// The line through the values of rows.
-    fn new(name: &'static str, rows: &[Row], value: impl Fn(&Row) -> Option<f64>) -> Self {
-        // The table may have been edited, so that any number is possible.
-        let is_drawn = |x: &f64| x.abs() <= GREATEST;
-        let rows = rows.iter().filter(|row| is_drawn(&row.time));
-        let points = rows.map(|row| (row.time, value(row).filter(is_drawn)));
-        Self {
-            name,
-            points: points.collect(),
-        }
-    }
+/// Returns false for numbers that are too large for a plot: a table that was edited may have any.
+fn is_drawn(x: &f64) -> bool {
+    x.abs() <= GREATEST
 }
 
 /// Plots the statistics in a folder of a scene with this name. `contact_distance` is d̂, in m.
 pub(super) fn draw(folder: &OutputFolder, scene: &str, contact_distance: f64) -> Result<(), Failure> {
-    let rows = folder.statistics()?;
+    let mut rows = folder.statistics()?;
+    rows.retain(|row| is_drawn(&row.time));
     let write = |name: &str, drawing: String| {
         write_file(&folder.file(name), |writer| {
             std::io::Write::write_all(writer, drawing.as_bytes())
@@ -50,24 +39,11 @@ pub(super) fn draw(folder: &OutputFolder, scene: &str, contact_distance: f64) ->
     write(DISTANCE, minimal_distance(scene, &rows, contact_distance))
 }
 
-/// The plot of all energies that are not zero, in J. The energy of gravity is relative to its least value.
+/// The plot of the energies.
 fn energies(scene: &str, rows: &[Row]) -> String {
-    let lowest = rows
-        .iter()
-        .fold(f64::INFINITY, |least, row| least.min(row.gravity));
-    let line = |name, energy: &dyn Fn(&Row) -> f64| Line::new(name, rows, |row| Some(energy(row)));
-    let sum = |row: &Row| row.kinetic + row.elastic + row.barrier + row.gravity - lowest;
-    let lines = [
-        line("sum", &sum),
-        line("kinetic", &|row| row.kinetic),
-        line("elastic", &|row| row.elastic),
-        line("gravity", &|row| row.gravity - lowest),
-        line("barrier", &|row| row.barrier),
-        line("friction", &|row| row.friction),
-    ];
-    let is_there = |line: &Line| line.points.iter().any(|(_, energy)| *energy != Some(0.0));
-    let lines: Vec<Line> = lines.into_iter().filter(is_there).collect();
-    let (least, most) = range(&lines);
+    let energies: Vec<Energies> = rows.iter().map(Row::energies).collect();
+    let curves = curves::energies(&energies);
+    let (least, most) = range(&curves);
     let scale = Scale::of(most.max(-least));
     let axis = Axis {
         title: &format!("energy / {}", scale.unit("J")),
@@ -75,43 +51,41 @@ fn energies(scene: &str, rows: &[Row]) -> String {
     };
     let title = format!("{scene}: energies");
     svg(SIZE, |area| {
-        draw_lines(&lines, &title, axis, linear(least, most), area)
+        draw_lines(rows, &curves, &title, axis, linear(least, most), area)
     })
 }
 
-/// The plot of the minimal distance in m, where there are contacts, and of the contact distance.
+/// The plot of the minimal distance and of the contact distance.
 fn minimal_distance(scene: &str, rows: &[Row], contact_distance: f64) -> String {
-    let lines = [
-        Line::new("minimal distance", rows, |row| row.minimal_distance),
-        Line::new("contact distance", rows, |_| Some(contact_distance)),
-    ];
-    let (first, last) = decades(values(&lines));
+    let minimal = rows.iter().map(|row| row.minimal_distance).collect();
+    let curves = curves::distances(minimal, contact_distance);
+    let (first, last) = decades(values(&curves));
     let axis = Axis {
         title: "distance / m",
         label: &power,
     };
     let title = format!("{scene}: minimal distance");
     svg(SIZE, |area| {
-        draw_lines(&lines, &title, axis, logarithmic(first, last), area)
+        draw_lines(rows, &curves, &title, axis, logarithmic(first, last), area)
     })
 }
 
-fn values(lines: &[Line]) -> impl Iterator<Item = f64> {
-    lines
-        .iter()
-        .flat_map(|line| line.points.iter().filter_map(|(_, value)| *value))
+fn values(curves: &[Curve]) -> impl Iterator<Item = f64> {
+    let values = curves.iter().flat_map(|curve| &curve.values);
+    values.flatten().copied().filter(is_drawn)
 }
 
 /// The range of 0 and all values.
-fn range(lines: &[Line]) -> (f64, f64) {
-    let (least, most) = values(lines).fold((0.0_f64, 0.0_f64), |(least, most), value| {
+fn range(curves: &[Curve]) -> (f64, f64) {
+    let (least, most) = values(curves).fold((0.0_f64, 0.0_f64), |(least, most), value| {
         (least.min(value), most.max(value))
     });
     if least < most { (least, most) } else { (0.0, 1.0) }
 }
 
 fn draw_lines<'a, Y>(
-    lines: &[Line],
+    rows: &[Row],
+    curves: &[Curve],
     title: &str,
     y: Axis<'_, f64>,
     range: impl AsRangedCoord<CoordDescType = Y, Value = f64>,
@@ -120,9 +94,7 @@ fn draw_lines<'a, Y>(
 where
     Y: Ranged<ValueType = f64> + ValueFormatter<f64>,
 {
-    let times = lines
-        .iter()
-        .flat_map(|line| line.points.iter().map(|(time, _)| *time));
+    let times = rows.iter().map(|row| row.time);
     let end = Some(times.fold(0.0, f64::max))
         .filter(|&end| end > 0.0)
         .unwrap_or(1.0);
@@ -137,9 +109,13 @@ where
         legend: LEGEND,
     };
     let mut chart = frame.draw(area, linear(0.0, end), range)?;
-    for (index, line) in lines.iter().enumerate() {
+    for (index, curve) in curves.iter().enumerate() {
         let style = color(index).stroke_width(2);
-        for piece in line.points.split(|(_, value)| value.is_none()) {
+        let points = rows.iter().zip(&curve.values);
+        let points: Vec<_> = points
+            .map(|(row, value)| (row.time, value.filter(is_drawn)))
+            .collect();
+        for piece in points.split(|(_, value)| value.is_none()) {
             let points: Vec<(f64, f64)> = piece
                 .iter()
                 .filter_map(|(time, value)| Some((*time, (*value)?)))
@@ -152,7 +128,7 @@ where
         }
         let (x, y) = (SIZE.0 as i32 - LEGEND + 8, 30 + 24 * index as i32);
         area.draw(&PathElement::new([(x, y), (x + 16, y)], style))?;
-        write(area, line.name, (x + 22, y - 8))?;
+        write(area, &curve.name, (x + 22, y - 8))?;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! The statistics of a time step as a row of `statistics.csv`.
 
-use exact_ccd_sim::Statistics;
+use exact_ccd_sim::{Energies, Statistics};
 use serde::{Deserialize, Serialize};
 
 use crate::contacts::unsigned_zero;
@@ -52,6 +52,18 @@ pub(super) struct Row {
     pub(super) line_search: f64,
     #[serde(rename = "total_s")]
     pub(super) total: f64,
+}
+
+impl Row {
+    pub(super) fn energies(&self) -> Energies {
+        Energies {
+            kinetic: self.kinetic,
+            elastic: self.elastic,
+            barrier: self.barrier,
+            friction: self.friction,
+            gravity: self.gravity,
+        }
+    }
 }
 
 impl From<&Statistics> for Row {
