@@ -3,9 +3,8 @@
 use std::io::{self, Write};
 
 use serde::Serialize;
-use serde_json::Value;
 
-use super::method::Answer;
+use super::method::{Answer, Count};
 use crate::json::to_json;
 
 /// A writer of answers.
@@ -19,7 +18,7 @@ pub(crate) struct AnswerRows<W> {
 struct Row {
     query: usize,
     contact: bool,
-    count: Value,
+    count: Option<Count>,
     toi: Option<f64>,
 }
 
@@ -40,7 +39,7 @@ impl<W: Write> AnswerRows<W> {
         let row = Row {
             query,
             contact: answer.collides,
-            count: answer.json_count(),
+            count: answer.count,
             toi: answer.toi,
         };
         writeln!(self.output, "{}", to_json("queries", &row))

@@ -4,10 +4,11 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use exact_ccd::{Ccd, ContactTime, Decide, Kind, Point, Query, Separation, TimeGuarantee};
+use exact_ccd::{Ccd, Decide, Kind, Point, Query, Separation, TimeGuarantee};
+use exact_ccd_data::{Record, Sample};
 use exact_ccd_methods::parity::{self, Parity, Rounded, RoundingError};
 use exact_ccd_methods::{UnknownMethod, by_name};
-use serde_json::Value;
+use serde::Serialize;
 
 use super::kind::Kind as AnyKind;
 use crate::failure::Failure;
@@ -99,7 +100,7 @@ impl Method {
                 let has_times = method.guarantees().time != TimeGuarantee::Absent;
                 Answer {
                     collides: time.is_some(),
-                    count: String::new(),
+                    count: None,
                     toi: time.filter(|_| has_times),
                 }
             }
@@ -110,34 +111,29 @@ impl Method {
 /// The answer of a method to a query.
 pub(crate) struct Answer {
     pub(crate) collides: bool,
-    /// The number of contacts or its parity, or the number of intervals of times within a distance; empty
-    /// from a method that does not count.
-    count: String,
+    /// None from a method that does not count.
+    pub(super) count: Option<Count>,
     pub(crate) toi: Option<f64>,
+}
+
+/// A count of contacts. JSON has the number, or the parity as text.
+#[derive(Clone, Copy, Serialize)]
+#[serde(untagged)]
+pub(super) enum Count {
+    /// The number of contacts, -1 for infinitely many, or of intervals of times within a distance.
+    Number(i64),
+    Parity(&'static str),
 }
 
 impl Answer {
     /// The answer of the exact method: contact, or the times within a distance above 0.
     pub(crate) fn exact<K: Kind>(query: &Query<K>, d: Separation) -> Self {
-        let intervals = query.intervals(d);
-        let count = if d.is_zero() {
-            intervals.count()
-        } else {
-            Some(intervals.len())
-        };
+        let (query, truth) = (*query, None);
+        let Record { count, toi, .. } = Record::from(Sample { query, truth }).answered(d);
         Self {
-            collides: !intervals.is_empty(),
-            count: count.map_or("-1".to_owned(), |count| count.to_string()),
-            toi: intervals.first_time().map(ContactTime::lower),
-        }
-    }
-
-    /// The count as a number, a parity as text, null from a method that does not count.
-    pub(crate) fn json_count(&self) -> Value {
-        match self.count.parse::<i64>() {
-            Ok(number) => number.into(),
-            Err(_) if self.count.is_empty() => Value::Null,
-            Err(_) => self.count.clone().into(),
+            collides: toi.is_some(),
+            count: count.map(Count::Number),
+            toi,
         }
     }
 }
@@ -151,7 +147,7 @@ impl From<Parity> for Answer {
         };
         Self {
             collides: parity.is_collision(),
-            count: count.to_owned(),
+            count: Some(Count::Parity(count)),
             toi: None,
         }
     }
@@ -160,7 +156,12 @@ impl From<Parity> for Answer {
 /// The columns `contact`, `count` and `toi`.
 impl fmt::Display for Answer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = match self.count {
+            None => String::new(),
+            Some(Count::Number(number)) => number.to_string(),
+            Some(Count::Parity(name)) => name.to_owned(),
+        };
         let toi = self.toi.map_or(String::new(), shortest);
-        write!(f, "{},{},{toi}", u8::from(self.collides), self.count)
+        write!(f, "{},{count},{toi}", u8::from(self.collides))
     }
 }
