@@ -16,11 +16,8 @@ use crate::notes::Notes;
 use crate::output::{is_dash, print};
 use crate::progress::{self, during};
 use crate::queries::kind::Kind;
-use crate::queries::query_files::{self, Records};
+use crate::queries::query_files::{self, BATCH, Records};
 use crate::queries::recognise::kind_of;
-
-/// The number of queries that are answered in parallel.
-const BATCH: usize = 4096;
 
 /// Convert query files from rows to columns and back, without loss
 ///

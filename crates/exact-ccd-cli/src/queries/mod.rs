@@ -28,12 +28,9 @@ use crate::view::{ChosenQuery, QueryView};
 use answer_rows::AnswerRows;
 use kind::Kind;
 use method::{Answer, Method};
-use query_files::Samples;
+use query_files::{BATCH, Samples};
 use recognise::{kind_of, no_queries};
 use tally::Tally;
-
-/// The number of queries that are read before they are answered in parallel.
-const BATCH: usize = 4096;
 
 /// Decide the queries in files, by the exact method or another one
 ///

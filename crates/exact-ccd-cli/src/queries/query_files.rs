@@ -11,6 +11,9 @@ use exact_ccd_methods::parity::RoundingError;
 use crate::failure::Failure;
 use crate::output::{is_dash, replace_file};
 
+/// The number of queries that are read before they are answered in parallel.
+pub(crate) const BATCH: usize = 4096;
+
 /// The queries of a file, read one after the other.
 pub(crate) type Samples<K> = Box<dyn Iterator<Item = Result<Sample<K>, Failure>>>;
 
