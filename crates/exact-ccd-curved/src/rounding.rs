@@ -6,8 +6,7 @@
 
 use exact_ccd::{Point, environment};
 
-/// u, the largest relative error of one operation.
-pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
+pub(crate) use crate::sine::UNIT;
 
 /// 2⁻¹⁰⁰⁰: above the sum of 2⁶⁴ errors by underflow.
 pub(crate) const FLOOR: f64 = f64::from_bits((1023 - 1000) << 52);

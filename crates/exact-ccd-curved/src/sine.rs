@@ -21,7 +21,7 @@
 //! (2.37 + 2.02) u, of which the bound is 5 u.
 
 /// u, the largest relative error of one operation.
-const UNIT: f64 = f64::EPSILON / 2.0;
+pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// π / 2 in three parts of 33 bits.
 const RIGHT_ANGLE: [f64; 3] = [
