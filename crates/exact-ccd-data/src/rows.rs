@@ -9,6 +9,7 @@ use crate::coordinate;
 use crate::error::{DataError, Problem};
 use crate::lines::Lines;
 use crate::rational::{self, Rounding};
+use crate::record::is_count;
 
 /// The numbers of fields in a row: three coordinates, or three numerators and denominators, and perhaps the
 /// ground truth.
@@ -123,7 +124,7 @@ impl<R: Read> RowReader<R> {
             (Seventh::Count, field) => str::from_utf8(field)
                 .ok()
                 .and_then(|text| text.parse().ok())
-                .filter(|&count| count >= -1)
+                .filter(|&count| is_count(count))
                 .ok_or_else(|| Problem::Count(excerpt(field))),
         }
     }
