@@ -246,9 +246,7 @@ impl RodProperties {
     pub fn flexural_rigidity(&self) -> f64 {
         0.25 * self.axial_stiffness() * self.radius * self.radius
     }
-}
 
-impl RodProperties {
     /// The torsional rigidity G J, with the polar moment of area J = π r⁴ / 2, in N m². `None` without a
     /// shear modulus.
     #[must_use]

@@ -1,12 +1,10 @@
 //! Bending of thin shells.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{Matrix3, RowSVector, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 
+use crate::distance::{Matrix12, Vector12};
 use crate::energy::{Block, Energy, Projection, gather, write_blocks, write_rows};
-
-type Vector12 = SVector<f64, 12>;
-type Matrix12 = SMatrix<f64, 12, 12>;
 
 /// The bending energy ½ k (θ − θ₀)² of two triangles that share an edge. θ is the angle between their
 /// normals, θ₀ that angle at rest, and k = D |e|² / A with the flexural rigidity D, the length |e| of the
