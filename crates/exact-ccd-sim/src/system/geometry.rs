@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use exact_ccd::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
-    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, MeshError, MinDistance, Point,
-    PositionsError, Step, TriangleMesh,
+    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, MeshError, MinDistance, Point, Step, TriangleMesh,
 };
 
 use super::SystemError;
@@ -36,7 +35,7 @@ pub(crate) struct Geometry {
     /// The vertices of faces and rods, and particles, increasing: without those in the interior of solids.
     pub(crate) vertices: Vec<u32>,
     /// The surface with these vertices only.
-    compact: TriangleMesh,
+    pub(super) compact: TriangleMesh,
     pub(super) particles: Vec<u32>,
     /// The offset of the contact surface at each vertex, in m.
     pub(super) offsets: Vec<f64>,
@@ -140,17 +139,6 @@ impl Geometry {
             fixed: &self.fixed,
             weights: (formulation == Formulation::Convergent).then_some(&self.weights),
         }
-    }
-
-    /// The surface without the vertices in the interior of solids, for positions of all vertices.
-    pub(super) fn frame(&self, positions: &[Point]) -> Result<Frame, PositionsError> {
-        let at = |&vertex: &u32| positions.get(vertex as usize).copied();
-        let frame = Frame {
-            positions: self.vertices.iter().filter_map(at).collect(),
-            mesh: self.compact.clone(),
-        };
-        frame.check()?;
-        Ok(frame)
     }
 }
 

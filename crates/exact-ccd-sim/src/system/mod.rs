@@ -156,7 +156,13 @@ impl System {
     /// # Errors
     /// [`PositionsError`], if a coordinate is not finite or there are too few positions.
     pub fn surface_frame(&self, positions: &[Point]) -> Result<Frame, PositionsError> {
-        self.geometry.frame(positions)
+        let at = |&vertex: &u32| positions.get(vertex as usize).copied();
+        let frame = Frame {
+            positions: self.geometry.vertices.iter().filter_map(at).collect(),
+            mesh: self.geometry.compact.clone(),
+        };
+        frame.check()?;
+        Ok(frame)
     }
 
     /// The vertices of [`System::surface_frame`] of each body, with its name, or with `body-N` for the Nth
