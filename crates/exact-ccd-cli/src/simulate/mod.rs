@@ -38,7 +38,7 @@ use crate::json::to_json;
 use crate::notes::Notes;
 use crate::output::print;
 use crate::progress::{self, during};
-use crate::view::SimulationView;
+use crate::view::View;
 use folder::OutputFolder;
 use pictures::Pictures;
 use queries::QueryFolder;
@@ -71,7 +71,7 @@ use queries::QueryFolder;
 /// Exit status: 0 success, 2 error, 130 after Ctrl-C. With --strict, a time step that does not converge is an
 /// error.
 #[derive(clap::Args)]
-#[command(verbatim_doc_comment)]
+#[command(verbatim_doc_comment, mut_arg("view_up", |up| up.help(UP)))]
 pub(crate) struct Arguments {
     /// The scene, a .toml file or one of another program.
     scene: PathBuf,
@@ -137,8 +137,12 @@ pub(crate) struct Arguments {
     #[arg(long)]
     no_seconds: bool,
     #[command(flatten)]
-    view: SimulationView,
+    view: View,
 }
+
+/// The help of `--view-up`, of which the default is that of the scene.
+const UP: &str = "The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: `up` of the \
+                  scene's table `[render]`, or else opposite to gravity, or y without gravity]";
 
 fn method_help() -> String {
     let names = filters::names().join(", ");

@@ -21,10 +21,8 @@ use crate::scene::Scene;
 pub(crate) use query::{ChosenQuery, QueryView};
 pub(crate) use recording::Recording;
 use setup::Setup;
-#[cfg(feature = "simulate")]
-pub(crate) use simulation::SimulationView;
 
-/// The options `--view` and `--view-up` of the commands that read meshes.
+/// The options `--view` and `--view-up` of the commands that read meshes, and of `exact-ccd simulate`.
 #[derive(clap::Args)]
 pub(crate) struct View {
     /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.

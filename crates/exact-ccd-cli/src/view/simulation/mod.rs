@@ -3,18 +3,16 @@
 mod history;
 
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use exact_ccd_mesh::Point;
 use exact_ccd_scene::Rendering;
 use exact_ccd_sim::{Simulation, Statistics};
 use exact_ccd_view::Body;
 
+use super::View;
 use super::recording::Recording;
 use super::setup::Setup;
-use super::up;
 use crate::failure::Failure;
-use crate::output::page;
 
 /// A simulation that is recorded for its page, if there is to be one.
 pub(crate) struct SimulationRecording {
@@ -24,24 +22,7 @@ pub(crate) struct SimulationRecording {
     steps: Vec<Statistics>,
 }
 
-/// The options `--view` and `--view-up` of `exact-ccd simulate`.
-#[derive(clap::Args)]
-pub(crate) struct SimulationView {
-    /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
-    #[arg(long, value_name = "FILE.html", value_parser = page())]
-    view: Option<PathBuf>,
-    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: `up` of the
-    /// scene's table `[render]`, or else opposite to gravity, or y without gravity]
-    #[arg(long, value_name = "AXIS", requires = "view", value_parser = up::parse, allow_hyphen_values = true)]
-    view_up: Option<Point>,
-}
-
-impl SimulationView {
-    /// The file of the page, if there is to be one.
-    pub(crate) fn file(&self) -> Option<&Path> {
-        self.view.as_deref()
-    }
-
+impl View {
     /// The recording of a simulation, which does nothing if there is to be no page of it.
     pub(crate) fn simulation(
         &self,
