@@ -49,6 +49,22 @@ impl<const T: usize> MovingBox<T> {
         }
     }
 
+    /// The box that moves from one place to another (T = 2), or a box at rest, relative to the origins, that
+    /// contains it (T = 1): at each time, relative coordinates are between those at the two ends.
+    #[inline(always)]
+    pub(crate) fn of_path(places: &[Aabb; 2], origins: &[Point; 2]) -> Self {
+        let MovingBox { lower, upper } = MovingBox::<2>::new(places, origins);
+        let [start, end] = [0, 1].map(|time| MovingBox {
+            lower: [lower[time]],
+            upper: [upper[time]],
+        });
+        let around = start.union(&end);
+        Self {
+            lower: core::array::from_fn(|time| if T == 1 { around.lower[0] } else { lower[time] }),
+            upper: core::array::from_fn(|time| if T == 1 { around.upper[0] } else { upper[time] }),
+        }
+    }
+
     /// The smallest box around two boxes at all times.
     #[inline(always)]
     pub(crate) fn union(&self, other: &Self) -> Self {
@@ -106,7 +122,32 @@ fn below(x: f64) -> f32 {
 mod tests {
     use fastrand::Rng;
 
-    use super::{below, nearest};
+    use super::{MovingBox, below, nearest};
+    use crate::broad_phase::Aabb;
+
+    #[test]
+    fn boxes_at_rest_are_around_the_motion_relative_to_the_origins() {
+        let mut rng = Rng::with_seed(0);
+        let mut numbers = || [0, 1, 2].map(|_| 8.0 * rng.f64() - 4.0);
+        for _ in 0..1000 {
+            let places = [0, 1].map(|_| [numbers(), numbers()].into_iter().collect::<Aabb>());
+            let origins = [numbers(), numbers()];
+            let moving = MovingBox::<2>::of_path(&places, &origins).places();
+            let [around] = MovingBox::<1>::of_path(&places, &origins).places();
+            assert_eq!(around, moving[0].union(&moving[1]));
+            // Without a motion relative to the origins, it is the box at the start.
+            let shift = numbers().map(|x| x.round());
+            let [place, origin] = [Aabb::of([0.5; 3]), Aabb::of([0.25; 3])];
+            let moved = |at: &Aabb| {
+                [
+                    at.lower,
+                    core::array::from_fn(|axis| at.lower[axis] + shift[axis]),
+                ]
+            };
+            let around = MovingBox::<1>::of_path(&moved(&place).map(Aabb::of), &moved(&origin));
+            assert_eq!(around.places(), [Aabb::of([0.25; 3])]);
+        }
+    }
 
     /// The bounds of `below`, with half of the margin for the roundings of its own operations.
     #[test]

@@ -32,6 +32,12 @@ impl Primitives {
         &self.sets[set as usize]
     }
 
+    /// A vertex amid many others, even if some vertices are far away: one in the middle of the order.
+    pub(crate) fn origin(&self) -> Option<u32> {
+        let ids = self.get(PrimitiveSet::Vertices).ids();
+        ids.get(ids.len() / 2).copied()
+    }
+
     pub(crate) fn other_ends(&self) -> &OtherEnds {
         &self.other_ends
     }

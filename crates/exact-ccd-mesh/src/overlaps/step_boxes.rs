@@ -14,8 +14,8 @@ use crate::mesh::TriangleMesh;
 use crate::pairs::{PrimitiveSet, Searched};
 use crate::steps::Step;
 
-/// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at
-/// rest, each around the whole path of a primitive (T = 1).
+/// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at rest, each
+/// around the whole path of a primitive, relative to a vertex (T = 1).
 ///
 /// A box contains its primitive until the time for which it is placed, and in a motion to rounded positions
 /// before that (`path.rs`).
@@ -31,11 +31,9 @@ pub(crate) struct StepBoxes<const T: usize> {
     margin: Margin,
     /// Those of the vertices, if they differ.
     margins: Vec<f64>,
-    /// A vertex amid many others: coordinates are relative to its place at each time, so that single
-    /// precision is fine, however far all of them move together.
-    origin: Option<u32>,
-    /// The places of this vertex when all boxes were placed last.
-    origins: [Point; T],
+    /// The places of the origin of [`Primitives`] when all boxes were placed last: coordinates are relative to
+    /// them, so that single precision is fine, however far all vertices move together.
+    origins: [Point; 2],
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
     /// True if the boxes are those of the current step.
@@ -51,8 +49,7 @@ impl<const T: usize> Default for StepBoxes<T> {
             moving: Vec::new(),
             margin: Margin::default(),
             margins: Vec::new(),
-            origin: None,
-            origins: [[0.0; 3]; T],
+            origins: [[0.0; 3]; 2],
             time: f64::NAN,
             has_begun: false,
         }
@@ -85,10 +82,6 @@ impl<const T: usize> StepBoxes<T> {
         if self.margin.uniform().is_none() && self.margins.len() != step.mesh().vertex_count() {
             self.margins = self.margin.largest(step.mesh());
         }
-        // A vertex in the middle of the order is amid many others, even if some vertices are far
-        // away.
-        let ids = primitives.get(PrimitiveSet::Vertices).ids();
-        self.origin = ids.get(ids.len() / 2).copied();
     }
 
     pub(crate) fn get(&self, set: PrimitiveSet) -> &Boxes<T> {
@@ -154,7 +147,7 @@ impl<const T: usize> StepBoxes<T> {
         for vertex in (0..is_marked.len()).filter(|&vertex| is_marked[vertex]) {
             let margin = self.margin.uniform().unwrap_or_else(|| self.margins[vertex]);
             let places = until(1.0, x0[vertex], x1[vertex]).map(|aabb| aabb.inflated(margin));
-            self.moving[vertex] = MovingBox::new(&places, &self.origins);
+            self.moving[vertex] = MovingBox::of_path(&places, &self.origins);
         }
         true
     }
@@ -234,27 +227,21 @@ impl<const T: usize> StepBoxes<T> {
         }
         self.time = time;
         let [x0, x1] = step.positions();
-        self.origins = self.origin.map_or([[0.0; 3]; T], |vertex| {
+        self.origins = self.primitives.origin().map_or([[0.0; 3]; 2], |vertex| {
             let [start, end] = [x0, x1].map(|x| x[vertex as usize]);
-            core::array::from_fn(|place| {
-                if place == 0 {
-                    start
-                } else {
-                    between(time, start, end)
-                }
-            })
+            [start, between(time, start, end)]
         });
         let origins = &self.origins;
         let ends = x0.par_iter().zip(x1).with_min_len(512);
         let moving = &mut self.moving;
         let inflated = |margin: f64, x0: Point, x1: Point| {
             let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
-            MovingBox::new(&places, origins)
+            MovingBox::of_path(&places, origins)
         };
         // Copies of the loop: the usual one does not inflate.
         match self.margin.uniform() {
             Some(0.0) => ends
-                .map(|(&x0, &x1)| MovingBox::new(&until(time, x0, x1), origins))
+                .map(|(&x0, &x1)| MovingBox::of_path(&until(time, x0, x1), origins))
                 .collect_into_vec(moving),
             Some(margin) => ends
                 .map(|(&x0, &x1)| inflated(margin, x0, x1))

@@ -40,9 +40,10 @@ struct Memory {
 /// many.
 const SAMPLE_STRIDE: usize = 64;
 
-/// Displacements below this fraction of the mean edge length count as short. The box around a short
-/// path is hardly larger than a box that moves along it, and its tests are cheaper.
-const SHORT_DISPLACEMENT: f64 = 0.25;
+/// Displacements count as short if their mean is below the first fraction of the mean edge length, and the
+/// longest one below the second. The box around a short path is hardly larger than a box that moves along it,
+/// and its tests are cheaper.
+const SHORT_DISPLACEMENTS: [f64; 2] = [0.25, 1.0];
 
 /// Boxes are placed anew if the time until which contacts matter has shrunk to this fraction.
 const SHRUNK_TIME: f64 = 0.5;
@@ -165,7 +166,7 @@ impl CulledSearch {
                 primitives,
                 collector,
                 kept,
-                short: time_of_short_displacements(step),
+                short: time_of_short_displacements(step, primitives.origin()),
             };
             pass.examine::<VertexFace>(resting, moving)?;
             pass.examine::<EdgeEdge>(resting, moving)?;
@@ -225,18 +226,32 @@ impl fmt::Debug for CulledSearch {
     }
 }
 
-/// The time until which all displacements are short.
-fn time_of_short_displacements(step: &Step<'_>) -> f64 {
+/// The time until which all displacements, relative to that of the origin, are short.
+fn time_of_short_displacements(step: &Step<'_>, origin: Option<u32>) -> f64 {
     let [x0, x1] = step.positions();
-    let length = |a: Point, b: Point| (0..3).fold(0.0, |most: f64, axis| most.max((a[axis] - b[axis]).abs()));
-    let longest = x0.iter().zip(x1).map(|(&a, &b)| length(a, b)).fold(0.0, f64::max);
+    let difference = |a: Point, b: Point| -> Point { core::array::from_fn(|axis| b[axis] - a[axis]) };
+    let length = |a: Point, b: Point| {
+        difference(a, b)
+            .into_iter()
+            .fold(0.0, |most: f64, x| most.max(x.abs()))
+    };
+    let common = origin.map_or([0.0; 3], |vertex| {
+        difference(x0[vertex as usize], x1[vertex as usize])
+    });
+    let displacements = x0.iter().zip(x1).map(|(&a, &b)| length(common, difference(a, b)));
+    let (sum, longest) = displacements.fold((0.0, 0.0), |(sum, longest): (f64, f64), length| {
+        (sum + length, longest.max(length))
+    });
+    let mean = sum / x0.len() as f64;
     let edges = step.mesh().edges().iter().step_by(SAMPLE_STRIDE);
     let count = edges.len() as f64;
     let sum: f64 = edges
         .map(|edge| edge.map(|v| x0[v as usize]))
         .map(|[a, b]| length(a, b))
         .sum();
-    SHORT_DISPLACEMENT * sum / count / longest
+    let edge = sum / count;
+    let [of_mean, of_longest] = SHORT_DISPLACEMENTS;
+    (of_mean * edge / mean).min(of_longest * edge / longest)
 }
 
 /// One pass over the candidates of a step.
@@ -249,7 +264,7 @@ struct Pass<'a, C> {
     primitives: &'a Primitives,
     collector: &'a C,
     kept: Option<&'a Kept>,
-    /// The time until which all displacements are short.
+    /// The time until which all displacements are short, relative to that of the origin.
     short: f64,
 }
 

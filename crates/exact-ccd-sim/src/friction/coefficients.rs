@@ -43,8 +43,8 @@ impl Coefficients {
         })
     }
 
-    /// The coefficient of two bodies or half spaces, by their places in the list of all bodies, followed by the
-    /// half spaces.
+    /// The coefficient of two bodies or half spaces, by their places in the list of all bodies, followed by
+    /// the half spaces.
     pub(crate) fn of(&self, bodies: [usize; 2]) -> f64 {
         let [a, b] = bodies.map(|place| self.numbers[place]);
         let pair = self.pairs.get(&[a.min(b), a.max(b)]);

@@ -15,8 +15,8 @@ use crate::statistics::Statistics;
 
 impl Problem<'_> {
     /// Minimises the potential from an iterate, with friction from the forces there, and again with friction
-    /// from the forces at the minimum, as often as the settings say. If `convergent`, ends where Newton's method
-    /// does not converge.
+    /// from the forces at the minimum, as often as the settings say. If `convergent`, ends where Newton's
+    /// method does not converge.
     pub(super) fn minimise(
         &mut self,
         memory: &mut Memory,
