@@ -136,7 +136,7 @@ mod tests {
             let [around] = MovingBox::<1>::of_path(&places, &origins).places();
             assert_eq!(around, moving[0].union(&moving[1]));
             // Without a motion relative to the origins, it is the box at the start.
-            let shift = numbers().map(|x| x.round());
+            let shift = numbers().map(f64::round);
             let [place, origin] = [Aabb::of([0.5; 3]), Aabb::of([0.25; 3])];
             let moved = |at: &Aabb| {
                 [

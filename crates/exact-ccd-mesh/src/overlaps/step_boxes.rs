@@ -31,8 +31,8 @@ pub(crate) struct StepBoxes<const T: usize> {
     margin: Margin,
     /// Those of the vertices, if they differ.
     margins: Vec<f64>,
-    /// The places of the origin of [`Primitives`] when all boxes were placed last: coordinates are relative to
-    /// them, so that single precision is fine, however far all vertices move together.
+    /// The places of the origin of [`Primitives`] when all boxes were placed last: coordinates are relative
+    /// to them, so that single precision is fine, however far all vertices move together.
     origins: [Point; 2],
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
