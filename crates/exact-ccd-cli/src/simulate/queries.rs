@@ -70,8 +70,8 @@ struct Row {
 }
 
 impl QueryFolder {
-    /// Opens the folder for a simulation in its current state. Queries of later time steps are removed, if the
-    /// run replaces earlier ones.
+    /// Opens the folder for a simulation in its current state. Queries of later time steps are removed, if
+    /// the run replaces earlier ones.
     pub(super) fn open(
         folder: &Path,
         simulation: Simulation,

@@ -14,8 +14,8 @@ use crate::mesh::TriangleMesh;
 use crate::pairs::{PrimitiveSet, Searched};
 use crate::steps::Step;
 
-/// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at rest, each
-/// around the whole path of a primitive, relative to a vertex (T = 1).
+/// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at rest,
+/// each around the whole path of a primitive, relative to a vertex (T = 1).
 ///
 /// A box contains its primitive until the time for which it is placed, and in a motion to rounded positions
 /// before that (`path.rs`).
