@@ -104,8 +104,8 @@ pub(crate) struct Arguments {
     /// Write the CCD queries as a data set for `exact-ccd bench` and `exact-ccd queries`. For each time step
     /// N, the folder gets `vertex-face/N.csv` and `edge-edge/N.csv`, with the exact answer in the last
     /// column, and a row of `counts.csv`. The queries are all pairs of primitives whose boxes overlap in a
-    /// step that the line search proposes or takes. Those of an earlier run in the folder are an error without
-    /// --resume or --overwrite.
+    /// step that the line search proposes or takes. Those of an earlier run in the folder are an error
+    /// without --resume or --overwrite.
     #[arg(long, value_name = "DIR")]
     dump_queries: Option<PathBuf>,
     /// The maximal number of queries in contact, and of queries without contact, to write for each kind and
