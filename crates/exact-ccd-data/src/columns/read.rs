@@ -13,6 +13,7 @@ use super::counted_file::CountedFile;
 use super::group::{Group, Leaves};
 use super::guard::{catch, check_size};
 use super::problem::ColumnProblem;
+use super::row::Row;
 use super::{coordinates, footer};
 use crate::error::DataError;
 use crate::query_kind::QueryKind;
@@ -34,7 +35,8 @@ pub struct ColumnReader<K: QueryKind> {
     /// The number of the row group to be opened next.
     next_group: usize,
     group: Option<Group>,
-    batch: vec::IntoIter<Record<K>>,
+    /// The records that are read next, and the reason why there are no others.
+    batch: vec::IntoIter<Result<Record<K>, DataError>>,
     /// The number of queries that were read.
     queries: usize,
     done: bool,
@@ -80,28 +82,22 @@ impl<K: QueryKind> ColumnReader<K> {
     }
 
     fn next_record(&mut self) -> Option<Result<Record<K>, DataError>> {
-        if let Some(record) = self.batch.next() {
-            return Some(Ok(record));
-        }
         if self.done {
             return None;
         }
-        match self.read_batch() {
-            Ok(batch) => {
-                self.batch = batch.into_iter();
-                let next = self.batch.next();
-                self.done = next.is_none();
-                next.map(Ok)
-            }
-            Err(error) => {
-                self.done = true;
-                Some(Err(error))
-            }
+        if self.batch.as_slice().is_empty() {
+            self.batch = self
+                .read_batch()
+                .unwrap_or_else(|error| vec![Err(error)])
+                .into_iter();
         }
+        let next = self.batch.next();
+        self.done = !matches!(next, Some(Ok(_)));
+        next
     }
 
     /// The next queries; none at the end of the file.
-    fn read_batch(&mut self) -> Result<Vec<Record<K>>, DataError> {
+    fn read_batch(&mut self) -> Result<Vec<Result<Record<K>, DataError>>, DataError> {
         let wrong = |problem| DataError::columns(&self.path, problem);
         loop {
             let Some(group) = &mut self.group else {
@@ -128,17 +124,14 @@ impl<K: QueryKind> ColumnReader<K> {
             let rows = group.read(rows).map_err(wrong)?;
             let first = self.queries;
             self.queries += rows.len();
-            return rows
-                .into_iter()
-                .enumerate()
-                .map(|(index, row)| {
-                    row.record().map_err(|problem| DataError::Record {
-                        file: self.path.clone(),
-                        query: first + index,
-                        problem,
-                    })
+            let record = |(index, row): (usize, Row)| {
+                row.record().map_err(|problem| DataError::Record {
+                    file: self.path.clone(),
+                    query: first + index,
+                    problem,
                 })
-                .collect();
+            };
+            return Ok(rows.into_iter().enumerate().map(record).collect());
         }
     }
 }

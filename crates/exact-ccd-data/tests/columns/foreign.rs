@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use exact_ccd::VertexFace;
+use exact_ccd_data::ColumnReader;
 use parquet::basic::Compression;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::file::properties::WriterProperties;
@@ -50,6 +51,10 @@ impl Default for Foreign {
 
 impl Foreign {
     fn written(&self, schema: &str) -> Vec<u8> {
+        Self::all_written(&[self], schema)
+    }
+
+    fn all_written(rows: &[&Self], schema: &str) -> Vec<u8> {
         let properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
             .set_write_page_header_statistics(true)
@@ -62,44 +67,48 @@ impl Foreign {
         for field in fields {
             let mut column = group.next_column().unwrap().unwrap();
             let int64 = |value: Option<i64>| (Vec::from_iter(value), [i16::from(value.is_some())]);
-            match field.name() {
-                name @ ("id_a" | "id_b" | "count" | "more") => {
-                    let (values, level) = int64(match name {
-                        "id_a" => self.ids[0],
-                        "id_b" => self.ids[1],
-                        "count" => Some(self.count),
-                        _ => None,
-                    });
-                    column
-                        .typed::<Int64Type>()
-                        .write_batch(&values, Some(&level), None)
+            for row in rows {
+                match field.name() {
+                    name @ ("id_a" | "id_b" | "count" | "more") => {
+                        let (values, level) = int64(match name {
+                            "id_a" => row.ids[0],
+                            "id_b" => row.ids[1],
+                            "count" => Some(row.count),
+                            _ => None,
+                        });
+                        column
+                            .typed::<Int64Type>()
+                            .write_batch(&values, Some(&level), None)
+                    }
+                    "scene" => {
+                        let scene = ByteArray::from(row.scene);
+                        column
+                            .typed::<ByteArrayType>()
+                            .write_batch(&[scene], Some(&[1]), None)
+                    }
+                    "kind" => {
+                        let kinds: Vec<_> = row.kind.iter().map(|&kind| ByteArray::from(kind)).collect();
+                        let level = [kinds.len() as i16];
+                        column
+                            .typed::<ByteArrayType>()
+                            .write_batch(&kinds, Some(&level), None)
+                    }
+                    "toi" => column
+                        .typed::<DoubleType>()
+                        .write_batch(&[row.toi], Some(&[1]), None),
+                    "truth" => column.typed::<BoolType>().write_batch(&[true], Some(&[1]), None),
+                    _ => {
+                        let values: Vec<_> = row.points.iter().flatten().copied().collect();
+                        let definition: Vec<_> =
+                            row.points.iter().map(|x| 2 + i16::from(x.is_some())).collect();
+                        let repetition: Vec<_> =
+                            (0..row.points.len()).map(|index| (index > 0).into()).collect();
+                        let points = column.typed::<DoubleType>();
+                        points.write_batch(&values, Some(&definition), Some(&repetition))
+                    }
                 }
-                "scene" => {
-                    let scene = ByteArray::from(self.scene);
-                    column
-                        .typed::<ByteArrayType>()
-                        .write_batch(&[scene], Some(&[1]), None)
-                }
-                "kind" => {
-                    let kinds: Vec<_> = self.kind.iter().map(|&kind| ByteArray::from(kind)).collect();
-                    let level = [kinds.len() as i16];
-                    column
-                        .typed::<ByteArrayType>()
-                        .write_batch(&kinds, Some(&level), None)
-                }
-                "toi" => column
-                    .typed::<DoubleType>()
-                    .write_batch(&[self.toi], Some(&[1]), None),
-                "truth" => column.typed::<BoolType>().write_batch(&[true], Some(&[1]), None),
-                _ => {
-                    let values: Vec<_> = self.points.iter().flatten().copied().collect();
-                    let definition: Vec<_> = self.points.iter().map(|x| 2 + i16::from(x.is_some())).collect();
-                    let repetition: Vec<_> = (0..self.points.len()).map(|index| (index > 0).into()).collect();
-                    let points = column.typed::<DoubleType>();
-                    points.write_batch(&values, Some(&definition), Some(&repetition))
-                }
+                .unwrap();
             }
-            .unwrap();
             column.close().unwrap();
         }
         group.close().unwrap();
@@ -254,4 +263,30 @@ fn other_columns_are_an_error() {
         let error = Reader::new().error::<VertexFace>(&file.into_inner().unwrap());
         assert_eq!(error, format!(": expected a Parquet file of queries: {expected}"));
     }
+}
+
+/// The rows before a wrong one are read, as from a text file.
+#[test]
+fn queries_before_a_wrong_one_are_read() {
+    let (right, wrong) = (
+        Foreign::default(),
+        Foreign {
+            toi: 2.0,
+            ..Foreign::default()
+        },
+    );
+    let text = Foreign::all_written(&[&right, &right, &wrong, &right], FOREIGN);
+    let file = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(file.path(), text).unwrap();
+    let found: Vec<_> = ColumnReader::<VertexFace>::open(file.path())
+        .unwrap()
+        .records()
+        .collect();
+    assert_eq!(found.len(), 3);
+    assert!(found[..2].iter().all(Result::is_ok));
+    let error = found[2].as_ref().unwrap_err().to_string();
+    assert!(
+        error.ends_with(", query 2: expected a time from 0 to 1 as toi, found 2"),
+        "{error}"
+    );
 }
