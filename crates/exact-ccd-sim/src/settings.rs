@@ -214,7 +214,8 @@ pub struct Friction {
     pub static_velocity: Length,
     /// The greatest number of friction lags: updates of normal forces and tangent planes in a time step. At
     /// least 1. They end with the first update after which Newton's method converges in one iteration: with
-    /// a large number, the forces of friction are those of the end of the time step, within the tolerance.
+    /// a large number, the forces of friction are those of the end of the time step, within the tolerance. An
+    /// attempt that is not the last ends with the first lag that does not converge.
     pub lags: usize,
 }
 

@@ -161,8 +161,8 @@ enum Ended {
     Complete,
     /// By Ctrl-C.
     Interrupted,
-    /// By a time step without an answer.
-    Failed(SimulationError),
+    /// By a time step that failed, or did not converge although it must.
+    Failed(Failure),
 }
 
 /// Runs the command. `command` is the program with its arguments if it is a process of its own, in which
@@ -181,6 +181,12 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         Some("common") => scene.settings.line_search = LineSearch::Common,
         Some("vertex") => scene.settings.line_search = LineSearch::Vertex,
         _ => {}
+    }
+    if let Some(folder) = &arguments.dump_queries
+        && !arguments.resume
+        && !arguments.overwrite
+    {
+        QueryFolder::check_is_new(folder)?;
     }
     let mut notes = Notes::default();
     scene.notes.iter().for_each(|text| notes.note(text.to_string()));
@@ -201,8 +207,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     let (mut simulation, mut queries) = match &arguments.dump_queries {
         None => (simulation, None),
         Some(folder) => {
-            let replaces = arguments.resume || arguments.overwrite;
-            let (simulation, queries) = QueryFolder::open(folder, simulation, most, replaces)?;
+            let (simulation, queries) = QueryFolder::open(folder, simulation, most)?;
             (simulation, Some(queries))
         }
     };
@@ -254,7 +259,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             }
             let statistics = match stepped {
                 Ok(statistics) => statistics,
-                Err(error) => return Ok(Ended::Failed(error)),
+                Err(error) => return Ok(Ended::Failed(Failure::of(&arguments.scene, error))),
             };
             let path = path.map_or_else(|| Ok(Vec::new()), path::Path::finish)?;
             if let Some(queries) = &mut queries {
@@ -278,13 +283,13 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             progress(1);
             if !statistics.converged {
                 let step = statistics.step;
+                unconverged.push(step);
                 if arguments.strict {
-                    return Err(Failure::new(format_args!(
+                    return Ok(Ended::Failed(Failure::new(format_args!(
                         "time step {step} did not converge, expected convergence with --strict: set a smaller \
                          `time-step`, a larger `max-iterations`, or `max-substeps`"
-                    )));
+                    ))));
                 }
-                unconverged.push(step);
             }
         }
         Ok(Ended::Complete)
@@ -292,25 +297,31 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     let ended = ended?;
     let distance = simulation.settings().contact_distance;
     let distance = distance.meters(simulation.system().size());
-    if !matches!(ended, Ended::Complete)
-        && let Some(folder) = &mut folder
-    {
-        folder.finish(&simulation)?;
-    }
-    let taken = remaining.saturating_sub(steps.saturating_sub(simulation.state().step));
-    recording.finish(
-        &line::of_convergence(&unconverged, taken),
-        &text_of_page,
-        distance,
-    )?;
+    let verdict = match &ended {
+        Ended::Failed(failure) => failure.on_one_line(),
+        _ => {
+            let left = steps.saturating_sub(simulation.state().step);
+            line::of_convergence(&unconverged, remaining.saturating_sub(left))
+        }
+    };
+    let finish = || -> Result<(), Failure> {
+        if !matches!(ended, Ended::Complete)
+            && let Some(folder) = &mut folder
+        {
+            folder.finish(&simulation)?;
+        }
+        recording.finish(&verdict, &text_of_page, distance)
+    };
+    let finished = finish();
     match (ended, command) {
-        (Ended::Failed(error), _) => return Err(Failure::of(&arguments.scene, error)),
+        (Ended::Failed(failure), _) => return Err(failure),
         (Ended::Interrupted, Some(command)) => {
+            finished?;
             let message = interrupt::message(simulation.state().step, arguments, command);
             let _ = writeln!(std::io::stderr(), "exact-ccd: {message}");
             return Ok(ExitCode::from(interrupt::STATUS));
         }
-        _ => {}
+        _ => finished?,
     }
     if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
         notes.warn(warning);

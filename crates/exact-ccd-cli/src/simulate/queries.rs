@@ -1,5 +1,6 @@
 //! The queries of a simulation as a data set.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexFace};
@@ -14,6 +15,9 @@ use super::steps;
 use crate::failure::Failure;
 use crate::output::make_folder;
 use crate::queries::query_files;
+
+/// The table of the numbers of queries.
+const COUNTS: &str = "counts.csv";
 
 /// A folder with query files, a file for each time step and kind, and `counts.csv`.
 pub(super) struct QueryFolder {
@@ -70,28 +74,32 @@ struct Row {
 }
 
 impl QueryFolder {
-    /// Opens the folder for a simulation in its current state. Queries of later time steps are removed, if
-    /// the run replaces earlier ones.
+    /// Checks that a folder has no queries of an earlier run.
+    pub(super) fn check_is_new(folder: &Path) -> Result<(), Failure> {
+        let is_empty =
+            |kind: &str| fs::read_dir(folder.join(kind)).map_or(true, |mut files| files.next().is_none());
+        if !folder.join(COUNTS).exists() && [VertexFace::FOLDER, EdgeEdge::FOLDER].into_iter().all(is_empty) {
+            return Ok(());
+        }
+        Err(Failure::of(
+            folder,
+            "the folder has the queries of an earlier run: remove it, name another one, or replace the run and its \
+             queries with --output and --overwrite",
+        ))
+    }
+
+    /// Opens the folder for a simulation in its current state. Queries of later time steps are removed.
     pub(super) fn open(
         folder: &Path,
         simulation: Simulation,
         most: usize,
-        replaces: bool,
     ) -> Result<(Simulation, Self), Failure> {
         let last = simulation.state().step;
-        let counts = folder.join("counts.csv");
-        if counts.exists() && !replaces {
-            return Err(Failure::of(
-                folder,
-                "the folder has the queries of an earlier run: remove it, name another one, or replace the run and its \
-                 queries with --output and --overwrite",
-            ));
-        }
         for kind in [VertexFace::FOLDER, EdgeEdge::FOLDER] {
             make_folder(&folder.join(kind))?;
             steps::remove_after(&folder.join(kind), Some(last))?;
         }
-        let log = Log::resume(counts, last, |row: &Row| row.step)?;
+        let log = Log::resume(folder.join(COUNTS), last, |row: &Row| row.step)?;
         let mut total = Counts::default();
         log.rows()?.iter().for_each(|row| total.add(row));
         let (simulation, recording) = Recording::of(simulation, most)?;

@@ -153,7 +153,15 @@ fn queries_of_an_earlier_run_stay_and_count() {
     let expected = folder.run(&whole);
     assert_eq!(expected.status, 0, "{expected:?}");
     let before = counts(&folder);
-    let again = folder.run(&["simulate", "scene.toml", "--dump-queries", "queries"]);
+    let again = folder.run(&[
+        "simulate",
+        "scene.toml",
+        "--output",
+        "new",
+        "--dump-queries",
+        "queries",
+    ]);
+    assert!(!folder.path("new").exists());
     assert!(
         again.error().starts_with("queries: the folder has the queries"),
         "{again:?}"

@@ -19,7 +19,8 @@ const GRAIN: usize = 128;
 /// Boxes that move in straight lines during a step, in blocks of eight that are near each other.
 ///
 /// Each box has an index; the indices of some of a mesh's primitives have gaps. Coordinates are
-/// relative to a common origin and rounded to single precision, such that boxes that meet still meet.
+/// relative to one origin for each time and rounded to single precision, such that boxes that meet still
+/// meet.
 ///
 /// The boxes of a mesh have their vertices as labels. Pairs with a common label are never a contact:
 /// the broad phases of this crate pass none of them on, another one may.
@@ -107,7 +108,7 @@ impl<const T: usize> Boxes<T> {
     }
 
     /// The index of each box, and the box at the start and at the end (T = 2) or at rest (T = 1):
-    /// relative to a common origin, and rounded.
+    /// relative to one origin for each time, and rounded.
     pub fn iter(&self) -> impl Iterator<Item = (u32, [Aabb; T])> {
         let boxes = self
             .blocks

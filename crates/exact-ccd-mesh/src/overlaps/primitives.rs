@@ -27,15 +27,32 @@ pub(crate) struct Primitives {
 /// The primitives are ordered anew when the extent of the vertices' order has grown by this factor.
 const MAX_GROWTH: f64 = 1.5;
 
+/// The number of vertices from which the origin is chosen, at most.
+const SAMPLE: usize = 64;
+
 impl Primitives {
     pub(crate) fn get(&self, set: PrimitiveSet) -> &Arc<Members> {
         &self.sets[set as usize]
     }
 
-    /// A vertex amid many others, even if some vertices are far away: one in the middle of the order.
-    pub(crate) fn origin(&self) -> Option<u32> {
+    /// A vertex amid many others at some positions, even if some are far away: of a sample, the one nearest
+    /// to the median along each axis.
+    pub(crate) fn origin(&self, x: &[Point]) -> Option<u32> {
         let ids = self.get(PrimitiveSet::Vertices).ids();
-        ids.get(ids.len() / 2).copied()
+        let sample = || ids.iter().step_by(ids.len().div_ceil(SAMPLE).max(1)).copied();
+        let median: Point = core::array::from_fn(|axis| {
+            let mut coordinates: Vec<f64> = sample().map(|id| x[id as usize][axis]).collect();
+            coordinates.sort_unstable_by(f64::total_cmp);
+            coordinates
+                .get(coordinates.len() / 2)
+                .copied()
+                .unwrap_or_default()
+        });
+        let distance = |id: u32| {
+            let axes = x[id as usize].into_iter().zip(median);
+            axes.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+        };
+        sample().min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
     }
 
     pub(crate) fn other_ends(&self) -> &OtherEnds {

@@ -31,8 +31,10 @@ pub(crate) struct StepBoxes<const T: usize> {
     margin: Margin,
     /// Those of the vertices, if they differ.
     margins: Vec<f64>,
-    /// The places of the origin of [`Primitives`] when all boxes were placed last: coordinates are relative
-    /// to them, so that single precision is fine, however far all vertices move together.
+    /// True if coordinates at the end are relative to the place of a vertex then; else, as at the start.
+    follows: bool,
+    /// The places of this vertex, or its place at the start twice, when all boxes were placed last:
+    /// coordinates are relative to them, so that single precision is fine, however far away all vertices are.
     origins: [Point; 2],
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
@@ -49,9 +51,20 @@ impl<const T: usize> Default for StepBoxes<T> {
             moving: Vec::new(),
             margin: Margin::default(),
             margins: Vec::new(),
+            follows: true,
             origins: [[0.0; 3]; 2],
             time: f64::NAN,
             has_begun: false,
+        }
+    }
+}
+
+impl StepBoxes<1> {
+    /// Boxes around the whole path, not relative to a vertex that moves.
+    pub(crate) fn around_paths() -> Self {
+        Self {
+            follows: false,
+            ..Self::default()
         }
     }
 }
@@ -227,9 +240,10 @@ impl<const T: usize> StepBoxes<T> {
         }
         self.time = time;
         let [x0, x1] = step.positions();
-        self.origins = self.primitives.origin().map_or([[0.0; 3]; 2], |vertex| {
+        self.origins = self.primitives.origin(x0).map_or([[0.0; 3]; 2], |vertex| {
             let [start, end] = [x0, x1].map(|x| x[vertex as usize]);
-            [start, between(time, start, end)]
+            let place = between(time, start, end);
+            [start, if self.follows { place } else { start }]
         });
         let origins = &self.origins;
         let ends = x0.par_iter().zip(x1).with_min_len(512);

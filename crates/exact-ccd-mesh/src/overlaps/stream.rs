@@ -34,11 +34,13 @@ pub(crate) fn stream(
     Ok(match options.boxes {
         BoxKind::Swept => {
             let path = |a, b| [Aabb::of(a).union(&Aabb::of(b))];
-            Overlaps::new(step, can_collide, margin, path).visit(broad_phase, receiver)
+            let boxes = StepBoxes::around_paths();
+            Overlaps::new(step, can_collide, margin, boxes, path).visit(broad_phase, receiver)
         }
         BoxKind::Moving => {
             let ends = |a, b| [Aabb::of(a), Aabb::of(b)];
-            Overlaps::new(step, can_collide, margin, ends).visit(broad_phase, receiver)
+            let boxes = StepBoxes::default();
+            Overlaps::new(step, can_collide, margin, boxes, ends).visit(broad_phase, receiver)
         }
     })
 }
@@ -55,10 +57,15 @@ struct Overlaps<'a, const T: usize, F> {
 }
 
 impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T, F> {
-    fn new(step: Step<'a>, can_collide: &'a CanCollide, margin: Margin, of_vertex: F) -> Self {
+    fn new(
+        step: Step<'a>,
+        can_collide: &'a CanCollide,
+        margin: Margin,
+        mut boxes: StepBoxes<T>,
+        of_vertex: F,
+    ) -> Self {
         let mut primitives = Primitives::default();
         primitives.begin(&step, can_collide);
-        let mut boxes = StepBoxes::default();
         boxes.end(&margin);
         boxes.place::<VertexFace>(&step, &primitives, 1.0);
         boxes.place::<EdgeEdge>(&step, &primitives, 1.0);

@@ -166,7 +166,7 @@ impl CulledSearch {
                 primitives,
                 collector,
                 kept,
-                short: time_of_short_displacements(step, primitives.origin()),
+                short: time_of_short_displacements(step, primitives.origin(step.positions()[0])),
             };
             pass.examine::<VertexFace>(resting, moving)?;
             pass.examine::<EdgeEdge>(resting, moving)?;
@@ -197,9 +197,9 @@ impl CulledSearch {
         *kept = None;
         let _ = rayon::scope(|_| {
             narrow_phase.begin(step, min_distance.clone());
-            primitives.begin(step, narrow_phase.can_collide());
             let is_placed = moving.move_marked(step, marked);
             if !is_placed {
+                primitives.begin(step, narrow_phase.can_collide());
                 moving.end(&Margin::new(min_distance.clone(), 0.0));
             }
             let marked = Marked {

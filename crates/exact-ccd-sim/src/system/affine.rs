@@ -49,8 +49,8 @@ impl Parts {
             center,
             covariance,
         } = moments;
-        let root = covariance.cholesky().ok_or(BodyError::Hollow)?.l();
-        let inverse = root.try_inverse().ok_or(BodyError::Hollow)?;
+        let root = covariance.cholesky().ok_or(BodyError::NoVolume)?.l();
+        let inverse = root.try_inverse().ok_or(BodyError::NoVolume)?;
         let count = self.start.len();
         let carriers = self.start[first..].iter().map(|&point| {
             let at = inverse * (Vector3::from(point) - center);
@@ -64,7 +64,7 @@ impl Parts {
         self.start.extend(nodes);
         let vertices = [0, 1, 2, 3].map(|node| (count + node) as u32);
         let element = Tetrahedron::new(vertices, &self.start)
-            .ok_or(BodyError::Hollow)?
+            .ok_or(BodyError::NoVolume)?
             .with_volume(volume);
         let stiffness = SaintVenantKirchhoff::orthogonality(material.stiffness);
         self.add_element(

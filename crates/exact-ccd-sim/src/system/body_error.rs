@@ -46,7 +46,7 @@ pub enum BodyError {
     Open,
     /// The surface of an affine body encloses no volume, up to rounding.
     #[error("the surface of the affine body encloses no volume, expected a positive one")]
-    Hollow,
+    NoVolume,
     /// Two edges of a rod return along each other.
     #[error("the rod is folded onto itself at an end of edge {element}, expected an angle")]
     Folded {

@@ -117,7 +117,7 @@ impl Geometry {
     /// The pairs of two obstacles that can touch in a step. Pairs within one obstacle that moves as a whole,
     /// and pairs of obstacles that rest, are left out. The linear motion of a rigid body from one place to
     /// another is an affine map at each time, which is injective but for a half turn, in the middle of which
-    /// the body is flat.
+    /// the body is on one line.
     pub(crate) fn obstacle_pairs(&self, step: Step<'_>) -> Candidates {
         let Some(can_collide) = &self.obstacle_pairs else {
             return Candidates::default();

@@ -247,7 +247,7 @@ fn errors_name_the_body() {
     }
     assert_eq!(message(open, &[]).0, BodyError::Open);
     let flat = affine_box([0.1; 3]).placed(|[x, y, _]| [x, y, 0.0]);
-    assert!(matches!(message(flat, &[]).0, BodyError::Hollow));
+    assert!(matches!(message(flat, &[]).0, BodyError::NoVolume));
     let mut soft = affine_box([0.1; 3]);
     if let BodyKind::Affine { material, .. } = &mut soft.kind {
         material.stiffness = f64::NAN;

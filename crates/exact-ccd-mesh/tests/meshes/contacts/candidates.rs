@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, VertexFace};
 use exact_ccd_mesh::{
     AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, MeshError, Pair,
-    Point, StepError, Sweep, TriangleMesh,
+    Point, Step, StepError, Sweep, TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -201,6 +201,19 @@ fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
     assert_eq!(nonsense.collisions(scene.step(), CONTACT), []);
     assert_eq!(nonsense.time_of_impact_by(scene.step(), &Exact), None);
     assert!(Candidates::default().is_empty());
+}
+
+/// Boxes around whole paths, as other software has, are not relative to anything that moves.
+#[test]
+fn swept_boxes_overlap_in_a_common_motion() {
+    let mesh = TriangleMesh::new(3, Vec::new()).unwrap();
+    let [x0, x1] = [0.0, 10.0].map(|shift| [0.0, 5.0, 16.0].map(|x| [x + shift, 0.0, 0.0]));
+    let step = Step::new(&mesh, &x0, &x1).unwrap();
+    for (boxes, expected) in [(BoxKind::Swept, 1), (BoxKind::Moving, 0)] {
+        let options = CandidateOptions::default().with_boxes(boxes);
+        let found = Candidates::with_options(step, &Bvh, &options).unwrap();
+        assert_eq!(found.vertex_vertex().len(), expected, "{boxes:?}");
+    }
 }
 
 #[test]

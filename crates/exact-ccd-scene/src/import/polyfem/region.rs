@@ -1,6 +1,6 @@
 //! Selections of faces by regions of space.
 
-use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_mesh::{Aabb, Point, vector};
 use nalgebra::Vector3;
 
 use super::super::fault::Fault;
@@ -82,8 +82,8 @@ fn region(entry: &Entry<'_>, bounds: Aabb) -> Result<Region, Fault> {
     if let Some(radius) = entry.get("radius") {
         let [from, to] = [entry.need("p1")?.point()?, entry.need("p2")?.point()?].map(place);
         let radius = length(radius.number()?);
-        let axis =
-            unit(to - from).ok_or_else(|| entry.invalid("two points p1 and p2 apart from each other"))?;
+        let axis = unit((to - from).into())
+            .ok_or_else(|| entry.invalid("two points p1 and p2 apart from each other"))?;
         return Ok(Box::new(move |x| {
             let along = axis.dot(&(x - from));
             let across = (x - from - axis * along).norm_squared();
@@ -100,8 +100,7 @@ fn region(entry: &Entry<'_>, bounds: Aabb) -> Result<Region, Fault> {
         let unit = Vector3::ith(axis, 1.0);
         (unit * position, unit * sign)
     } else if let Some(normal) = entry.get("normal") {
-        let normal =
-            unit(normal.point()?.into()).ok_or_else(|| normal.invalid("a vector of positive length"))?;
+        let normal = unit(normal.point()?).ok_or_else(|| normal.invalid("a vector of positive length"))?;
         match entry.get("point") {
             Some(point) => (place(point.point()?), normal),
             None => (normal * entry.number_or("offset", 0.0)?, normal),
@@ -112,10 +111,9 @@ fn region(entry: &Entry<'_>, bounds: Aabb) -> Result<Region, Fault> {
     Ok(Box::new(move |x| ((x - point).dot(&normal) >= 0.0).then_some(id)))
 }
 
-/// The unit vector in a direction, if its length is a normal number.
-fn unit(x: Vector3<f64>) -> Option<Vector3<f64>> {
-    x.try_normalize(f64::MIN_POSITIVE)
-        .filter(|unit| unit.iter().all(|x| x.is_finite()))
+/// The unit vector in a direction, unless it is zero.
+fn unit(x: Point) -> Option<Vector3<f64>> {
+    vector::unit(x).map(Vector3::from)
 }
 
 /// An axis from 0, and the sign of its direction.
