@@ -30,8 +30,9 @@ STACK = """
 import numpy as np, exact_ccd
 from exact_ccd import ipc
 from types import SimpleNamespace
-# Triangles in parallel planes: all boxes meet, and there is no contact.
-x = np.concatenate([100.0 * np.eye(3) + height for height in np.linspace(0.0, 1.0, 200_000)])
+# Triangles in parallel planes: the boxes of their edges meet, and there is no contact.
+corners = np.array([[200.0, -90.0, -110.0], [-110.0, 200.0, -90.0], [-90.0, -110.0, 200.0]])
+x = np.concatenate([corners + height for height in np.linspace(0.0, 1.0, 200_000)])
 faces = np.arange(len(x)).reshape(-1, 3)
 detector = exact_ccd.Detector(exact_ccd.Mesh(len(x), faces))
 edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
