@@ -83,8 +83,7 @@ fn longest_axis<const T: usize>(boxes: &Boxes<T>) -> usize {
         .around
         .iter()
         .fold(MovingBox::EMPTY, |all, around| all.union(around));
-    let extent = |axis: &usize| around.upper[0][*axis] - around.lower[0][*axis];
-    (0..3).max_by(|a, b| extent(a).total_cmp(&extent(b))).unwrap_or(0)
+    around.places()[0].longest_side()
 }
 
 /// Adds the pairs of each block with the blocks whose intervals begin inside its own.
