@@ -41,6 +41,15 @@ def test_groups_and_rules() -> None:
         audit(passing, FACES, groups=[0])
 
 
+def test_a_vertex_that_cannot_collide() -> None:
+    # The tip passes through the face, and its edges follow.
+    report = audit(frames(3, 1, -1), FACES, groups=[0, 0, 0, 0, 1, 1])
+    violation = report.violation
+    assert (report.frames, violation.frame, violation.contact) == (3, 2, None)
+    assert violation.intersection[1] == 0
+    assert audit(frames(3, 1, -1), FACES, can_collide=lambda i, j: {i, j} & {4, 5}) == report
+
+
 def test_groups_of_files(tmp_path) -> None:
     np.savez(tmp_path / "recording.npz", positions=frames(3, 1, -3), faces=FACES)
     assert audit(tmp_path / "recording.npz", groups=[0] * 6).is_free

@@ -15,9 +15,11 @@ use crate::steps::{MotionError, StepError};
 /// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a
 /// face, two edges, or a vertex and a face, have a common point at any time up to the last frame, nor do a
 /// vertex and a loose edge.
-/// Only the first frame is examined at rest. A mesh that does not intersect itself there can come
+/// The first frame is examined at rest. A mesh that does not intersect itself there can come
 /// to do so only by a vertex that reaches a face or an edge that reaches another edge, and that is
-/// a contact of the step. Parts that share a vertex are neighbours and may touch. Edges and
+/// a contact of the step. A predicate of [`with_can_collide`](Self::with_can_collide) may leave out this
+/// pair, but not the edge and the face that come to meet. With one, every frame is examined at rest; an edge
+/// that passes through a face between two frames only is no violation then. Parts that share a vertex are neighbours and may touch. Edges and
 /// vertices without a face are primitives as all others, compared as defined by [`Pair`](crate::Pair), which
 /// lists what is never compared.
 ///
@@ -121,25 +123,29 @@ impl Audit {
         let options = Options::within(self.min_distance.clone());
         let contact = detector.collision(&last.positions, &positions, options)?;
         last.positions = positions;
+        let frame = self.frames;
         self.frames += 1;
-        Ok(contact.map(|contact| Violation::Contact {
-            frame: self.frames - 2,
-            contact,
-        }))
+        if let Some(contact) = contact {
+            let frame = frame - 1;
+            return Ok(Some(Violation::Contact { frame, contact }));
+        }
+        if !self.can_collide.has_predicate() {
+            return Ok(None);
+        }
+        let found = first_intersection(last, &self.can_collide)?;
+        Ok(found.map(|intersection| Violation::Intersection { frame, intersection }))
     }
 
     /// The violation in the first frame at rest: an intersection, or a contact of a step without motion.
     fn at_rest(&self, frame: &Frame, detector: &mut Detector) -> Result<Option<Violation>, StepError> {
-        let Frame { mesh, positions } = frame;
-        let options = IntersectionOptions::default().with_can_collide(self.can_collide.clone());
-        if let Some(&intersection) = intersections(mesh, positions, &Bvh, &options)?.first() {
+        if let Some(intersection) = first_intersection(frame, &self.can_collide)? {
             return Ok(Some(Violation::Intersection {
                 frame: 0,
                 intersection,
             }));
         }
         let options = Options::within(self.min_distance.clone());
-        let contact = detector.collision(positions, positions, options)?;
+        let contact = detector.collision(&frame.positions, &frame.positions, options)?;
         Ok(contact.map(|contact| Violation::Contact { frame: 0, contact }))
     }
 
@@ -154,4 +160,11 @@ impl Audit {
     pub fn last(&self) -> Option<&Frame> {
         self.last.as_ref().map(|(frame, _)| frame)
     }
+}
+
+/// The least pair of an edge and a face that meet in a frame.
+fn first_intersection(frame: &Frame, can_collide: &CanCollide) -> Result<Option<Intersection>, StepError> {
+    let options = IntersectionOptions::default().with_can_collide(can_collide.clone());
+    let found = intersections(&frame.mesh, &frame.positions, &Bvh, &options)?;
+    Ok(found.first().copied())
 }

@@ -30,7 +30,7 @@ class Violation(NamedTuple):
     contact : Contact or None
         The earliest contact after that frame; its time is 0 at that frame and 1 at the next.
     intersection : tuple of int, or None
-        In place of a contact: the indices of an edge and a face that meet in the first frame.
+        In place of a contact: the indices of an edge and a face that meet in the frame.
     half_space : tuple of int, or None
         In place of both: the number of a half space and the index of a vertex that is not apart from it in
         that frame. It reaches the half space in the step that leads there, if there is one.
@@ -244,16 +244,22 @@ def _examine(
     number: int,
 ) -> Optional[Violation]:
     """The violation in frame 0, or in the step that leads to another frame and in that frame."""
-    if last is None:
-        if number > 0:
-            return None
+    if last is None and number > 0:
+        return None
+    if last is not None:
+        contact = detector.collision(last, frame)
+        if contact is not None:
+            return Violation(number - 1, contact, None)
+    # A rule or groups can leave out the contact by which an edge comes to pass through a face.
+    mesh = detector.mesh
+    if last is None or mesh.can_collide is not None or mesh.groups is not None:
         found = detector.intersections(frame)
         if len(found):
-            return Violation(0, None, (int(found[0, 0]), int(found[0, 1])))
-        last = frame
-    contact = detector.collision(last, frame)
-    if contact is not None:
-        return Violation(max(number - 1, 0), contact, None)
+            return Violation(number, None, (int(found[0, 0]), int(found[0, 1])))
+    if last is None:
+        contact = detector.collision(frame, frame)
+        if contact is not None:
+            return Violation(0, contact, None)
     touching = None if half_spaces is None else half_spaces.touching(frame)
     return None if touching is None else Violation(number, None, None, touching)
 

@@ -296,6 +296,21 @@ fn an_audit_reports_an_intersection_before_a_contact() {
     assert_eq!(at_rest(-2.0), None);
 }
 
+/// A predicate can leave out the vertex that reaches a face, but not the edges that follow it.
+#[test]
+fn an_audit_with_a_predicate_examines_each_frame_at_rest() {
+    let groups = CanCollide::different_groups(vec![0, 0, 0, 0, 1, 1]);
+    let mut audit = Audit::default().with_can_collide(groups);
+    assert_eq!(audit.examine(triangles(1.0)), Ok(None));
+    assert_eq!(audit.examine(triangles(0.5)), Ok(None));
+    let intersection = Intersection { edge: 3, face: 0 };
+    let expected = Violation::Intersection {
+        frame: 2,
+        intersection,
+    };
+    assert_eq!(audit.examine(triangles(-0.5)), Ok(Some(expected)));
+}
+
 #[test]
 fn a_loose_vertex_on_a_face_is_a_contact() {
     let positions = vec![[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [1.0, 1.0, 0.0]];
