@@ -4,12 +4,12 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 
 use exact_ccd::Point;
 use exact_ccd::predicates::{EdgeFace, orient3d};
-use rayon::prelude::*;
 
-use crate::broad_phase::{Aabb, Boxes, BroadPhase, PairCollector, TooManyPrimitives};
+use crate::broad_phase::{BroadPhase, PairCollector, TooManyPrimitives, check_primitive_count};
 use crate::mesh::{PositionsError, TriangleMesh, check_positions};
-use crate::pairs::CanCollide;
-use crate::steps::StepError;
+use crate::overlaps::{Primitives, StepBoxes};
+use crate::pairs::{CanCollide, PrimitiveSet};
+use crate::steps::{Step, StepError};
 
 /// An edge and a face that have a common point and share no vertex. Ordered by the edge, then by
 /// the face.
@@ -133,7 +133,24 @@ pub fn intersections(
     broad_phase: &dyn BroadPhase,
     options: &IntersectionOptions,
 ) -> Result<Vec<Intersection>, IntersectionsError> {
+    for count in [mesh.edges().len(), mesh.faces().len()] {
+        check_primitive_count(count)?;
+    }
     check_positions(mesh.vertex_count(), positions)?;
+    let step = Step::at_rest(mesh, positions);
+    let mut primitives = Primitives::default();
+    primitives.begin(&step, &options.can_collide);
+    Ok(intersections_at_start(&step, &primitives, broad_phase, options))
+}
+
+/// The [`intersections`] at the start of a step, of primitives that have begun it.
+pub(super) fn intersections_at_start(
+    step: &Step<'_>,
+    primitives: &Primitives,
+    broad_phase: &dyn BroadPhase,
+    options: &IntersectionOptions,
+) -> Vec<Intersection> {
+    let (mesh, [positions, _]) = (step.mesh(), step.positions());
     let (edges, faces) = (mesh.edges(), mesh.faces());
     let point = |vertex: u32| positions[vertex as usize];
     let do_meet = |ends: [Point; 2], corners: [Point; 3]| match options.meeting {
@@ -141,21 +158,27 @@ pub fn intersections(
         Meeting::Touching => EdgeFace::new(ends, corners).is_ok_and(|pair| pair.intersects()),
         Meeting::Crossing => crosses(ends, corners),
     };
+    // Another broad phase may pass pairs on that are none.
     let meet = |&[edge, face]: &[u32; 2]| {
-        let (ends, corners) = (edges[edge as usize], faces[face as usize]);
-        ends.iter().all(|end| !corners.contains(end))
-            && options.can_collide.allows(&ends, &corners)
-            && do_meet(ends.map(point), corners.map(point))
+        let pair = edges.get(edge as usize).zip(faces.get(face as usize));
+        pair.is_some_and(|(&ends, &corners)| {
+            ends.iter().all(|end| !corners.contains(end))
+                && options.can_collide.allows(&ends, &corners)
+                && do_meet(ends.map(point), corners.map(point))
+        })
     };
-    let around = |vertices: &[u32]| -> [Aabb; 1] { [vertices.iter().map(|&vertex| point(vertex)).collect()] };
-    let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
-    let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
     let collector = PairCollector::default();
-    let _ = broad_phase.between(&Boxes::new(&edge_boxes)?, &Boxes::new(&face_boxes)?, &|pairs| {
-        collector.add(pairs.iter().copied().filter(meet))
+    // All on threads of the pool: entering it from outside costs a context switch each time.
+    let _ = rayon::scope(|_| {
+        let mut boxes = StepBoxes::<1>::default();
+        boxes.place_at_start(step, primitives, [PrimitiveSet::Edges, PrimitiveSet::Faces]);
+        let [of_edges, of_faces] = [PrimitiveSet::Edges, PrimitiveSet::Faces].map(|set| boxes.get(set));
+        broad_phase.between(of_edges, of_faces, &|pairs| {
+            collector.add(pairs.iter().copied().filter(meet))
+        })
     });
     let pairs = collector.into_sorted().into_iter();
-    Ok(pairs.map(|[edge, face]| Intersection { edge, face }).collect())
+    pairs.map(|[edge, face]| Intersection { edge, face }).collect()
 }
 
 /// Returns true if an edge passes through the interior of a face.

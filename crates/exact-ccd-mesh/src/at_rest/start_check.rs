@@ -2,8 +2,9 @@
 
 use exact_ccd::Point;
 
-use super::intersections::{IntersectionOptions, Meeting, intersections};
+use super::intersections::{IntersectionOptions, Meeting, intersections_at_start};
 use crate::broad_phase::BroadPhase;
+use crate::overlaps::Primitives;
 use crate::pairs::CanCollide;
 use crate::steps::{Step, StepError};
 
@@ -35,7 +36,7 @@ impl StartCheck {
         (self.start, self.end) = (Vec::new(), Vec::new());
     }
 
-    /// Makes certain that nothing crosses at the start of a step.
+    /// Makes certain that nothing crosses at the start of a step, which the primitives have begun.
     ///
     /// # Errors
     /// [`StepError::Crossing`] has the first edge that crosses a face.
@@ -43,6 +44,7 @@ impl StartCheck {
         &mut self,
         broad_phase: &dyn BroadPhase,
         step: &Step<'_>,
+        primitives: &Primitives,
         can_collide: &CanCollide,
     ) -> Result<(), StepError> {
         let (mesh, [x0, _]) = (step.mesh(), step.positions());
@@ -56,7 +58,8 @@ impl StartCheck {
         self.passes += 1;
         let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
         let options = options.with_can_collide(can_collide.clone());
-        if let Some(&crossing) = intersections(mesh, x0, broad_phase, &options)?.first() {
+        let crossings = intersections_at_start(step, primitives, broad_phase, &options);
+        if let Some(&crossing) = crossings.first() {
             return Err(StepError::Crossing {
                 edge: crossing.edge,
                 ends: mesh.edges()[crossing.edge as usize],

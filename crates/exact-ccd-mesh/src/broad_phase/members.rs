@@ -222,5 +222,6 @@ mod tests {
         assert_between::<1, 2>();
         assert_between::<1, 3>();
         assert_between::<2, 2>();
+        assert_between::<2, 3>();
     }
 }

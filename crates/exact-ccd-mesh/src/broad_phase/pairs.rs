@@ -60,6 +60,7 @@ impl<'a, const T: usize> Pairs<'a, T> {
             (1, 2) => self.meeting::<S, 1, 2>(simd, i, j),
             (1, 3) => self.meeting::<S, 1, 3>(simd, i, j),
             (2, 2) => self.meeting::<S, 2, 2>(simd, i, j),
+            (2, 3) => self.meeting::<S, 2, 3>(simd, i, j),
             _ => self.meeting::<S, 0, 0>(simd, i, j),
         };
         meeting &= EACH_LANE * u64::from(of_b.filled(j));

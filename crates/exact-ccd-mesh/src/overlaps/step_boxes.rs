@@ -112,6 +112,20 @@ impl<const T: usize> StepBoxes<T> {
         }
     }
 
+    /// Places the boxes of the primitives of two sets at the start of the step.
+    pub(crate) fn place_at_start(
+        &mut self,
+        step: &Step<'_>,
+        primitives: &Primitives,
+        sets: [PrimitiveSet; 2],
+    ) {
+        self.begin(step, primitives);
+        self.move_vertices(step, 0.0);
+        for set in sets {
+            self.place_set(step.mesh(), set);
+        }
+    }
+
     fn place_set(&mut self, mesh: &TriangleMesh, set: PrimitiveSet) {
         self.place_some(mesh, set, |_| true);
     }
@@ -177,11 +191,15 @@ impl<const T: usize> StepBoxes<T> {
     ) -> ControlFlow<()> {
         let uncovered = self.uncovered::<K>(mesh, sink);
         let [first, second] = K::SETS;
-        let any = |vertices: &[u32]| vertices.iter().any(|&vertex| marked[vertex as usize]);
+        let is_marked = |vertex: &u32| marked.get(*vertex as usize).is_some_and(|&is| is);
+        let any = |vertices: &[u32]| vertices.iter().any(is_marked);
+        // Another broad phase may pass pairs on that are none.
         let is_marked = |set: PrimitiveSet, id: u32| match set {
             PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => any(&[id]),
-            PrimitiveSet::Faces => any(&mesh.faces()[id as usize]),
-            PrimitiveSet::Edges | PrimitiveSet::LooseEdges => any(&mesh.edges()[id as usize]),
+            PrimitiveSet::Faces => mesh.faces().get(id as usize).is_some_and(|face| any(face)),
+            PrimitiveSet::Edges | PrimitiveSet::LooseEdges => {
+                mesh.edges().get(id as usize).is_some_and(|edge| any(edge))
+            }
         };
         let only = |set: PrimitiveSet| self.get(set).only(|id| is_marked(set, id));
         if first == second {

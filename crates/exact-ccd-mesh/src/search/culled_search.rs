@@ -12,10 +12,11 @@ use super::contact::Contact;
 use super::kept::Kept;
 use super::narrow_phase::NarrowPhase;
 use super::screen::Screen;
+use crate::at_rest::StartCheck;
 use crate::broad_phase::{BoxPairs, BroadPhase};
 use crate::overlaps::{Margin, Primitives, StepBoxes};
 use crate::pairs::{CanCollide, MinDistance, Pair, Searched};
-use crate::steps::Step;
+use crate::steps::{Step, StepError};
 
 /// A search in successive steps of one mesh.
 #[derive(Clone)]
@@ -71,10 +72,6 @@ impl CulledSearch {
         }
     }
 
-    pub(crate) fn broad_phase(&self) -> &dyn BroadPhase {
-        &*self.broad_phase
-    }
-
     pub(crate) fn can_collide(&self) -> &CanCollide {
         self.memory.narrow_phase.can_collide()
     }
@@ -87,6 +84,17 @@ impl CulledSearch {
     /// The contact of a pair in the last step.
     pub(crate) fn contact(&self, step: &Step<'_>, pair: Pair) -> Option<Contact> {
         self.memory.narrow_phase.contact(step.mesh(), pair)
+    }
+
+    /// Makes certain that nothing crosses at the start of a step.
+    ///
+    /// # Errors
+    /// As [`StartCheck::examine`].
+    pub(crate) fn check_start(&mut self, step: &Step<'_>, check: &mut StartCheck) -> Result<(), StepError> {
+        let Self { broad_phase, memory } = self;
+        let can_collide = memory.narrow_phase.can_collide();
+        memory.primitives.begin(step, can_collide);
+        check.examine(&**broad_phase, step, &memory.primitives, can_collide)
     }
 
     /// Passes to the collector all candidates that come within their distance until its time, and possibly
@@ -167,6 +175,7 @@ impl CulledSearch {
                 collector,
                 kept,
                 short: time_of_short_displacements(step, primitives.origin(step.positions()[0])),
+                until: collector.until(),
             };
             pass.examine::<VertexFace>(resting, moving)?;
             pass.examine::<EdgeEdge>(resting, moving)?;
@@ -266,10 +275,13 @@ struct Pass<'a, C> {
     kept: Option<&'a Kept>,
     /// The time until which all displacements are short, relative to that of the origin.
     short: f64,
+    /// The collector's time before the search.
+    until: f64,
 }
 
 impl<C: Collect> Pass<'_, C> {
-    /// Examines the candidates of one kind: first those of a sample, if that may shorten the search.
+    /// Examines the candidates of one kind: first those of a sample, if that may shorten the search and
+    /// if no other kind has shortened it.
     fn examine<K: Searched>(
         &mut self,
         resting: &mut StepBoxes<1>,
@@ -278,7 +290,8 @@ impl<C: Collect> Pass<'_, C> {
         if self.primitives.lack::<K>() {
             return ControlFlow::Continue(());
         }
-        let of_sample = C::PROFITS_FROM_SAMPLE.then_some(Some(SAMPLE_STRIDE));
+        let profits = C::PROFITS_FROM_SAMPLE && self.collector.until() >= self.until;
+        let of_sample = profits.then_some(Some(SAMPLE_STRIDE));
         let mut placed = None;
         for sample in of_sample.into_iter().chain([None]) {
             let time = self.collector.until();
@@ -319,7 +332,7 @@ impl<C: Collect> Pass<'_, C> {
             .place(self.step, self.collector.until(), self.min_distance);
         boxes.pairs::<K>(mesh, broad_phase, sample, &|pairs: &[_]| {
             // After a contact at t = 0 there is no search in a part.
-            if self.collector.until() <= 0.0 {
+            if self.collector.until().to_bits() == 0 {
                 return examine(pairs);
             }
             let passing = self.screen.passing::<K>(mesh, can_collide, pairs);

@@ -171,7 +171,7 @@ impl Detector {
         min_distance.check(&self.mesh)?;
         let step = Step::new(&self.mesh, x0, x1)?;
         if let Some(start_check) = &mut self.start_check {
-            start_check.examine(self.search.broad_phase(), &step, self.search.can_collide())?;
+            self.search.check_start(&step, start_check)?;
         }
         Ok(Begun {
             step,

@@ -66,6 +66,12 @@ impl<'a> Step<'a> {
         Ok(Self { mesh, positions })
     }
 
+    /// The step in which all vertices stay at positions that were checked before.
+    pub(crate) fn at_rest(mesh: &'a TriangleMesh, positions: &'a [Point]) -> Self {
+        let positions = [positions, positions];
+        Self { mesh, positions }
+    }
+
     /// The mesh.
     #[must_use]
     pub fn mesh(&self) -> &'a TriangleMesh {

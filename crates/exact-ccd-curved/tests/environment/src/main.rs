@@ -69,7 +69,10 @@ fn check(of_threads: usize) -> ExitCode {
         let steps = (curves::step(), curves::points());
         let here = self::sides();
         let curve = curves::curve();
+        let low = meshes::low_step();
         set(0);
+        let is_free = low.is_some_and(|positions| default.install(|| meshes::is_free(&positions)));
+        expect(is_free, "free step");
         for ((scene, contacts), expected) in scenes.iter().zip(&contacts).zip(&expected) {
             for (index, (contacts, expected)) in contacts.iter().zip(expected).enumerate() {
                 let what = format!(

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
-    BoxKind, Bvh, CandidateOptions, Candidates, Detector, Pair, Point, Step, Sweep, TriangleMesh,
+    BoxKind, Bvh, CandidateOptions, Candidates, Detector, FreeStepOptions, Pair, Point, Step, Sweep,
+    TriangleMesh,
 };
 
 use crate::random::Random;
@@ -93,4 +94,25 @@ impl Scene {
     pub fn name(&self) -> &'static str {
         self.name
     }
+}
+
+/// A vertex that falls onto a face from the least positive height: the mesh, the start and the end.
+fn low() -> (TriangleMesh, [Vec<Point>; 2]) {
+    let mesh = TriangleMesh::new(4, vec![[0, 1, 2]]).expect("the face is valid");
+    let at = |z: f64| vec![[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [1.0, 1.0, z]];
+    (mesh, [at(f64::from_bits(1)), at(-0.6)])
+}
+
+/// The positions of a free step from the least height, which keeps all of the time.
+pub fn low_step() -> Option<Vec<Point>> {
+    let (mesh, [x0, x1]) = low();
+    let options = FreeStepOptions::default().with_keep(1.0);
+    let step = Detector::new(mesh).free_step(&x0, &x1, &options).ok()?;
+    Some(step.positions)
+}
+
+/// Returns true if the step to these positions is free.
+pub fn is_free(positions: &[Point]) -> bool {
+    let (mesh, [x0, _]) = low();
+    Detector::new(mesh).collides(&x0, positions, CONTACT) == Ok(false)
 }

@@ -5,7 +5,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use exact_ccd::CONTACT;
-use exact_ccd_mesh::{BoxPairs, Boxes, Bvh, Detector, PairSink, Point};
+use exact_ccd_mesh::{
+    BoxPairs, Boxes, BroadPhase, Bvh, Detector, FreeStepOptions, IntersectionOptions, PairSink, Point,
+    intersections,
+};
 
 use super::motions::{falling_sheet, sheet};
 use super::{motion, report};
@@ -55,6 +58,26 @@ fn a_vertex_far_away_does_not_increase_the_number_of_pairs() {
     let row = (0..8).map(|i| [-1e6 - f64::from(i), 0.99, 0.0]);
     let strays: Vec<Point> = row.chain([[0.0, -1e9, 0.0]]).collect();
     assert!(pairs(&strays) < near + near / 10);
+}
+
+/// So does single precision at rest, where an edge is shorter than its units.
+#[test]
+fn a_place_far_away_does_not_increase_the_number_of_pairs_at_rest() {
+    let pairs = |shift: f64| {
+        let (x0, faces) = sheet(40, 0.0);
+        let x: Vec<Point> = x0.iter().map(|[x, y, z]| [x + shift, y - shift, *z]).collect();
+        let motion = motion(x.clone(), x, faces);
+        let counted = Counted::default();
+        let options = IntersectionOptions::default();
+        assert_eq!(
+            intersections(&motion.mesh, &motion.x0, &counted, &options),
+            Ok(Vec::new())
+        );
+        counted.0.into_inner()
+    };
+    let near = pairs(0.0);
+    assert!(near > 1000);
+    assert_eq!(pairs(f64::from(1 << 30)), near);
 }
 
 /// Boxes, too, are relative to the other vertices: the numbers of pairs, of candidates and of contacts are
@@ -115,4 +138,45 @@ fn nonsense_from_a_broad_phase_is_no_contact() {
     let mut detector = Detector::with_broad_phase(motion.mesh.clone(), Arc::new(Nonsense));
     assert_eq!(detector.collides(&motion.x0, &motion.x1, CONTACT), Ok(false));
     assert_eq!(detector.collision(&motion.x0, &motion.x1, CONTACT), Ok(None));
+    let found = detector
+        .free_steps(&motion.x0, &motion.x1, &[], &FreeStepOptions::default())
+        .unwrap();
+    assert_eq!(found.sizes, vec![1.0; motion.x0.len()]);
+    let mut detector = detector.with_start_check(true);
+    assert_eq!(detector.collides(&motion.x0, &motion.x1, CONTACT), Ok(false));
+}
+
+/// The pairs of the default broad phase, and some that do not exist.
+struct Partly;
+
+impl<const T: usize> BoxPairs<T> for Partly
+where
+    Bvh: BoxPairs<T>,
+{
+    fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        Nonsense.between(a, b, sink)?;
+        Bvh.between(a, b, sink)
+    }
+
+    fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        Nonsense.within(boxes, sink)?;
+        Bvh.within(boxes, sink)
+    }
+}
+
+#[test]
+fn nonsense_beside_pairs_changes_no_free_step() {
+    let motion = falling_sheet();
+    let options = FreeStepOptions::default();
+    let sizes = |broad_phase: Arc<dyn BroadPhase>| {
+        let detector = Detector::with_broad_phase(motion.mesh.clone(), broad_phase);
+        let mut detector = detector.with_start_check(true);
+        detector
+            .free_steps(&motion.x0, &motion.x1, &[], &options)
+            .unwrap()
+            .sizes
+    };
+    let expected = sizes(Arc::new(Bvh));
+    assert!(expected.iter().any(|&size| size < 1.0));
+    assert_eq!(sizes(Arc::new(Partly)), expected);
 }
