@@ -1,4 +1,4 @@
-// The time of CHOLMOD for the linear systems that the simulator writes: see docs/simulation.md.
+// The time of CHOLMOD for the linear systems that the simulator writes: see docs/simulation/cost.md.
 //
 // For each file, a symmetric matrix of Matrix Market by its lower triangle: the least of three processor times, in
 // ms, of the analysis, factorisation and solution together, and without the analysis.

@@ -36,7 +36,7 @@ use crate::hinges::hinges;
 
 /// The stiffness against the part of a fold that no curvature explains, relative to that of a [`Hinge`]. It
 /// has no effect on constant curvature; the value is that with the least errors of the strips of
-/// `docs/simulation.md`.
+/// `docs/simulation/validation.md`.
 const REST: f64 = 0.75;
 
 /// The least singular value of the mean of a curvature about a vertex that counts: for most meshes, all are

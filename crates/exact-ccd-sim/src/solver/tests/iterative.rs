@@ -1,5 +1,5 @@
 //! Conjugate gradients against the sparse factorisation, on the first linear system of a time step. See
-//! `docs/simulation.md` for the command and its table.
+//! `docs/simulation/cost.md` for the command and its table.
 
 use std::fmt::Write;
 use std::path::Path;

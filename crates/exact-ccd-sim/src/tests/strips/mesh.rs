@@ -23,7 +23,7 @@ impl Strip {
         self.size[0] / f64::from(self.cells[0])
     }
 
-    /// The mesh with this name in the table of `docs/simulation.md`.
+    /// The mesh with this name in the table of `docs/simulation/validation.md`.
     pub(super) fn mesh(&self, name: &str) -> Mesh {
         let random = &mut Rng::with_seed(4);
         let [nx, _] = self.cells;

@@ -1,4 +1,5 @@
-//! Cantilever strips against the theory of plates. All figures are those of `docs/simulation.md`.
+//! Cantilever strips against the theory of plates. All figures are those of
+//! `docs/simulation/validation.md`.
 
 mod hinges;
 mod mesh;
@@ -91,7 +92,7 @@ impl Strip {
 
 /// The rows of the table of the documentation that begins with this header: their meshes and numbers.
 fn table(header: &str) -> Vec<(String, Vec<f64>)> {
-    let documentation = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/simulation.md");
+    let documentation = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/simulation/validation.md");
     let documentation = std::fs::read_to_string(documentation).unwrap();
     let (_, rows) = documentation.split_once(header).unwrap();
     let row = |row: &str| {
