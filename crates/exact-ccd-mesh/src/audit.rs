@@ -19,8 +19,8 @@ use crate::steps::{MotionError, StepError};
 /// to do so only by a vertex that reaches a face or an edge that reaches another edge, and that is
 /// a contact of the step. A predicate of [`with_can_collide`](Self::with_can_collide) may leave out this
 /// pair, but not the edge and the face that come to meet. With one, every frame is examined at rest; an edge
-/// that passes through a face between two frames only is no violation then. Parts that share a vertex are neighbours and may touch. Edges and
-/// vertices without a face are primitives as all others, compared as defined by [`Pair`](crate::Pair), which
+/// that passes through a face between two frames only is no violation then. Parts that share a vertex are
+/// neighbours and may touch. Edges and vertices without a face are primitives as all others, compared as defined by [`Pair`](crate::Pair), which
 /// lists what is never compared.
 ///
 /// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either, but for a

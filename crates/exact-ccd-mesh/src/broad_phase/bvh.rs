@@ -19,6 +19,9 @@ pub struct Bvh;
 /// The number of groups of blocks that a thread searches for in one task.
 const GRAIN: usize = 4;
 
+/// The number of places of which the first grains are.
+const PARTS: usize = 64;
+
 /// The least number of nodes that a thread makes in one task: as much work as that of filling blocks.
 const NODES: usize = 256;
 
@@ -60,11 +63,16 @@ fn within<const T: usize>(boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<
     })
 }
 
+/// The groups of blocks by grains, and these in an order in which the first ones are from everywhere: a
+/// search for any pair ends early.
 fn grains<const T: usize>(boxes: &Boxes<T>) -> impl ParallelIterator<Item = Range<usize>> {
     let count = boxes.blocks.len().div_ceil(LANES);
-    (0..count.div_ceil(GRAIN))
-        .into_par_iter()
-        .map(move |grain| GRAIN * grain..(GRAIN * (grain + 1)).min(count))
+    let parts = count.div_ceil(GRAIN).div_ceil(PARTS);
+    let spread = move |i: usize| i % PARTS * parts + i / PARTS;
+    (0..PARTS * parts).into_par_iter().map(move |i| {
+        let first = GRAIN * spread(i);
+        first.min(count)..(first + GRAIN).min(count)
+    })
 }
 
 /// The capacity of the stack of a descent: there are at most 11 levels, and each has at most eight

@@ -54,7 +54,7 @@ impl<'a> AnyContact<'a> {
 }
 
 impl Collect for AnyContact<'_> {
-    const PROFITS_FROM_SAMPLE: bool = true;
+    const PROFITS_FROM_SAMPLE: bool = false;
 
     fn until(&self) -> f64 {
         self.until

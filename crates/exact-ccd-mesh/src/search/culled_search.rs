@@ -46,7 +46,7 @@ const SAMPLE_STRIDE: usize = 64;
 /// and its tests are cheaper.
 const SHORT_DISPLACEMENTS: [f64; 2] = [0.25, 1.0];
 
-/// Boxes are placed anew if the time until which contacts matter has shrunk to this fraction.
+/// Boxes, and the screen, are placed anew if the time until which contacts matter has shrunk to this fraction.
 const SHRUNK_TIME: f64 = 0.5;
 
 impl Memory {
@@ -176,6 +176,7 @@ impl CulledSearch {
                 kept,
                 short: time_of_short_displacements(step, primitives.origin(step.positions()[0])),
                 until: collector.until(),
+                screened: None,
             };
             pass.examine::<VertexFace>(resting, moving)?;
             pass.examine::<EdgeEdge>(resting, moving)?;
@@ -277,6 +278,8 @@ struct Pass<'a, C> {
     short: f64,
     /// The collector's time before the search.
     until: f64,
+    /// The time until which the screen is placed.
+    screened: Option<f64>,
 }
 
 impl<C: Collect> Pass<'_, C> {
@@ -328,8 +331,11 @@ impl<C: Collect> Pass<'_, C> {
         let Some(kept) = self.kept.filter(|_| sample.is_none()) else {
             return boxes.pairs::<K>(mesh, broad_phase, sample, &examine);
         };
-        self.screen
-            .place(self.step, self.collector.until(), self.min_distance);
+        let time = self.collector.until();
+        if self.screened.is_none_or(|before| time < SHRUNK_TIME * before) {
+            self.screen.place(self.step, time, self.min_distance);
+            self.screened = Some(time);
+        }
         boxes.pairs::<K>(mesh, broad_phase, sample, &|pairs: &[_]| {
             // After a contact at t = 0 there is no search in a part.
             if self.collector.until().to_bits() == 0 {
