@@ -76,23 +76,26 @@ impl<const T: usize> Boxes<T> {
     /// The boxes of some of the primitives.
     pub(crate) fn only(&self, is_chosen: impl Fn(u32) -> bool) -> Self {
         let ids = self.members.ids();
-        let places: Vec<usize> = (0..ids.len()).filter(|&place| is_chosen(ids[place])).collect();
+        self.at((0..ids.len()).filter(|&place| is_chosen(ids[place])).collect())
+    }
+
+    /// One block in every `stride`.
+    pub(crate) fn sample(&self, stride: usize) -> Self {
+        let places = 0..self.members.ids().len();
+        self.at(places
+            .filter(|place| (place / LANES).is_multiple_of(stride))
+            .collect())
+    }
+
+    /// The boxes at some places.
+    fn at(&self, places: Vec<usize>) -> Self {
         let moving = |place: usize| self.blocks[place / LANES].get(place % LANES);
-        let mut only = Self::of(Arc::new(self.members.only(&places)));
+        let mut only = Self::of(Arc::new(self.members.at(&places)));
         let blocks = only.blocks.iter_mut().zip(&mut only.around);
         for ((block, around), eight) in blocks.zip(places.chunks(LANES)) {
             fill(block, around, eight, |&place| moving(place));
         }
         only
-    }
-
-    /// One block in every `stride`.
-    pub(crate) fn sample(&self, stride: usize) -> Self {
-        Self {
-            members: Arc::new(self.members.sample(stride)),
-            blocks: self.blocks.iter().step_by(stride).copied().collect(),
-            around: self.around.iter().step_by(stride).copied().collect(),
-        }
     }
 
     /// The number of boxes.

@@ -72,7 +72,7 @@ impl Members {
     }
 
     /// The boxes at some places.
-    pub(super) fn only(&self, places: &[usize]) -> Self {
+    pub(super) fn at(&self, places: &[usize]) -> Self {
         let mut rows = Vec::with_capacity(self.label_count * places.len().div_ceil(LANES));
         for eight in places.chunks(LANES) {
             for label in 0..self.label_count {
@@ -86,22 +86,6 @@ impl Members {
         Self {
             ids: places.iter().map(|&place| self.ids[place]).collect(),
             rows,
-            ..*self
-        }
-    }
-
-    /// The boxes of one block in every `stride`.
-    pub(super) fn sample(&self, stride: usize) -> Self {
-        let blocks = self.rows.chunks(self.label_count.max(1)).step_by(stride);
-        Self {
-            ids: self
-                .ids
-                .chunks(LANES)
-                .step_by(stride)
-                .flatten()
-                .copied()
-                .collect(),
-            rows: blocks.flatten().copied().collect(),
             ..*self
         }
     }

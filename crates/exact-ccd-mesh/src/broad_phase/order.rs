@@ -94,6 +94,51 @@ mod tests {
         assert!(ids.into_iter().eq(0..4096));
     }
 
+    /// The last node of a level has fewer boxes than the others, and still whole blocks but one.
+    #[test]
+    fn blocks_of_points_on_a_line_follow_each_other() {
+        let mut rng = Rng::with_seed(0);
+        for count in [9, 15, 17, 63, 65, 513, 1000, 4097, 9000_u32] {
+            for axis in 0..3 {
+                let mut points: Vec<u32> = (0..count).collect();
+                rng.shuffle(&mut points);
+                let place = |id: u32| points[id as usize];
+                let found = order((0..count).collect(), |id| {
+                    let mut point = [1.0; 3];
+                    point[axis] = f64::from(place(id));
+                    point
+                });
+                let mut next = 0;
+                for block in found.chunks(8) {
+                    let mut places: Vec<u32> = block.iter().map(|&id| place(id)).collect();
+                    places.sort_unstable();
+                    assert!(
+                        places.into_iter().eq(next..next + block.len() as u32),
+                        "{count} {axis}"
+                    );
+                    next += block.len() as u32;
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn boxes_are_divided_along_the_longest_side() {
+        let mut points: Vec<Point> = (0..64).map(|i| [i / 2, i % 2, 0].map(f64::from)).collect();
+        Rng::with_seed(0).shuffle(&mut points);
+        let found = order((0..64).collect(), |id| points[id as usize]);
+        // Eight blocks of 4 by 2 points.
+        assert_eq!(extent(&points, &found), 24.0);
+    }
+
+    #[test]
+    fn an_extent_is_the_sum_of_the_longest_sides() {
+        let along_x = (0..8).map(|i| [f64::from(i), 0.0, 0.0]);
+        let along_y = (0..4).map(|i| [0.5, f64::from(i), 1.0]);
+        let points: Vec<Point> = along_x.chain(along_y).collect();
+        assert_eq!(extent(&points, &(0..12).collect::<Vec<_>>()), 10.0);
+    }
+
     #[test]
     fn each_index_comes_once_wherever_the_points_are() {
         let mut rng = Rng::with_seed(0);

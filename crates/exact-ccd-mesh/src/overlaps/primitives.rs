@@ -22,6 +22,8 @@ pub(crate) struct Primitives {
     ordered: Option<usize>,
     /// The least extent of the vertices' order since it was made.
     extent: f64,
+    /// A vertex amid many others at the start of the step.
+    origin: Option<u32>,
 }
 
 /// The primitives are ordered anew when the extent of the vertices' order has grown by this factor.
@@ -35,24 +37,9 @@ impl Primitives {
         &self.sets[set as usize]
     }
 
-    /// A vertex amid many others at some positions, even if some are far away: of a sample, the one nearest
-    /// to the median along each axis.
-    pub(crate) fn origin(&self, x: &[Point]) -> Option<u32> {
-        let ids = self.get(PrimitiveSet::Vertices).ids();
-        let sample = || ids.iter().step_by(ids.len().div_ceil(SAMPLE).max(1)).copied();
-        let median: Point = core::array::from_fn(|axis| {
-            let mut coordinates: Vec<f64> = sample().map(|id| x[id as usize][axis]).collect();
-            coordinates.sort_unstable_by(f64::total_cmp);
-            coordinates
-                .get(coordinates.len() / 2)
-                .copied()
-                .unwrap_or_default()
-        });
-        let distance = |id: u32| {
-            let axes = x[id as usize].into_iter().zip(median);
-            axes.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
-        };
-        sample().min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
+    /// A vertex amid many others at the start of the step, even if some are far away.
+    pub(crate) fn origin(&self) -> Option<u32> {
+        self.origin
     }
 
     pub(crate) fn other_ends(&self) -> &OtherEnds {
@@ -73,6 +60,7 @@ impl Primitives {
         } else {
             self.extent = self.extent.min(now);
         }
+        self.origin = amid(self.get(PrimitiveSet::Vertices).ids(), x0);
     }
 
     fn new(mesh: &TriangleMesh, x: &[Point], can_collide: &CanCollide) -> Self {
@@ -111,8 +99,28 @@ impl Primitives {
             other_ends: Arc::new(other_ends),
             ordered: Some(x.len()),
             extent,
+            origin: None,
         }
     }
+}
+
+/// Of a sample of some vertices, the one nearest to the median along each axis.
+fn amid(vertices: &[u32], x: &[Point]) -> Option<u32> {
+    let stride = vertices.len().div_ceil(SAMPLE).max(1);
+    let sample = || vertices.iter().step_by(stride).copied();
+    let median: Point = core::array::from_fn(|axis| {
+        let mut coordinates: Vec<f64> = sample().map(|id| x[id as usize][axis]).collect();
+        coordinates.sort_unstable_by(f64::total_cmp);
+        coordinates
+            .get(coordinates.len() / 2)
+            .copied()
+            .unwrap_or_default()
+    });
+    let distance = |id: u32| {
+        let axes = x[id as usize].into_iter().zip(median);
+        axes.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+    };
+    sample().min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
 }
 
 /// The indices of the primitives that take part, those near each other side by side.

@@ -258,7 +258,7 @@ impl<const T: usize> StepBoxes<T> {
         }
         self.time = time;
         let [x0, x1] = step.positions();
-        self.origins = self.primitives.origin(x0).map_or([[0.0; 3]; 2], |vertex| {
+        self.origins = self.primitives.origin().map_or([[0.0; 3]; 2], |vertex| {
             let [start, end] = [x0, x1].map(|x| x[vertex as usize]);
             let place = between(time, start, end);
             [start, if self.follows { place } else { start }]
@@ -291,4 +291,130 @@ fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u3
     vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
         all.union(&boxes[vertex as usize])
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+    use fastrand::Rng;
+
+    use super::*;
+    use crate::broad_phase::{Aabb, Bvh, PairCollector};
+    use crate::pairs::CanCollide;
+
+    /// Faces and loose edges, near each other.
+    fn mesh(rng: &mut Rng) -> TriangleMesh {
+        let mut any = |first: u32, count: u32| first + rng.u32(..count);
+        let faces = (0..20)
+            .map(|i| [3 * (i % 10), any(30, 10), any(40, 10)])
+            .collect();
+        let edges: Vec<[u32; 2]> = (0..10).map(|_| [any(50, 5), any(55, 5)]).collect();
+        TriangleMesh::with_edges(64, faces, &edges).expect("the indices are those of vertices")
+    }
+
+    fn points(rng: &mut Rng) -> Vec<Point> {
+        (0..64).map(|_| [0, 1, 2].map(|_| 4.0 * rng.f64())).collect()
+    }
+
+    /// Pairs that are passed on twice are there twice.
+    fn found(search: impl Fn(&PairSink<'_>) -> ControlFlow<()>) -> Vec<[u32; 2]> {
+        let collector = PairCollector::default();
+        let _ = search(&|pairs| collector.add(pairs.iter().copied()));
+        collector.into_sorted()
+    }
+
+    #[test]
+    fn pairs_of_marked_vertices_are_passed_on_once() {
+        fn assert_once<K: Searched>(boxes: &StepBoxes<2>, mesh: &TriangleMesh, marked: &[bool]) -> usize {
+            let mut expected = found(|sink| boxes.pairs::<K>(mesh, &Bvh, None, sink));
+            expected.retain(|&ids| {
+                let vertices = K::vertices(mesh, ids).expect("the mesh has the pair");
+                vertices.as_ref().iter().any(|&vertex| marked[vertex as usize])
+            });
+            let pairs = found(|sink| boxes.pairs_of_marked::<K>(mesh, &Bvh, marked, sink));
+            assert_eq!(pairs, expected);
+            pairs.len()
+        }
+        let mut rng = Rng::with_seed(0);
+        let mut counts = [0; 4];
+        for _ in 0..100 {
+            let (mesh, x0, x1) = (mesh(&mut rng), points(&mut rng), points(&mut rng));
+            let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+            let mut primitives = Primitives::default();
+            primitives.begin(&step, &CanCollide::all());
+            let mut boxes = StepBoxes::<2>::default();
+            boxes.place::<VertexFace>(&step, &primitives, 1.0);
+            boxes.place::<EdgeEdge>(&step, &primitives, 1.0);
+            boxes.place::<VertexEdge>(&step, &primitives, 1.0);
+            boxes.place::<VertexVertex>(&step, &primitives, 1.0);
+            let marked: Vec<bool> = (0..64).map(|_| rng.u8(..4) == 0).collect();
+            counts[0] += assert_once::<VertexFace>(&boxes, &mesh, &marked);
+            counts[1] += assert_once::<EdgeEdge>(&boxes, &mesh, &marked);
+            counts[2] += assert_once::<VertexEdge>(&boxes, &mesh, &marked);
+            counts[3] += assert_once::<VertexVertex>(&boxes, &mesh, &marked);
+        }
+        assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
+    }
+
+    /// The sides of a box are the least and largest coordinates of its vertices, relative to the origins, off by
+    /// the margin and by the roundings to single precision, of numbers below 16.
+    #[test]
+    fn boxes_are_around_their_primitives_with_their_margins() {
+        fn assert_around<const T: usize>(mut boxes: StepBoxes<T>, far: f64, rng: &mut Rng) {
+            let mesh = mesh(rng);
+            let far_away =
+                |x: Vec<Point>| -> Vec<Point> { x.into_iter().map(|point| point.map(|x| x + far)).collect() };
+            let (x0, x1) = (far_away(points(rng)), points(rng));
+            let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+            let mut primitives = Primitives::default();
+            primitives.begin(&step, &CanCollide::all());
+            let (time, margin) = (rng.f64(), rng.f64());
+            boxes.end(&Margin::new(Default::default(), margin));
+            boxes.place::<VertexFace>(&step, &primitives, time);
+            boxes.place::<EdgeEdge>(&step, &primitives, time);
+            let at = |vertex: u32, end: usize| -> Point {
+                let vertex = vertex as usize;
+                let place = [x0[vertex], between(time, x0[vertex], x1[vertex])][end];
+                core::array::from_fn(|axis| place[axis] - boxes.origins[end][axis])
+            };
+            let faces = |id: u32| mesh.faces()[id as usize].to_vec();
+            let edges = |id: u32| mesh.edges()[id as usize].to_vec();
+            let all: [(PrimitiveSet, &dyn Fn(u32) -> Vec<u32>); 3] = [
+                (PrimitiveSet::Vertices, &|id| vec![id]),
+                (PrimitiveSet::Faces, &faces),
+                (PrimitiveSet::Edges, &edges),
+            ];
+            for (set, vertices) in all {
+                let mut count = 0;
+                for (id, places) in boxes.get(set).iter() {
+                    let of_ends = [0, 1].map(|end| vertices(id).into_iter().map(move |v| (v, end)));
+                    let mut ends = of_ends.map(|places| places.map(|(v, end)| at(v, end)).collect::<Aabb>());
+                    if T == 1 {
+                        ends[0] = ends[0].union(&ends[1]);
+                    }
+                    for (place, tight) in places.iter().zip(ends) {
+                        for axis in 0..3 {
+                            let gaps = [
+                                tight.lower[axis] - place.lower[axis],
+                                place.upper[axis] - tight.upper[axis],
+                            ];
+                            let slack = gaps.map(|gap| gap - margin);
+                            assert!(slack.iter().all(|slack| slack.abs() < 4e-6), "{slack:?}");
+                        }
+                    }
+                    count += 1;
+                }
+                assert!(count > 10, "{count}");
+            }
+        }
+        let mut rng = Rng::with_seed(0);
+        for _ in 0..50 {
+            assert_around(StepBoxes::<2>::default(), 0.0, &mut rng);
+            assert_around(StepBoxes::<2>::default(), 1e6, &mut rng);
+            assert_around(StepBoxes::<1>::around_paths(), 0.0, &mut rng);
+            assert_around(StepBoxes::<1>::default(), 0.0, &mut rng);
+        }
+    }
 }

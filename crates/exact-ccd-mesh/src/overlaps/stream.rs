@@ -31,7 +31,8 @@ pub(crate) fn stream(
 ) -> Result<ControlFlow<()>, CandidateError> {
     let margin = options.margin(&step)?;
     let can_collide = &options.can_collide;
-    Ok(match options.boxes {
+    // All on threads of the pool: entering it from outside costs a context switch each time.
+    Ok(rayon::scope(|_| match options.boxes {
         BoxKind::Swept => {
             let path = |a, b| [Aabb::of(a).union(&Aabb::of(b))];
             let boxes = StepBoxes::around_paths();
@@ -42,7 +43,7 @@ pub(crate) fn stream(
             let boxes = StepBoxes::default();
             Overlaps::new(step, can_collide, margin, boxes, ends).visit(broad_phase, receiver)
         }
-    })
+    }))
 }
 
 /// The boxes of all primitives in single precision, for the broad phase, and the function of the boxes of

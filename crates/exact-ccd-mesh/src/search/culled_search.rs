@@ -174,7 +174,7 @@ impl CulledSearch {
                 primitives,
                 collector,
                 kept,
-                short: time_of_short_displacements(step, primitives.origin(step.positions()[0])),
+                short: time_of_short_displacements(step, primitives.origin()),
                 until: collector.until(),
                 screened: None,
             };

@@ -6,33 +6,117 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
-    BoxPairs, Boxes, BroadPhase, Bvh, Detector, FreeStepOptions, IntersectionOptions, PairSink, Point,
-    intersections,
+    BoxPairs, Boxes, BroadPhase, Bvh, Detector, FreeStepOptions, IntersectionOptions, Motion, PairSink,
+    Point, intersections,
 };
 
 use super::motions::{falling_sheet, sheet};
 use super::{motion, report};
 
-/// A broad phase that counts its pairs.
+/// A broad phase that counts its calls and pairs, for boxes at rest and boxes that move.
 #[derive(Default)]
-struct Counted(AtomicUsize);
+struct Counted {
+    calls: [AtomicUsize; 2],
+    pairs: [AtomicUsize; 2],
+}
+
+impl Counted {
+    fn begin<'a, const T: usize>(
+        &'a self,
+        sink: &'a PairSink<'a>,
+    ) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a {
+        self.calls[T - 1].fetch_add(1, Ordering::Relaxed);
+        move |pairs| {
+            self.pairs[T - 1].fetch_add(pairs.len(), Ordering::Relaxed);
+            sink(pairs)
+        }
+    }
+
+    /// The numbers of calls with boxes at rest, and with boxes that move.
+    fn calls(&self) -> [usize; 2] {
+        self.calls.each_ref().map(|count| count.load(Ordering::Relaxed))
+    }
+
+    fn pairs(&self) -> usize {
+        self.pairs.iter().map(|count| count.load(Ordering::Relaxed)).sum()
+    }
+}
 
 impl<const T: usize> BoxPairs<T> for Counted
 where
     Bvh: BoxPairs<T>,
 {
     fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        Bvh.between(a, b, &|pairs| {
-            self.0.fetch_add(pairs.len(), Ordering::Relaxed);
-            sink(pairs)
-        })
+        Bvh.between(a, b, &self.begin::<T>(sink))
     }
 
     fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        Bvh.within(boxes, &|pairs| {
-            self.0.fetch_add(pairs.len(), Ordering::Relaxed);
-            sink(pairs)
-        })
+        Bvh.within(boxes, &self.begin::<T>(sink))
+    }
+}
+
+/// A detector that counts, and its counts.
+fn counting(motion: &Motion) -> (Detector, Arc<Counted>) {
+    let counted = Arc::new(Counted::default());
+    (
+        Detector::with_broad_phase(motion.mesh.clone(), counted.clone()),
+        counted,
+    )
+}
+
+/// Two sheets of which one falls through the other, so that all touch at the same time, but for one vertex
+/// that is far ahead.
+fn falling_sheet_with_a_tip() -> Motion {
+    let mut motion = falling_sheet();
+    let tip = motion.x1.len() - 300;
+    motion.x0[tip][2] = 0.001;
+    motion
+}
+
+#[test]
+fn an_early_contact_leaves_few_pairs() {
+    let motion = falling_sheet_with_a_tip();
+    let candidates = report(&motion, &Bvh).candidates.total();
+    let (mut detector, counted) = counting(&motion);
+    let contact = detector.collision(&motion.x0, &motion.x1, CONTACT).unwrap();
+    assert!(contact.is_some_and(|contact| contact.impact.time.upper() < 0.01));
+    assert!(
+        5 * counted.pairs() < candidates,
+        "{} of {candidates}",
+        counted.pairs()
+    );
+}
+
+/// Both the sample and the search after it count.
+#[test]
+fn boxes_at_rest_serve_short_displacements_only() {
+    let (x0, faces) = sheet(40, 0.0);
+    let calls = |size: f64| {
+        let x1 = x0
+            .iter()
+            .enumerate()
+            .map(|(i, [x, y, z])| [*x, *y, z + size * (i % 2) as f64]);
+        let motion = motion(x0.clone(), x1.collect(), faces.clone());
+        let (mut detector, counted) = counting(&motion);
+        assert_eq!(detector.collision(&motion.x0, &motion.x1, CONTACT), Ok(None));
+        counted.calls()
+    };
+    let [at_rest, moving] = calls(0.1);
+    assert!(at_rest > 0 && moving == 0, "{at_rest} {moving}");
+    let [at_rest, moving] = calls(5.0);
+    assert!(at_rest == 0 && moving > 0, "{at_rest} {moving}");
+}
+
+/// The search that certifies a free step is among the pairs that the first one kept.
+#[test]
+fn a_free_step_has_one_broad_phase() {
+    for motion in [falling_sheet(), falling_sheet_with_a_tip()] {
+        let (mut detector, of_contact) = counting(&motion);
+        detector.collision(&motion.x0, &motion.x1, CONTACT).unwrap();
+        let (mut detector, of_step) = counting(&motion);
+        let step = detector.free_step(&motion.x0, &motion.x1, &FreeStepOptions::default());
+        assert!(step.unwrap().size > 0.0);
+        assert_eq!(of_step.calls(), of_contact.calls());
     }
 }
 
@@ -44,10 +128,9 @@ fn a_vertex_far_away_does_not_increase_the_number_of_pairs() {
         x0.extend(strays);
         let x1: Vec<Point> = x0.iter().map(|[x, y, z]| [*x, *y, z - 0.1]).collect();
         let motion = motion(x0, x1, faces);
-        let counted = Arc::new(Counted::default());
-        let mut detector = Detector::with_broad_phase(motion.mesh.clone(), counted.clone());
+        let (mut detector, counted) = counting(&motion);
         assert_eq!(detector.collides(&motion.x0, &motion.x1, CONTACT), Ok(false));
-        counted.0.load(Ordering::Relaxed)
+        counted.pairs()
     };
     let near = pairs(&[[3.0, 4.0, 50.0]]);
     assert!(near > 10_000);
@@ -73,7 +156,7 @@ fn a_place_far_away_does_not_increase_the_number_of_pairs_at_rest() {
             intersections(&motion.mesh, &motion.x0, &counted, &options),
             Ok(Vec::new())
         );
-        counted.0.into_inner()
+        counted.pairs()
     };
     let near = pairs(0.0);
     assert!(near > 1000);
@@ -104,12 +187,7 @@ fn a_common_motion_does_not_matter() {
             .into_iter()
             .map(|contact| (contact.pair, contact.impact.time))
             .collect();
-        (
-            counted.0.into_inner(),
-            report.candidates,
-            report.colliding,
-            contacts,
-        )
+        (counted.pairs(), report.candidates, report.colliding, contacts)
     };
     let expected = answers(0.0);
     assert!(expected.3.len() > 1000);
