@@ -37,7 +37,9 @@ fn check(mut bytes: Unstructured) -> Result<()> {
                 query,
                 truth: bytes.arbitrary()?,
             },
-            count: bytes.arbitrary::<Option<u32>>()?.map(|count| i64::from(count) - 1),
+            count: bytes
+                .arbitrary::<Option<u32>>()?
+                .map(|count| i64::from(count) - 1),
             toi: None,
             scene: None,
             ids: None,

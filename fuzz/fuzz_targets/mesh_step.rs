@@ -4,15 +4,16 @@
 #![no_main]
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd::Separation;
+use exact_ccd::{CONTACT, Separation, Thickness};
 use exact_ccd_fuzz::{coordinate, positions};
 use exact_ccd_mesh::{
-    AllPairs, Bvh, CandidateOptions, Candidates, Detector, FreeStepOptions, MinDistance, Options, Step,
-    Sweep, TriangleMesh,
+    AllPairs, Bvh, CanCollide, CandidateOptions, Candidates, Detector, FreeStepOptions, MinDistance, Options,
+    Step, Sweep, TriangleMesh,
 };
 use libfuzzer_sys::fuzz_target;
 
-const VERTICES: usize = 8;
+/// Enough for several blocks of boxes.
+const VERTICES: usize = 40;
 
 fuzz_target!(|bytes: &[u8]| {
     // Too few bytes are no mesh.
@@ -20,50 +21,77 @@ fuzz_target!(|bytes: &[u8]| {
 });
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
-    let mut vertex = || bytes.int_in_range(0..=VERTICES as u32);
-    let faces = [[(); 3]; 3].map(|face| face.map(|()| vertex().unwrap_or_default()));
-    let edges = [[(); 2]; 2].map(|edge| edge.map(|()| vertex().unwrap_or_default()));
-    let d = Separation::new(coordinate(bytes)?.abs()).unwrap_or(Separation::ZERO);
+    let mut vertex = || bytes.int_in_range(0..=VERTICES as u32 - 1);
+    let faces = [[(); 3]; 24].map(|face| face.map(|()| vertex().unwrap_or_default()));
+    let edges = [[(); 2]; 6].map(|edge| edge.map(|()| vertex().unwrap_or_default()));
+    let min_distance = min_distance(bytes)?;
+    let until = [1.0, 0.5, coordinate(bytes)?.abs().min(1.0)][bytes.choose_index(3)?];
+    let can_collide = if bytes.arbitrary()? {
+        let groups: Result<Vec<u32>> = (0..VERTICES).map(|_| bytes.int_in_range(0..=2)).collect();
+        CanCollide::different_groups(groups?)
+    } else {
+        CanCollide::all()
+    };
     let [x0, x1] = positions(bytes, VERTICES)?;
-    // Faces with a vertex twice, and vertices that do not exist, are errors.
+    // Edges with a vertex twice are errors.
     let Ok(mesh) = TriangleMesh::with_edges(VERTICES, faces.to_vec(), &edges) else {
         return Ok(());
     };
     let Ok(step) = Step::new(&mesh, &x0, &x1) else {
         return Ok(());
     };
-    let options = Options::within(d);
-    let near = CandidateOptions::default().with_min_distance(MinDistance::from(d));
+    let options = Options::within(min_distance.clone()).until(until);
+    let near = CandidateOptions::default()
+        .with_min_distance(min_distance.clone())
+        .with_can_collide(can_collide.clone());
     let all = Candidates::with_options(step, &AllPairs, &near).expect("the options fit the mesh");
-    let expected = all.collisions(step, options);
+    let expected = all.collisions(step, options.clone());
     for found in [
-        Candidates::with_options(step, &Bvh, &near).map(|candidates| candidates.collisions(step, options)),
-        Candidates::with_options(step, &Sweep, &near).map(|candidates| candidates.collisions(step, options)),
+        Candidates::with_options(step, &Bvh, &near),
+        Candidates::with_options(step, &Sweep, &near),
     ] {
-        assert_eq!(
-            found.expect("the options fit the mesh"),
-            expected,
-            "{step:?}, {d:?}"
-        );
+        let found = found.expect("the options fit the mesh");
+        let found = found.collisions(step, options.clone());
+        assert_eq!(found, expected, "{step:?}, {options:?}");
     }
-    let mut detector = Detector::new(mesh.clone());
-    let found = detector
-        .collisions(&x0, &x1, options)
-        .expect("the positions fit the mesh");
-    assert_eq!(found, expected, "{step:?}, {d:?}");
-    let first = detector
-        .collision(&x0, &x1, options)
-        .expect("the positions fit the mesh");
-    assert_eq!(first.as_ref(), expected.first(), "{step:?}, {d:?}");
+    let mut detector = Detector::new(mesh.clone()).with_can_collide(can_collide);
+    let found = detector.collisions(&x0, &x1, options.clone());
+    assert_eq!(found.as_ref(), Ok(&expected), "{step:?}, {options:?}");
+    let first = detector.collision(&x0, &x1, options.clone());
+    assert_eq!(first, Ok(expected.first().copied()), "{step:?}, {options:?}");
+    let any = detector.collides(&x0, &x1, options);
+    assert_eq!(any, Ok(!expected.is_empty()), "{step:?}");
 
-    let free = detector.free_step(&x0, &x1, &FreeStepOptions::default().with_min_distance(d));
-    if let Ok(free) = free
+    let within = FreeStepOptions::default().with_min_distance(min_distance.clone());
+    let options = Options::within(min_distance);
+    if let Ok(free) = detector.free_step(&x0, &x1, &within)
         && free.size > 0.0
     {
-        let contact = detector
-            .collision(&x0, &free.positions, options)
-            .expect("the positions fit the mesh");
-        assert_eq!(contact, None, "{step:?}, {d:?}, {free:?}");
+        let collides = detector.collides(&x0, &free.positions, options.clone());
+        assert_eq!(collides, Ok(false), "{step:?}, {options:?}, {free:?}");
+    }
+    if let Ok(free) = detector.free_steps(&x0, &x1, &[], &within)
+        && free.blocked.is_empty()
+    {
+        let collides = detector.collides(&x0, &free.positions, options.clone());
+        assert_eq!(collides, Ok(false), "{step:?}, {options:?}, {free:?}");
+    }
+    let far = Separation::new(4.0).expect("not negative");
+    let clearances = detector.clearances(&x0, far).expect("the positions fit the mesh");
+    if clearances.iter().all(|&clearance| clearance > 0.0) {
+        assert_eq!(detector.collides(&x0, &x0, CONTACT), Ok(false), "{step:?}");
     }
     Ok(())
+}
+
+/// A distance, one for each vertex, or one with an inner distance.
+fn min_distance(bytes: &mut Unstructured) -> Result<MinDistance> {
+    let mut distance = || Ok(Separation::new(coordinate(bytes)?.abs()).unwrap_or(Separation::ZERO));
+    let (d, inner): (Separation, Separation) = (distance()?, distance()?);
+    let thin = Thickness::new(&[[d, inner].map(Separation::get); VERTICES / 2].concat());
+    Ok(match (bytes.int_in_range(0..=3)?, thin) {
+        (0, Ok(thickness)) => MinDistance::thickness(thickness),
+        (1, _) => MinDistance::from(d).with_inner(inner),
+        _ => MinDistance::from(d),
+    })
 }
