@@ -26,19 +26,29 @@ const MARGIN: isize = 20;
 
 /// An end of a bracket: 0, 1, or a ratio a 2ᵏ : 1.
 #[derive(Clone, Debug)]
-struct End {
+pub(super) struct End {
     time: Split,
     /// The polynomial there, with different signs at both ends, neither of them zero.
     value: Approximation,
 }
 
+impl End {
+    pub(super) fn new(time: &Split, value: Approximation) -> Self {
+        Self {
+            time: time.clone(),
+            value,
+        }
+    }
+
+    /// An end with a value that suffices for the first guess.
+    pub(super) fn of(polynomial: &Polynomial, time: &Split) -> Self {
+        Self::new(time, polynomial.value_at(time, FIRST_BITS))
+    }
+}
+
 impl Bracket {
     /// The bracket of a polynomial that changes its sign once between two times.
-    pub(super) fn new(of: Arc<Polynomial>, low: Split, high: Split) -> Self {
-        let [low, high] = [low, high].map(|time| End {
-            value: of.value_at(&time, FIRST_BITS),
-            time,
-        });
+    pub(super) fn new(of: Arc<Polynomial>, [low, high]: [End; 2]) -> Self {
         Self {
             of,
             low,
@@ -168,7 +178,8 @@ impl Bracket {
         let Some(common) = common.filter(changes) else {
             return false;
         };
-        *self = Self::new(Arc::new(common), self.low().clone(), self.high().clone());
+        let ends = [self.low(), self.high()].map(|time| End::of(&common, time));
+        *self = Self::new(Arc::new(common), ends);
         true
     }
 }

@@ -2,6 +2,9 @@
 
 use core::cmp::Ordering;
 
+use dashu_int::IBig;
+
+use super::approximation::Approximation;
 use super::bracket::Bracket;
 use super::polynomial::Polynomial;
 use super::split::Split;
@@ -11,7 +14,7 @@ use super::split::Split;
 pub(crate) enum Instant {
     /// A rational number.
     At(Split),
-    /// A root of a polynomial.
+    /// A root of a polynomial, in a bracket of a [closeness](Split::closeness) above 0.
     Root(Bracket),
 }
 
@@ -22,13 +25,19 @@ impl Instant {
     ///
     /// It terminates: at a root that is not one of the polynomial, narrow brackets have a sign.
     pub(super) fn narrow_to_sign(&mut self, polynomial: &Polynomial) -> Ordering {
-        if let Some(sign) = self.plain_sign(polynomial) {
-            return sign;
+        self.narrow_to_value(polynomial).middle.cmp(&IBig::ZERO)
+    }
+
+    /// All values of a polynomial in the closed bracket, with their sign, as above.
+    pub(super) fn narrow_to_value(&mut self, polynomial: &Polynomial) -> Approximation {
+        let values = self.values(polynomial);
+        if values.sign().is_some() {
+            return values;
         }
         if let Self::Root(root) = self
             && root.is_root_of(polynomial)
         {
-            return Ordering::Equal;
+            return Approximation::exactly(IBig::ZERO);
         }
         let slope = polynomial.slope();
         loop {
@@ -37,22 +46,27 @@ impl Instant {
             while self.closeness() <= last.saturating_add(last / 32) && matches!(self, Self::Root(_)) {
                 self.narrow(usize::MAX);
             }
-            let sign = match self {
-                Self::At(t) => return polynomial.sign_at(t),
-                Self::Root(root) => polynomial.sign_near(&slope, root.low(), root.high()),
+            let values = match self {
+                Self::At(t) => polynomial.value_at(t, 0),
+                Self::Root(root) => polynomial.values_near(&slope, root.low(), root.high()),
             };
-            if let Some(sign) = sign {
-                return sign;
+            if values.sign().is_some() {
+                return values;
             }
         }
     }
 
     /// The sign of a polynomial at this time, if it is easily proved.
     pub(super) fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
+        self.values(polynomial).sign()
+    }
+
+    /// All values of a polynomial in the closed bracket, as precise as is easy.
+    fn values(&self, polynomial: &Polynomial) -> Approximation {
         match self {
-            _ if polynomial.is_zero() => Some(Ordering::Equal),
-            Self::At(t) => Some(polynomial.sign_at(t)),
-            Self::Root(root) => polynomial.sign_between(root.low(), root.high()),
+            _ if polynomial.is_zero() => Approximation::exactly(IBig::ZERO),
+            Self::At(t) => polynomial.value_at(t, 0),
+            Self::Root(root) => polynomial.values_between(root.low(), root.high()),
         }
     }
 

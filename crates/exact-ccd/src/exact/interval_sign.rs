@@ -11,32 +11,39 @@ use super::split::Split;
 
 impl Polynomial {
     /// The sign of all values in [low, high], low < high, if it is one that is easily proved: by the signs
-    /// of the coefficients, or by approximations of all values, the last of which takes the slope in the
-    /// interval into account.
+    /// of the coefficients, or by approximations of all values.
+    pub(crate) fn sign_between(&self, low: &Split, high: &Split) -> Option<Ordering> {
+        if Split::closeness(low, high) == 0 {
+            self.sign_everywhere()
+        } else {
+            self.values_between(low, high).sign()
+        }
+    }
+
+    /// All values in [low, high], two times that are not far apart, by approximations, the last of which
+    /// takes the slope in the interval into account.
     ///
     /// Around a number at which the polynomial does not vanish, all values in a narrow bracket have a
     /// sign: the error of each approximation is then proportional to the width.
-    pub(crate) fn sign_between(&self, low: &Split, high: &Split) -> Option<Ordering> {
+    pub(super) fn values_between(&self, low: &Split, high: &Split) -> Approximation {
         let closeness = Split::closeness(low, high);
-        if closeness == 0 {
-            return self.sign_everywhere();
-        }
         let mut precision = LEAST_PRECISION;
         while precision < closeness {
-            if let Some(sign) = self.values(low, high, precision).sign() {
-                return Some(sign);
+            let values = self.values(low, high, precision);
+            if values.sign().is_some() {
+                return values;
             }
             precision *= 4;
         }
-        self.sign_near(&self.slope(), low, high)
+        self.values_near(&self.slope(), low, high)
     }
 
-    /// The sign of all values in [low, high], two times that are not far apart, if it is proved by the value
-    /// at `low` and the largest magnitude of the slope, which is given.
-    pub(super) fn sign_near(&self, slope: &Self, low: &Split, high: &Split) -> Option<Ordering> {
+    /// All values in [low, high], two times that are not far apart, by the value at `low` and the largest
+    /// magnitude of the slope, which is given.
+    pub(super) fn values_near(&self, slope: &Self, low: &Split, high: &Split) -> Approximation {
         let closeness = Split::closeness(low, high);
         let change = slope.bound_near(low, high, closeness) + high.top() - closeness as isize;
-        self.changed_by(change, low).sign()
+        self.changed_by(change, low)
     }
 
     /// All values of the polynomial in τ that differ from that at t by less than 2ᵏ. The value there is as

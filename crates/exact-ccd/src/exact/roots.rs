@@ -10,7 +10,8 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use super::bracket::Bracket;
+use super::approximation::Approximation;
+use super::bracket::{Bracket, End};
 use super::instant::Instant;
 use super::polynomial::Polynomial;
 use super::split::Split;
@@ -41,7 +42,7 @@ fn inner_roots(polynomial: &Polynomial, ends: [&Split; 2]) -> Vec<Instant> {
     let has_root_at_end = ends.iter().any(|end| polynomial.sign_at(end).is_eq());
     match at_most(polynomial, ends) {
         0 if !has_root_at_end => Vec::new(),
-        1 if !has_root_at_end => [simple(polynomial, ends)].into(),
+        1 if !has_root_at_end => [simple(polynomial, ends.map(|end| End::of(polynomial, end)))].into(),
         _ => between_extrema(&polynomial.square_free(), ends),
     }
 }
@@ -73,28 +74,30 @@ fn between_extrema(polynomial: &Polynomial, ends: [&Split; 2]) -> Vec<Instant> {
     times.insert(0, Instant::At(ends[0].clone()));
     times.push(Instant::At(ends[1].clone()));
     let mut roots = Vec::new();
-    let mut last: Option<(Ordering, Instant)> = None;
+    let mut last: Option<(Approximation, Instant)> = None;
     for mut time in times {
-        // In the closed bracket of the time, the polynomial has this sign.
-        let sign = time.narrow_to_sign(polynomial);
-        if let Some((before, earlier)) = last
-            && sign.is_ne()
-            && before == sign.reverse()
-        {
-            roots.push(simple(polynomial, [earlier.bounds().1, time.bounds().0]));
-        }
-        if sign.is_eq() {
+        // All values in the closed bracket of the time, with one sign.
+        let value = time.narrow_to_value(polynomial);
+        if value.middle.is_zero() {
             roots.push(time.clone());
+        } else if let Some((before, earlier)) = last
+            && !before.middle.is_zero()
+            && before.sign() != value.sign()
+        {
+            let ends = [(earlier.bounds().1, before), (time.bounds().0, value.clone())];
+            roots.push(simple(
+                polynomial,
+                ends.map(|(time, value)| End::new(time, value)),
+            ));
         }
-        last = Some((sign, time));
+        last = Some((value, time));
     }
     roots
 }
 
 /// The only root of a polynomial in an interval, a simple one.
-fn simple(polynomial: &Polynomial, [low, high]: [&Split; 2]) -> Instant {
-    let bracket = Bracket::new(Arc::new(polynomial.clone()), low.clone(), high.clone());
-    let mut root = Instant::Root(bracket);
+fn simple(polynomial: &Polynomial, ends: [End; 2]) -> Instant {
+    let mut root = Instant::Root(Bracket::new(Arc::new(polynomial.clone()), ends));
     // In a narrow bracket, most signs are easily proved.
     root.narrow_to(16);
     root
