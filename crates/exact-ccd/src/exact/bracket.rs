@@ -1,9 +1,11 @@
 //! A bracket around a root of a polynomial, which can be made narrower.
 
+use alloc::boxed::Box;
 use alloc::sync::Arc;
 use core::cmp::Ordering;
 
 use super::approximation::Approximation;
+use super::expansion::Expansion;
 use super::guess;
 use super::polynomial::Polynomial;
 use super::split::Split;
@@ -16,6 +18,8 @@ pub(crate) struct Bracket {
     high: End,
     /// The precision of the next guess.
     bits: usize,
+    /// The polynomial between the ends, if these are close to each other.
+    near: Option<Box<Expansion>>,
 }
 
 /// The precision of the first guess.
@@ -23,6 +27,9 @@ const FIRST_BITS: usize = 4;
 
 /// The number of bits by which values are more precise than the next guess needs them to be.
 const MARGIN: isize = 20;
+
+/// The closeness of ends between which the polynomial is expanded.
+const CLOSE: usize = 128;
 
 /// An end of a bracket: 0, 1, or a ratio a 2ᵏ : 1.
 #[derive(Clone, Debug)]
@@ -54,6 +61,7 @@ impl Bracket {
             low,
             high,
             bits: FIRST_BITS,
+            near: None,
         }
     }
 
@@ -78,14 +86,16 @@ impl Bracket {
     /// Makes the bracket narrower: a cell of a grid if the guess is right, by a factor of about 2ᵏ at most,
     /// otherwise at most about one half of it. The root itself is returned if it is found.
     pub(super) fn narrow(&mut self, most: usize) -> Result<(), Split> {
-        if self.closeness() == 0 {
+        let closeness = self.closeness();
+        if closeness == 0 {
             return self.cut(Split::between(self.low(), self.high()), isize::MAX);
         }
+        let bits = self.bits.min(most);
+        self.expand(bits, closeness);
         let tops = [&self.low, &self.high].map(|end| end.value.top());
         if tops[0].abs_diff(tops[1]) > 8 {
             return self.narrow_to_end(tops);
         }
-        let bits = self.bits.min(most);
         let values = [&self.low.value, &self.high.value];
         // In a cell, values are less by a factor of about 2⁻ᵇ. The next guess is for 2 b bits of them.
         let unit = tops[0].max(tops[1]) - 3 * bits as isize - MARGIN;
@@ -96,6 +106,28 @@ impl Bracket {
             self.cut(Split::between(self.low(), self.high()), unit)?;
         }
         Ok(())
+    }
+
+    /// Makes an expansion that suffices for a guess of b bits, if the ends are close. It has at least half as
+    /// many bits as the ends have in common, and suffices for several guesses: most of its cost is that of
+    /// the ends' bits.
+    fn expand(&mut self, bits: usize, closeness: usize) {
+        let tops = [&self.low, &self.high].map(|end| end.value.top());
+        let top = tops[0].max(tops[1]);
+        let bits = bits.max(tops[0].abs_diff(tops[1])) as isize + MARGIN;
+        let suffices = |near: &Expansion| near.unit() <= top - bits;
+        if closeness < CLOSE || self.near.as_deref().is_some_and(suffices) {
+            return;
+        }
+        let bits = bits.max(closeness as isize / 2) + MARGIN;
+        let near = self.of.expansion(self.low(), self.high(), top - bits);
+        for end in [&mut self.low, &mut self.high] {
+            let value = near.value_at(&end.time);
+            if value.sign().is_some() {
+                end.value = value;
+            }
+        }
+        self.near = Some(Box::new(near));
     }
 
     /// Makes the bracket narrower where the value at one end is less by a factor of about 2⁻ʳ.
@@ -140,7 +172,9 @@ impl Bracket {
         if time <= *self.low() || time >= *self.high() {
             return Ok(());
         }
-        let value = self.of.value_in(&time, unit);
+        let value = self.near.as_deref().map(|near| near.value_at(&time));
+        let value = value.filter(|value| value.sign().is_some());
+        let value = value.unwrap_or_else(|| self.of.value_in(&time, unit));
         let end = if value.sign() == Some(Ordering::Equal) {
             return Err(time);
         } else if value.sign() == self.low.value.sign() {

@@ -55,7 +55,7 @@ impl Polynomial {
     }
 
     /// The exponent of the least power of two above all terms, for times up to 2ˢ.
-    fn top_at(&self, scale: isize) -> isize {
+    pub(super) fn top_at(&self, scale: isize) -> isize {
         let terms = self.coefficients().iter().enumerate();
         let tops = terms
             .filter(|(_, c)| !c.is_zero())

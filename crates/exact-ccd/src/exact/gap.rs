@@ -19,6 +19,12 @@ impl Split {
         }
     }
 
+    /// The time whose ratio is the difference of those of this one and an earlier one, over 2ᵏ.
+    pub(super) fn after(&self, earlier: &Self, exponent: isize) -> Self {
+        let ([earlier, this], own) = Self::align(earlier, self);
+        Self::ratio(this - earlier, own - exponent)
+    }
+
     /// The numbers a of two ratios a 2ᵏ : 1 with the same k, and k.
     fn align(low: &Self, high: &Self) -> ([IBig; 2], isize) {
         let exponent = low.exponent.min(high.exponent);

@@ -14,6 +14,7 @@ mod bracket;
 mod divisor;
 mod dyadic;
 mod evaluation;
+mod expansion;
 mod first;
 mod first_contact;
 mod gap;

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use dashu_int::IBig;
+use dashu_int::ops::BitTest;
 
 use crate::exact::polynomial::Polynomial;
 use crate::exact::split::Split;
@@ -91,4 +92,30 @@ fn a_sign_between_two_times_is_that_of_all_values() {
         }
     }
     assert!(proved > 1000, "{proved}");
+}
+
+#[test]
+fn an_expansion_has_the_values_of_its_polynomial() {
+    let mut random = Random(3);
+    let mut known = 0;
+    for _ in 0..5000 {
+        let polynomial = random.polynomial();
+        let [low, high] = random.interval();
+        if Split::closeness(&low, &high) < 8 {
+            continue;
+        }
+        let unit = polynomial.top_at(high.top()) - [10, 100, 2000][random.below(3) as usize];
+        let expansion = polynomial.expansion(&low, &high, unit);
+        let grid = |index: u64| Split::on_grid(&low, &high, &index.into(), 3);
+        let inside: Vec<Split> = (1..8).map(grid).collect();
+        for t in [&low, &high].into_iter().chain(&inside) {
+            let (found, exact) = (expansion.value_at(t), polynomial.plain_value(t));
+            let unit = found.unit.min(exact.unit);
+            let off = (found.in_units(unit) - exact.in_units(unit)).bit_len();
+            let error = found.error.unwrap_or_default() as isize + found.unit - unit;
+            assert!(off as isize <= error, "{polynomial:?} {t:?}: {off} {error}");
+            known += usize::from(found.sign().is_some());
+        }
+    }
+    assert!(known > 10_000, "{known}");
 }
