@@ -70,6 +70,11 @@ impl Bracket {
         &self.of
     }
 
+    /// The sign of the polynomial before the root.
+    pub(super) fn sign_before(&self) -> Option<Ordering> {
+        self.low.value.sign()
+    }
+
     pub(super) fn low(&self) -> &Split {
         &self.low.time
     }

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::instant::Instant;
-use super::intervals::intervals_of;
+use super::intervals::{Event, Passage, intervals_of};
 use super::motion::Motion;
 use super::roots::roots;
 use super::split::Split;
@@ -46,13 +46,14 @@ impl<K: Kind> FirstContact<K> {
         let motion = &self.motion;
         let (first, later) = (self.first, self.first + 1);
         let later = self.instants[later..].iter();
-        let touching = later.filter(|instant| motion.touches(instant)).cloned();
-        let events: Vec<_> = [self.instants[first].clone()]
-            .into_iter()
-            .chain(touching)
-            .collect();
+        let touching = later.filter(|instant| motion.touches(instant));
+        let events = [&self.instants[first]].into_iter().chain(touching);
+        let events = events.cloned().map(|time| Event {
+            time,
+            passage: Passage::Unknown,
+        });
         // Primitives that are not always coplanar touch at isolated times only.
-        intervals_of(&events, |t| {
+        intervals_of(events.collect(), |t| {
             motion.is_always_coplanar() && motion.touches(&Instant::At(t.clone()))
         })
     }

@@ -70,6 +70,15 @@ impl Instant {
         }
     }
 
+    /// The sign of a polynomial at the start of the bracket, if it is the one of which this is known to be a
+    /// simple root.
+    pub(super) fn sign_before(&self, polynomial: &Polynomial) -> Option<Ordering> {
+        match self {
+            Self::Root(root) if root.polynomial() == polynomial => root.sign_before(),
+            _ => None,
+        }
+    }
+
     /// Makes the bracket narrower, by a factor of about 2ᵏ at most.
     pub(super) fn narrow(&mut self, most: usize) {
         if let Self::Root(root) = self

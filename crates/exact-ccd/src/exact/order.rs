@@ -1,4 +1,4 @@
-//! The order of times, and times between two of them.
+//! The order of times.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -31,7 +31,7 @@ impl Instant {
     }
 
     /// The comparison of two times. Different times keep the disjoint brackets that it needs.
-    fn order(&mut self, other: &mut Self) -> Ordering {
+    pub(super) fn order(&mut self, other: &mut Self) -> Ordering {
         if self.equals(other) {
             return Ordering::Equal;
         }
@@ -65,13 +65,6 @@ impl Instant {
             };
             wider.narrow(usize::MAX);
         }
-    }
-
-    /// A number strictly between this time and a later one.
-    pub(crate) fn before(&self, later: &Self) -> Split {
-        let (mut this, mut later) = (self.clone(), later.clone());
-        this.part(&mut later);
-        Split::between(this.bounds().1, later.bounds().0)
     }
 
     /// The time as an f64 or between two adjacent ones.

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use crate::exact::instant::Instant;
+use crate::exact::intervals::{Event, Passage};
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::roots::roots_between;
@@ -62,7 +63,7 @@ impl Feature {
 
     /// The times in [low, high] at which the excess vanishes and the feature exists, in increasing order;
     /// none if the excess is zero at all times.
-    pub(super) fn crossings(&self, bounds: &[Split; 2]) -> impl Iterator<Item = Instant> {
+    pub(super) fn crossings(&self, bounds: &[Split; 2]) -> impl Iterator<Item = Event> {
         let roots = self.roots(bounds).into_iter();
         roots.filter_map(|root| self.existing(root))
     }
@@ -76,10 +77,21 @@ impl Feature {
         roots.unwrap_or_default()
     }
 
-    /// A time at which the feature exists, with the bracket that this needs.
-    pub(super) fn existing(&self, time: Instant) -> Option<Instant> {
-        let instant = Narrowing::new(time);
-        self.exists(&instant).then(|| instant.into_instant())
+    /// A root of the excess at which the feature exists, with the bracket that this needs.
+    ///
+    /// The bracket has no other root of the excess. If the feature exists for a while around it, the distance
+    /// is less than d where the excess is negative.
+    pub(super) fn existing(&self, root: Instant) -> Option<Event> {
+        let instant = Narrowing::new(root);
+        let existence = self.existence(&instant);
+        let time = instant.into_instant();
+        let start = time.sign_before(&self.excess.reduced());
+        let passage = match start.filter(|_| existence.is_gt()) {
+            Some(Ordering::Less) => Passage::Exit,
+            Some(Ordering::Greater) => Passage::Entry,
+            _ => Passage::Unknown,
+        };
+        existence.is_ge().then_some(Event { time, passage })
     }
 
     /// Numerator and denominator of the squared distance.
@@ -88,18 +100,33 @@ impl Feature {
     }
 
     /// Returns true if the quotient is the squared distance of two points of the primitives.
+    pub(super) fn exists(&self, instant: &Narrowing) -> bool {
+        self.existence(instant).is_ge()
+    }
+
+    /// Less if the feature does not exist, greater if it exists for a while around this time.
     ///
     /// A guard that is easily proved to be negative spares the other signs.
-    pub(super) fn exists(&self, instant: &Narrowing) -> bool {
+    fn existence(&self, instant: &Narrowing) -> Ordering {
+        let mut least = Ordering::Greater;
         let mut unknown = Vec::new();
         for guard in &self.guards {
             match instant.plain_sign(guard) {
-                Some(Ordering::Less) => return false,
-                Some(_) => {}
+                Some(Ordering::Less) => return Ordering::Less,
+                Some(sign) => least = least.min(sign),
                 None => unknown.push(guard),
             }
         }
-        instant.sign(&self.length).is_ne() && unknown.into_iter().all(|guard| instant.sign(guard).is_ge())
+        if instant.sign(&self.length).is_eq() {
+            return Ordering::Less;
+        }
+        for guard in unknown {
+            match instant.sign(guard) {
+                Ordering::Less => return Ordering::Less,
+                sign => least = least.min(sign),
+            }
+        }
+        least
     }
 
     /// Returns true if two points of these features are at most d apart.

@@ -7,7 +7,7 @@ use super::feature::Feature;
 use super::{STEP, closest, is_within_at};
 use crate::distance::Separation;
 use crate::exact::instant::Instant;
-use crate::exact::intervals::intervals_of;
+use crate::exact::intervals::{Event, Passage, intervals_of};
 use crate::exact::split::Split;
 use crate::impact::Impact;
 use crate::interval::Intervals;
@@ -73,24 +73,24 @@ impl FirstWithin {
 }
 
 fn intervals(features: &[Feature], crossings: &[Crossings]) -> Intervals {
-    let mut events = Vec::new();
-    for (feature, crossings) in features.iter().zip(crossings) {
-        for event in crossings.all(feature) {
-            event.insert_into(&mut events);
-        }
-    }
-    for end in STEP.iter().filter(|end| is_within_at(features, end)) {
-        Instant::At(end.clone()).insert_into(&mut events);
-    }
+    let pairs = features.iter().zip(crossings);
+    let mut events: Vec<_> = pairs
+        .flat_map(|(feature, crossings)| crossings.all(feature))
+        .collect();
+    let ends = STEP.iter().filter(|end| is_within_at(features, end));
+    events.extend(ends.map(|end| Event {
+        time: Instant::At(end.clone()),
+        passage: Passage::Unknown,
+    }));
     // The distance is at most d at each of them, and nothing changes between two.
-    intervals_of(&events, |t| is_within_at(features, t))
+    intervals_of(events, |t| is_within_at(features, t))
 }
 
 /// The times of the step at which the excess of a feature vanishes.
 #[derive(Clone, Debug)]
 struct Crossings {
     /// The first one at which the feature exists.
-    first: Option<Instant>,
+    first: Option<Event>,
     /// The roots after it; the feature may not exist there.
     later: Vec<Instant>,
 }
@@ -106,7 +106,7 @@ impl Crossings {
     }
 
     /// All at which the feature exists, in increasing order.
-    fn all(&self, feature: &Feature) -> impl Iterator<Item = Instant> {
+    fn all(&self, feature: &Feature) -> impl Iterator<Item = Event> {
         let later = self.later.iter().cloned();
         let later = later.filter_map(|root| feature.existing(root));
         self.first.iter().cloned().chain(later)
@@ -120,6 +120,7 @@ fn crossings(features: &[Feature]) -> Vec<Crossings> {
 /// Times within d, among which is the first one after t = 0: the first crossing of each feature, and the end.
 fn first_ones(features: &[Feature], crossings: &[Crossings]) -> impl Iterator<Item = Instant> {
     let end = is_within_at(features, &STEP[1]).then(|| Instant::At(STEP[1].clone()));
-    let firsts = crossings.iter().filter_map(|crossings| crossings.first.clone());
+    let firsts = crossings.iter().filter_map(|crossings| crossings.first.as_ref());
+    let firsts = firsts.map(|event| event.time.clone());
     end.into_iter().chain(firsts)
 }
