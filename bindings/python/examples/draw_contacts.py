@@ -20,20 +20,14 @@ triangles = link.faces.reshape(-1, 4)[:, 1:]
 mesh = Mesh(len(x0), np.vstack([triangles, triangles + len(ring)]), groups=np.repeat([0, 1], len(ring)))
 
 detector = Detector(mesh)
-contacts = detector.collisions(x0, x1)
+contacts, _, times = detector.first_contacts(x0, x1)
 first = contacts[0]
 print(f"{len(contacts)} contacts, the first of {first['kind']} at t = {first['time']}")
-
-# The earliest time at which each vertex belongs to a primitive in contact.
-times = np.full(len(x0), np.nan)
-for contact in contacts[::-1]:
-    vertices = contact["vertices"]
-    times[vertices[vertices >= 0]] = contact["time"]
 
 plotter = pyvista.Plotter(off_screen=True, window_size=(720, 400))
 faces = np.hstack([np.full((len(mesh.faces), 1), 3), mesh.faces]).ravel()
 surface = pyvista.PolyData((1 - first["time"]) * x0 + first["time"] * x1, faces)
-surface["time of contact"] = times
+surface["time of contact"] = np.where(np.isfinite(times), times, np.nan)
 bar = {"title_font_size": 14, "label_font_size": 12, "position_y": 0.02}
 plotter.add_mesh(surface, scalars="time of contact", nan_color="lightgrey", cmap="viridis_r", scalar_bar_args=bar)
 plotter.add_mesh(pyvista.Sphere(radius=0.03, center=first["points"][0]), color="red")

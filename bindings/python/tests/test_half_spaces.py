@@ -5,13 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-import exact_ccd
 from exact_ccd import audit
 from test_audits import frames
 from test_meshes import FACES
-
-if not hasattr(exact_ccd._native, "HalfSpaces"):
-    pytest.skip("the extension was built without the program and its half spaces", allow_module_level=True)
 
 GROUND = [[0, 0, -1], [0, 0, 2]]
 """All points at most at z = -1, with a normal of length 2."""

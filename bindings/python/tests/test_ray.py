@@ -101,9 +101,11 @@ def test_any_number_of_chunks(cluster, steps: int) -> None:
 def test_groups_rules_and_half_spaces(cluster, tmp_path) -> None:
     frames = recording(12, 6)
     groups = np.zeros(2 * GRID.size, int)
-    settings = [{"groups": groups}, {"can_collide": lambda i, j: abs(i - j) < 3}]
-    if hasattr(exact_ccd._native, "HalfSpaces"):
-        settings.append({"groups": groups, "half_spaces": [[[0, 0, -0.99], [0, 0, 1]]]})
+    settings = [
+        {"groups": groups},
+        {"can_collide": lambda i, j: abs(i - j) < 3},
+        {"groups": groups, "half_spaces": [[[0, 0, -0.99], [0, 0, 1]]]},
+    ]
     for given in settings:
         assert same(exact_ccd.ray.audit(frames, FACES, steps=3, **given), exact_ccd.audit(frames, FACES, **given))
     assert exact_ccd.ray.audit(frames, FACES, steps=3, groups=groups, results=tmp_path).is_free

@@ -28,7 +28,7 @@ def rows(contact: np.ndarray) -> list:
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
-@pytest.mark.parametrize("settings", [{}, {"min_distance": 2**-10}, {"threads": 1}, {"start_check": False}])
+@pytest.mark.parametrize("settings", [{}, {"min_distance": 2**-10}, {"threads": 1}])
 @pytest.mark.parametrize("rule", [None, lambda i, j: (i + j) % 3 != 0])
 def test_the_answers_are_those_of_each_world(dtype, settings, rule) -> None:
     mesh, x0, x1 = worlds_of(0)

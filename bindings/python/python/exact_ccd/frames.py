@@ -111,9 +111,7 @@ class FileFrames:
             welding.restrict(vertices)
         first = self._first
         self._faces, self._edges = welding.primitives(Mesh(first.vertices, first.faces, first.edges)._native)
-        numbers = np.zeros_like(first.vertices)
-        numbers[:, 0] = np.arange(len(numbers))
-        self._kept = welding.positions(numbers)[:, 0].astype(np.int64)
+        self._kept = welding.positions(np.indices(first.vertices.shape, float)[0])[:, 0].astype(np.int64)
 
     def __len__(self) -> int:
         return len(self._places)
