@@ -26,7 +26,7 @@ from exact_ccd.ray.chunks import from_json, to_json
         # As of a data set.
         (ray.exceptions.RayTaskError("check", "row 3", ray.exceptions.UserCodeException("failed")), "row 3"),
         (RuntimeError("another"), "RuntimeError: another"),
-        (ImportError("no module"), "no module"),
+        (ImportError("no module"), "no module; pip install 'ray[data]' pyarrow"),
     ],
 )
 def test_every_error_has_status_2(error: Exception, message: str, monkeypatch, capsys) -> None:

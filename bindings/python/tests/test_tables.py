@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import numpy as np
 import pytest
 
@@ -171,3 +173,10 @@ def test_errors() -> None:
         exact_ccd.answer_table({})
     with pytest.raises(ValueError, match="separation"):
         exact_ccd.answer_table(table, separation=-1.0)
+
+
+def test_without_pyarrow(monkeypatch) -> None:
+    table, _ = table_of("vf", 1)
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(ImportError, match="pyarrow is missing: pip install pyarrow$"):
+        exact_ccd.answer_table(table)

@@ -107,7 +107,7 @@ def main() -> None:
             answer, status = run(options)
         sys.stdout.write(answer + "\n")
     except ImportError as error:
-        sys.stderr.write(f"error: {error}; pip install exact-ccd[ray]\n")
+        sys.stderr.write(f"error: {error}; pip install 'ray[data]' pyarrow\n")
         status = 2
     except Exception as error:
         # Also those of Ray: a lost cluster or a failed task is no violation.

@@ -69,7 +69,7 @@ def answer_table(
     Raises
     ------
     ImportError
-        If pyarrow is missing: ``pip install exact-ccd[arrow]``.
+        If pyarrow is missing: ``pip install pyarrow``.
     ValueError
         If a column is missing, or a row is wrong; the message names it, counted from 0.
     TypeError
@@ -103,7 +103,7 @@ def _as_arrow(table: Any) -> pa.Table:
     try:
         import pyarrow as pa
     except ImportError as error:
-        raise ImportError("pyarrow is missing: pip install exact-ccd[arrow]") from error
+        raise ImportError("pyarrow is missing: pip install pyarrow") from error
     if isinstance(table, pa.Table):
         return table
     if isinstance(table, pa.RecordBatch):

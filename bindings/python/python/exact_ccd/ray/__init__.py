@@ -1,6 +1,6 @@
 """Large sets of queries and long recordings, on one machine or many, by Ray.
 
-``pip install exact-ccd[ray]`` installs what is needed. Without a cluster, the work runs on the cores of this
+``pip install 'ray[data]' pyarrow`` installs what is needed. Without a cluster, the work runs on the cores of this
 machine; ``ray.init`` with an address, or the variable ``RAY_ADDRESS``, connects to a cluster, all machines of
 which need this package.
 
