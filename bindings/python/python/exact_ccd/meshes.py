@@ -55,10 +55,9 @@ class Mesh:
     can_collide : callable, optional
         ``can_collide(i, j) -> bool`` for two vertices: a pair of primitives can collide if it holds for
         any vertex of the first and any of the second, as in the IPC Toolkit. It is called for pairs in
-        contact. Five methods of :class:`Detector` may call it for all candidates, which is slow: ``step``
-        and ``clearances`` do; ``collision`` and ``free_step`` do if it forbids the earliest contact,
-        ``free_step`` also if a pair touches at the start, and ``free_steps`` if there is any contact.
-        `groups` have no such cost.
+        contact. Of the methods of :class:`Detector`, ``step`` and ``clearances`` call it for all candidates,
+        which is slow; so do ``collision`` and ``free_step`` if it forbids the earliest contact, ``free_step``
+        if a pair touches at the start, and ``free_steps`` if any pair touches. `groups` have no such cost.
 
     Raises
     ------

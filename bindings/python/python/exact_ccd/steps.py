@@ -19,7 +19,7 @@ class PairCounts(NamedTuple):
     vertex_face, edge_edge : int
         The pairs of a vertex and a face, and of two edges.
     vertex_edge, vertex_vertex : int
-        The pairs of a loose vertex and a loose edge, and of two loose vertices.
+        The pairs of a vertex and a loose edge, and of two loose vertices.
     """
 
     vertex_face: int
