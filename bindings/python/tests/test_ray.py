@@ -138,6 +138,10 @@ def test_an_error_counts_in_its_place(cluster) -> None:
         exact_ccd.ray.audit(frames[:0], FACES)
     with pytest.raises(TypeError, match="expected the faces"):
         exact_ccd.ray.audit(frames)
+    with pytest.raises(ValueError, match="min_distance has a number that is not exactly a float64"):
+        exact_ccd.ray.audit(frames, FACES, min_distance=2**53 + 1)
+    with pytest.raises(TypeError, match="frames is a masked array"):
+        exact_ccd.ray.audit(np.ma.array(frames), FACES)
 
 
 def write_frames(folder: Path, frames: np.ndarray) -> None:

@@ -25,9 +25,10 @@ _IN_PLACE = (np.dtype(np.float64), np.dtype(np.float32))
 """The types of numbers that the compiled part reads as they are."""
 
 
-def _array(name: str, values: ArrayLike) -> NDArray[Any]:
-    """The argument as an array: itself, a tensor of DLPack in place, or numbers in lists."""
-    if isinstance(values, np.ma.MaskedArray):
+def as_array(name: str, values: Union[ArrayLike, tuple[ArrayLike, ...]]) -> NDArray[Any]:
+    """The argument as an array: itself, a tensor of DLPack in place, or numbers or arrays in lists."""
+    parts = values if isinstance(values, (list, tuple)) else (values,)
+    if any(isinstance(part, np.ma.MaskedArray) for part in parts):
         raise TypeError(f"{name} is a masked array: the kernel has no missing values")
     if not isinstance(values, np.ndarray) and hasattr(values, "__dlpack__"):
         return _tensor(name, values)
@@ -50,7 +51,7 @@ def _tensor(name: str, tensor: Any) -> NDArray[Any]:
 
 def _checked(name: str, values: ArrayLike, shape: Shape, kinds: str, expected: str) -> NDArray[Any]:
     """The argument as an array of this shape, of numbers of these kinds."""
-    array = _array(name, values)
+    array = as_array(name, values)
     if array.shape[:1] == (0,) and shape[:1] == (None,):
         # Without rows, such as an empty list.
         array = array.reshape(0, *(size or 0 for size in shape[1:]))
@@ -141,6 +142,12 @@ def number(name: str, value: ArrayLike) -> float:
     return value if type(value) is float else float(floats(name, value, ()))
 
 
+def distances(values: ArrayLike, count: Optional[int]) -> Floats:
+    """A minimum distance of shape (), or one for each of so many vertices, with the exceptions of :func:`floats`."""
+    array = as_array("min_distance", values)
+    return floats("min_distance", array, (count,) if array.ndim else ())
+
+
 def integer(name: str, value: object, low: int, high: int) -> int:
     """An integer from `low` to `high`.
 
@@ -164,8 +171,8 @@ def thread_count(threads: Optional[int]) -> Optional[int]:
 
 
 def frozen(array: NDArray[_Number]) -> NDArray[_Number]:
-    """The same array, which cannot be written to: a copy, if the caller could."""
-    own = array.copy() if array.flags.writeable else array
+    """A copy that cannot be written to."""
+    own = array.copy()
     own.flags.writeable = False
     # Of a view, the flag cannot be set again.
     return own.view()

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import as_array
 from ._native import UncertifiedError
 from .contacts import Contact
 from .frames import FileFrames, FilePath, Rules, files_in
@@ -230,7 +231,7 @@ def examine(
         if violation is not None:
             return done, violation
         # A copy: the iterator may reuse its array.
-        last = np.array(frame, np.float64)
+        last = np.array(as_array("frame", frame), np.float64)
         if progress is not None:
             progress(1)
     return done, None
@@ -284,7 +285,7 @@ def _begin(
         raise TypeError("expected the faces of the mesh")
     if isinstance(faces, Mesh):
         raise TypeError("faces is a Mesh, expected an array: mesh.faces")
-    return Mesh(len(start), faces, edges, *rules), chain([start], remaining)
+    return Mesh(len(as_array("frames", start)), faces, edges, *rules), chain([start], remaining)
 
 
 def in_files(frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike]) -> Optional[FileFrames]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._arrays import Floats, Positions, floats, frozen, indices, number, positions, thread_count
+from ._arrays import Floats, Positions, distances, frozen, indices, number, positions, thread_count
 from ._records import by_value, same
 from .contacts import Contact, first, pairs, table
 from .meshes import Mesh
@@ -46,11 +46,8 @@ class Searcher:
         if not isinstance(mesh, Mesh):
             raise TypeError(f"mesh is of type {type(mesh).__name__}, expected an exact_ccd.Mesh")
         self._mesh = mesh
-        distance: Union[float, Floats]
-        if np.ndim(min_distance) == 0:
-            distance = number("min_distance", min_distance)
-        else:
-            distance = frozen(floats("min_distance", min_distance, (mesh.vertex_count,)))
+        given = distances(min_distance, mesh.vertex_count)
+        distance: Union[float, Floats] = frozen(given) if given.ndim else float(given)
         inner = None if inner_distance is None else number("inner_distance", inner_distance)
         self._settings = Settings(distance, inner, thread_count(threads), bool(start_check))
         self._native = _native.Detector(mesh._native, *self._settings)

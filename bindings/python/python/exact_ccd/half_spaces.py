@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._arrays import floats
+from ._arrays import distances, floats
 
 
 class HalfSpaces:
@@ -21,7 +21,7 @@ class HalfSpaces:
     def __init__(self, half_spaces: ArrayLike, min_distance: Union[float, ArrayLike]) -> None:
         rows = floats("half_spaces", half_spaces, (None, 2, 3))
         self._native = _native.HalfSpaces(rows.reshape(-1, 6))
-        self._distances = floats("min_distance", np.atleast_1d(np.asarray(min_distance)), (None,))
+        self._distances = np.atleast_1d(distances(min_distance, None))
 
     def touching(self, positions: ArrayLike) -> Optional[tuple[int, int]]:
         """The first half space with a vertex that is not apart from it, and that vertex, decided exactly."""

@@ -11,6 +11,7 @@ import pyarrow.fs
 import ray
 from numpy.typing import ArrayLike, NDArray
 
+from .._arrays import as_array, distances
 from ..audits import AuditReport, examine, in_files, parts_of, write_certificate
 from ..frames import ArrayFrames, FileFrames, FilePath, Frames, Rules, ordered
 from ..half_spaces import HalfSpaces
@@ -79,7 +80,7 @@ def audit(
     if results is not None and can_collide is not None:
         raise ValueError("results are not kept for a function can_collide: give groups, or no results")
     parts_of(certificate, half_spaces)
-    settings = Settings(np.asarray(min_distance, np.float64), Rules(groups, can_collide), half_spaces)
+    settings = Settings(distances(min_distance, None), Rules(groups, can_collide), half_spaces)
     # Errors of the mesh and of the settings are those of the caller.
     settings.detector(source, threads=None)
     settings.planes()
@@ -227,7 +228,7 @@ def _open(
         return files, files.identity()
     if faces is None:
         raise TypeError("expected the faces of the mesh")
-    array = np.asarray(frames)
+    array = as_array("frames", frames)
     if array.dtype == object:
         raise TypeError("expected an array of shape (T, V, 3), or files; other iterables are for exact_ccd.audit")
     return ArrayFrames(array, faces, edges), [array, np.asarray(faces), None if edges is None else np.asarray(edges)]
