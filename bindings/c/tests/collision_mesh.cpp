@@ -24,6 +24,10 @@ MatrixXi two_columns(std::initializer_list<std::array<int, 2>> rows)
     return matrix;
 }
 
+// A mesh that ends before the detector.
+static_assert(!std::is_constructible_v<CollisionDetector, ipc::CollisionMesh>);
+static_assert(std::is_constructible_v<CollisionDetector, const ipc::CollisionMesh&>);
+
 // A triangle that falls on another.
 struct Triangles {
     MatrixXd x0{6, 3}, x1;

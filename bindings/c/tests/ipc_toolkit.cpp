@@ -10,6 +10,16 @@ int main()
 {
     const std::unique_ptr<ipc::NarrowPhaseCCD> ccd = std::make_unique<exact_ccd::ExactCCD>();
     CHECK(ccd->conservative_rescaling == 0.9);
+    CHECK(exact_ccd::ExactCCD(1).conservative_rescaling == 1);
+    for (const double wrong : {0.0, -0.5, std::nextafter(1.0, 2.0), std::nan("")}) {
+        bool is_refused = false;
+        try {
+            exact_ccd::ExactCCD narrow_phase(wrong);
+        } catch (const std::invalid_argument&) {
+            is_refused = true;
+        }
+        CHECK(is_refused);
+    }
     ccd->conservative_rescaling = 0.5;
 
     using Eigen::Vector3d;

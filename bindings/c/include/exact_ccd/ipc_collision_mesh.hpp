@@ -40,6 +40,8 @@ public:
         }
     }
 
+    /// The mesh has to exist as long as the detector.
+    explicit CollisionDetector(const ipc::CollisionMesh&&) = delete;
     CollisionDetector(const CollisionDetector&) = delete;
     CollisionDetector& operator=(const CollisionDetector&) = delete;
 

@@ -22,6 +22,8 @@
 #define EXACT_CCD_IPC_TOOLKIT_HPP
 
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include <ipc/ccd/narrow_phase_ccd.hpp>
 
@@ -38,8 +40,13 @@ class ExactCCD : public ipc::NarrowPhaseCCD {
 public:
     static constexpr double DEFAULT_CONSERVATIVE_RESCALING = 0.9;
 
+    /// A rescaling that is not above 0 and at most 1 throws std::invalid_argument.
     explicit ExactCCD(double rescaling = DEFAULT_CONSERVATIVE_RESCALING)
     {
+        if (!(rescaling > 0 && rescaling <= 1)) {
+            throw std::invalid_argument("exact_ccd: a conservative rescaling of " + std::to_string(rescaling)
+                                        + ", expected a number above 0 and at most 1");
+        }
         conservative_rescaling = rescaling;
     }
 
