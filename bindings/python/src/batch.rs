@@ -12,7 +12,6 @@ use rayon::prelude::*;
 use crate::compute::{Watch, compute};
 use crate::error::{refused, room};
 use crate::kind::ArrayKind;
-use crate::pool;
 use crate::positions::{Positions, Rows};
 
 /// The number of queries of a task.
@@ -113,7 +112,6 @@ pub(crate) fn answers<K: ArrayKind, T: Clone + Send>(
 where
     K::Vertices: Sync,
 {
-    pool::check(threads)?;
     let separation = Separation::new(separation);
     let separation = separation.map_err(|error| refused(format_args!("separation: {error}")))?;
     let options = Options::within(separation).until(until);

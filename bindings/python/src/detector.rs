@@ -8,6 +8,7 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use pyo3::{PyTraverseError, PyVisit};
 use rayon::prelude::*;
 
 use crate::compute::{Watch, compute};
@@ -16,7 +17,6 @@ use crate::distance::Distance;
 use crate::error::{Refusal, refused, room};
 use crate::mesh::{List, Mesh, Table, rows};
 use crate::page::Page;
-use crate::pool;
 use crate::positions::Positions;
 use crate::search::{Rules, Search};
 
@@ -29,6 +29,8 @@ pub(crate) struct Detector {
     new: Search,
     /// The searches that no world uses: at work, the detector is locked.
     idle: Mutex<Idle>,
+    /// The reference of the detector to the rule of its mesh, which its searches share.
+    rule: Option<Arc<Py<PyAny>>>,
     failure: Arc<Mutex<Option<PyErr>>>,
     watch: Arc<Watch>,
     threads: Option<usize>,
@@ -100,30 +102,37 @@ impl Detector {
     /// that start within it. With `start_check`, no edge may pass through a face at the start of a step.
     #[new]
     fn new(
+        py: Python<'_>,
         mesh: &Mesh,
         min_distance: Distance<'_>,
         inner_distance: Option<f64>,
         threads: Option<usize>,
         start_check: bool,
     ) -> PyResult<Self> {
-        pool::check(threads)?;
         let min_distance = min_distance.with_inner(inner_distance)?;
         let watch = Arc::<Watch>::default();
         let failure = Arc::default();
+        let rule = mesh.shared_rule(py);
         let rules = Rules {
             groups: mesh.groups(),
-            every: mesh.rule(&watch, &failure),
-            has_rule: mesh.has_rule(),
+            every: mesh.ruled(rule.clone(), &watch, &failure),
+            has_rule: rule.is_some(),
         };
         let new = Search::new(mesh.mesh(), rules, min_distance, watch.clone(), start_check);
         Ok(Self {
             mesh: mesh.mesh().clone(),
             new: new.map_err(refused)?,
             idle: Mutex::default(),
+            rule,
             failure,
             watch,
             threads,
         })
+    }
+
+    /// As of a [`Mesh`].
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        visit.call(self.rule.as_deref())
     }
 
     /// Contact or none.

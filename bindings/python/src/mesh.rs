@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use exact_ccd_mesh::{CanCollide, TriangleMesh};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use pyo3::{PyTraverseError, PyVisit};
 
 use crate::compute::Watch;
 use crate::error::refused;
@@ -15,7 +16,7 @@ pub(crate) struct Mesh {
     mesh: Arc<TriangleMesh>,
     groups: Option<Arc<[u32]>>,
     /// A function of two vertices.
-    rule: Option<Arc<Py<PyAny>>>,
+    rule: Option<Py<PyAny>>,
 }
 
 impl Mesh {
@@ -23,9 +24,9 @@ impl Mesh {
         &self.mesh
     }
 
-    /// Returns true if a function of the caller restricts the pairs that can collide.
-    pub(crate) fn has_rule(&self) -> bool {
-        self.rule.is_some()
+    /// The rule of the caller, as a reference of its own for another object.
+    pub(crate) fn shared_rule(&self, py: Python<'_>) -> Option<Arc<Py<PyAny>>> {
+        self.rule.as_ref().map(|rule| Arc::new(rule.clone_ref(py)))
     }
 
     /// The pairs of different groups.
@@ -34,11 +35,16 @@ impl Mesh {
         groups.map_or_else(CanCollide::all, CanCollide::different_groups)
     }
 
-    /// The pairs of which two vertices are in different groups and can collide by the rule.
+    /// The pairs of which two vertices are in different groups and can collide by a rule.
     ///
     /// An exception of the rule is kept in `failure`, and ends the computation.
-    pub(crate) fn rule(&self, watch: &Arc<Watch>, failure: &Arc<Mutex<Option<PyErr>>>) -> CanCollide {
-        let Some(rule) = self.rule.clone() else {
+    pub(crate) fn ruled(
+        &self,
+        rule: Option<Arc<Py<PyAny>>>,
+        watch: &Arc<Watch>,
+        failure: &Arc<Mutex<Option<PyErr>>>,
+    ) -> CanCollide {
+        let Some(rule) = rule else {
             return self.groups();
         };
         let (watch, failure, groups) = (watch.clone(), failure.clone(), self.groups.clone());
@@ -80,8 +86,14 @@ impl Mesh {
         Ok(Self {
             mesh: Arc::new(mesh),
             groups,
-            rule: rule.map(Arc::new),
+            rule,
         })
+    }
+
+    /// The rule may refer to an object that has the mesh. It is there before the mesh is, so another object
+    /// of such a cycle can be changed: only that one needs a way to break it.
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        visit.call(&self.rule)
     }
 
     /// The number of vertices.

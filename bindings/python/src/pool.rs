@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 use std::{mem, process};
 
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -18,22 +18,16 @@ static POOLS: Mutex<Pools> = Mutex::new(Pools {
     pools: Vec::new(),
 });
 
-/// The largest number of threads, as in the program.
-const MOST: usize = 1024;
-
-/// Checks a number of threads.
-pub(crate) fn check(threads: Option<usize>) -> PyResult<()> {
-    if threads.is_some_and(|threads| !(1..=MOST).contains(&threads)) {
-        return Err(PyValueError::new_err(format!("threads must be from 1 to {MOST}")));
-    }
-    Ok(())
-}
-
 /// The pool of this many threads, or of as many as there are cores.
+///
+/// A thread of a pool that makes a computation, as a rule does, waits for its end. It gets a pool of its
+/// own, of one thread: two pools would wait for each other, or one for itself.
 ///
 /// A process that was forked has the pools of its parent, but none of their threads: it gets new ones.
 pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
-    check(threads)?;
+    if rayon::current_thread_index().is_some() {
+        return new(1);
+    }
     let threads = threads.unwrap_or(0);
     let mut all = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
     if all.process != process::id() {
@@ -44,12 +38,16 @@ pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     if let Some((_, pool)) = all.pools.iter().find(|(count, _)| *count == threads) {
         return Ok(pool.clone());
     }
-    let pool = ThreadPoolBuilder::new()
-        .num_threads(threads)
+    let pool = new(threads)?;
+    all.pools.push((threads, pool.clone()));
+    Ok(pool)
+}
+
+fn new(threads: usize) -> PyResult<Arc<ThreadPool>> {
+    let builder = ThreadPoolBuilder::new().num_threads(threads);
+    let pool = builder
         .thread_name(|index| format!("exact-ccd-{index}"))
         .build()
         .map_err(|error| PyRuntimeError::new_err(format!("cannot start the threads: {error}")))?;
-    let pool = Arc::new(pool);
-    all.pools.push((threads, pool.clone()));
-    Ok(pool)
+    Ok(Arc::new(pool))
 }

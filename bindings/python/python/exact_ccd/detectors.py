@@ -103,7 +103,8 @@ class Detector(Searcher):
         A smaller distance in place of `min_distance` for pairs that start within that: for a line search that
         has to move on from there. One that is not smaller changes nothing.
     threads : int, optional
-        The number of threads; by default that of the cores. The answers do not depend on it.
+        The number of threads; by default that of the cores, and 1 in a rule `can_collide`. The answers do not
+        depend on it.
     start_check : bool
         Refuse a step that begins with an edge that passes through a face, by a :class:`CrossingError`. This
         takes a pass over the mesh at rest, which is not repeated for a start that is the one before, or the
