@@ -449,7 +449,8 @@ struct exact_ccd_error_t exact_ccd_last_error_fields(void);
 
 /// Decides if a mesh at rest passes through itself: if an edge and a face that can collide and have no
 /// common vertex have a common point. `edge` and `face` are the first such pair, written only if there
-/// is one; both may be null. The distance of the detector has no influence.
+/// is one. Both may be null: then the search ends with any pair. The distance of the detector has no
+/// influence.
 enum exact_ccd_status_t exact_ccd_detector_has_intersections(const struct exact_ccd_detector_t *detector,
                                                              const double *x,
                                                              size_t vertex_count,

@@ -471,7 +471,12 @@ public:
     }
 
     /// True if an edge and a face that can collide and have no common vertex meet at rest.
-    bool has_intersections(Points x) const { return intersection(x).has_value(); }
+    bool has_intersections(Points x) const
+    {
+        bool answer = false;
+        check(exact_ccd_detector_has_intersections(handle_.get(), x.data(), x.size(), &answer, nullptr, nullptr));
+        return answer;
+    }
 
     /// With the check of the start, an answer about a step throws an Error with EXACT_CCD_STATUS_CROSSING if an
     /// edge passes through a face at `x0`. Without it, which is the default, such a mesh may be free of contact.

@@ -9,7 +9,8 @@ use crate::pointers::{Out, positions, reference};
 
 /// Decides if a mesh at rest passes through itself: if an edge and a face that can collide and have no
 /// common vertex have a common point. `edge` and `face` are the first such pair, written only if there
-/// is one; both may be null. The distance of the detector has no influence.
+/// is one. Both may be null: then the search ends with any pair. The distance of the detector has no
+/// influence.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_has_intersections(
     detector: *const Detector,
@@ -32,6 +33,11 @@ pub unsafe extern "C" fn exact_ccd_detector_has_intersections(
         };
         let (mesh, can_collide) = (detector.inner.mesh(), detector.inner.can_collide());
         let options = IntersectionOptions::default().with_can_collide(can_collide.clone());
+        if edge.is_none() && face.is_none() {
+            let any = || exact_ccd_mesh::has_intersections(mesh, x, &Bvh, &options, &|_| true);
+            has_intersections.write(detector.threads.run(|| Ok(any()?))?);
+            return Ok(());
+        }
         let found = detector
             .threads
             .run(|| Ok(intersections(mesh, x, &Bvh, &options)?))?;

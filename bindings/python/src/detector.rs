@@ -290,6 +290,12 @@ impl Detector {
         Ok(PyBytes::new(py, &certificates.concat()))
     }
 
+    /// Any edge and face that meet at rest, of one world.
+    fn has_intersections(&self, py: Python<'_>, x: Positions<'_>) -> PyResult<bool> {
+        let found = self.each(py, &x, &x, None, |search, x, _| search.has_intersections(x))?;
+        Ok(found.contains(&true))
+    }
+
     /// The edges and faces that meet at rest, of one world.
     fn intersections<'py>(&self, py: Python<'py>, x: Positions<'py>) -> PyResult<Table<'py, u32>> {
         let found = self.each(py, &x, &x, None, |search, x, _| search.intersections(x))?;

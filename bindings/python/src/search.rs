@@ -7,7 +7,7 @@ use exact_ccd_certify::{Maker, MakerError};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, FreeSteps, Intersection,
     IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
-    TriangleMesh, intersections,
+    TriangleMesh, has_intersections, intersections,
 };
 
 use crate::broad_phase::Interruptible;
@@ -95,23 +95,19 @@ impl Search {
     /// Makes certain that no edge passes through a face at the start of a step, if that is to be checked. The
     /// rule is asked for the edges and faces that were found.
     fn check_start(&mut self, x0: &[Point]) -> Result<(), StepError> {
+        if !self.checks_start {
+            return Ok(());
+        }
         let bits: Vec<_> = x0.iter().map(|point| point.map(f64::to_bits)).collect();
-        if !self.checks_start || bits == self.checked {
+        if bits == self.checked {
             return Ok(());
         }
         let mesh = self.mesh();
         let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
         let options = options.with_can_collide(self.rules.groups.clone());
-        for Intersection { edge, face } in intersections(mesh, x0, &self.broad_phase(), &options)? {
-            let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
-            if self.rules.every.allows(&ends, &corners) {
-                return Err(StepError::Crossing {
-                    edge,
-                    ends,
-                    face,
-                    corners,
-                });
-            }
+        let found = intersections(mesh, x0, &self.broad_phase(), &options)?;
+        if let Some(first) = found.into_iter().find(|&pair| self.counts(pair)) {
+            return Err(first.crossing(mesh));
         }
         self.checked = bits;
         Ok(())
@@ -252,13 +248,22 @@ impl Search {
 
     /// The edges and faces that meet at rest.
     pub(crate) fn intersections(&self, x: &[Point]) -> Result<Vec<Intersection>, Refusal> {
-        let mesh = self.mesh();
-        let found = intersections(mesh, x, &self.broad_phase(), &IntersectionOptions::default());
-        let mut found = found.map_err(Refusal::new)?;
-        found.retain(|pair| {
-            let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);
-            !self.watch.is_cancelled() && self.rules.every.allows(&edge, &face)
-        });
+        let options = IntersectionOptions::default();
+        let mut found = intersections(self.mesh(), x, &self.broad_phase(), &options).map_err(Refusal::new)?;
+        found.retain(|&pair| self.counts(pair));
         Ok(found)
+    }
+
+    /// Any edge and face that meet at rest.
+    pub(crate) fn has_intersections(&self, x: &[Point]) -> Result<bool, Refusal> {
+        let options = IntersectionOptions::default();
+        let counts = |pair| self.counts(pair);
+        has_intersections(self.mesh(), x, &self.broad_phase(), &options, &counts).map_err(Refusal::new)
+    }
+
+    /// Returns true if an edge and a face that meet can collide.
+    fn counts(&self, pair: Intersection) -> bool {
+        let allows = |(ends, corners): ([u32; 2], [u32; 3])| self.rules.every.allows(&ends, &corners);
+        !self.watch.is_cancelled() && pair.vertices(self.mesh()).is_some_and(allows)
     }
 }

@@ -1,7 +1,7 @@
 //! Steps that a detector answers.
 
 use exact_ccd::{Options, Point};
-use exact_ccd_mesh::{Bvh, Detector, Intersection, IntersectionOptions, Meeting, StepError, intersections};
+use exact_ccd_mesh::{Bvh, Detector, IntersectionOptions, Meeting, StepError, intersections};
 
 use crate::maker::{Maker, MakerError};
 
@@ -26,14 +26,8 @@ impl Maker {
         if rest {
             let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
             let found = intersections(&mesh, x0, &Bvh, &options).map_err(StepError::from)?;
-            if let Some(&Intersection { edge, face }) = found.first() {
-                let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
-                return Err(MakerError::Step(StepError::Crossing {
-                    edge,
-                    ends,
-                    face,
-                    corners,
-                }));
+            if let Some(first) = found.first() {
+                return Err(MakerError::Step(first.crossing(&mesh)));
             }
         }
         let earliest = detector.collision(x0, x1, Options::within(self.distance))?;

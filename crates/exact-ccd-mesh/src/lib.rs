@@ -50,7 +50,9 @@ mod search;
 mod steps;
 pub mod vector;
 
-pub use at_rest::{Intersection, IntersectionOptions, IntersectionsError, Meeting, intersections};
+pub use at_rest::{
+    Intersection, IntersectionOptions, IntersectionsError, Meeting, has_intersections, intersections,
+};
 pub use audit::{Audit, Violation};
 pub use broad_phase::{
     Aabb, AllPairs, BoxPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,

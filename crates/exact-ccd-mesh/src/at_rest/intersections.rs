@@ -1,11 +1,13 @@
 //! Self-intersections of a mesh at rest.
 
 use std::cmp::Ordering::{Equal, Greater, Less};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use exact_ccd::Point;
 use exact_ccd::predicates::{EdgeFace, orient3d};
 
-use crate::broad_phase::{BroadPhase, PairCollector, TooManyPrimitives, check_primitive_count};
+use crate::broad_phase::{BroadPhase, PairCollector, PairSink, TooManyPrimitives, check_primitive_count};
 use crate::mesh::{PositionsError, TriangleMesh, check_positions};
 use crate::overlaps::{Primitives, StepBoxes};
 use crate::pairs::{CanCollide, PrimitiveSet};
@@ -19,6 +21,28 @@ pub struct Intersection {
     pub edge: u32,
     /// The index of the face in [`TriangleMesh::faces`].
     pub face: u32,
+}
+
+impl Intersection {
+    /// The ends of the edge, and the corners of the face; `None` if the mesh does not have both.
+    #[must_use]
+    pub fn vertices(&self, mesh: &TriangleMesh) -> Option<([u32; 2], [u32; 3])> {
+        let ends = mesh.edges().get(self.edge as usize)?;
+        Some((*ends, *mesh.faces().get(self.face as usize)?))
+    }
+
+    /// The error of a step that begins with this crossing; the vertices are 0 if the mesh does not have both.
+    #[must_use]
+    pub fn crossing(&self, mesh: &TriangleMesh) -> StepError {
+        let &Self { edge, face } = self;
+        let (ends, corners) = self.vertices(mesh).unwrap_or_default();
+        StepError::Crossing {
+            edge,
+            ends,
+            face,
+            corners,
+        }
+    }
 }
 
 /// The reason why a mesh cannot be searched for intersections.
@@ -133,6 +157,42 @@ pub fn intersections(
     broad_phase: &dyn BroadPhase,
     options: &IntersectionOptions,
 ) -> Result<Vec<Intersection>, IntersectionsError> {
+    let (step, primitives) = at_rest(mesh, positions, options)?;
+    Ok(intersections_at_start(&step, &primitives, broad_phase, options))
+}
+
+/// Returns true if a pair of [`intersections`] counts. Pairs are given to `counts` in no order, by several
+/// threads, and the search ends with the first that does.
+///
+/// # Errors
+/// As [`intersections`].
+pub fn has_intersections(
+    mesh: &TriangleMesh,
+    positions: &[Point],
+    broad_phase: &dyn BroadPhase,
+    options: &IntersectionOptions,
+    counts: &(dyn Fn(Intersection) -> bool + Sync),
+) -> Result<bool, IntersectionsError> {
+    let (step, primitives) = at_rest(mesh, positions, options)?;
+    let is_found = AtomicBool::new(false);
+    search(&step, &primitives, broad_phase, options, &|pairs| {
+        let is_one = pairs
+            .iter()
+            .any(|&[edge, face]| counts(Intersection { edge, face }));
+        if is_found.fetch_or(is_one, Ordering::Relaxed) || is_one {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    });
+    Ok(is_found.into_inner())
+}
+
+/// The step in which all vertices stay, and the primitives, which have begun it.
+fn at_rest<'a>(
+    mesh: &'a TriangleMesh,
+    positions: &'a [Point],
+    options: &IntersectionOptions,
+) -> Result<(Step<'a>, Primitives), IntersectionsError> {
     for count in [mesh.edges().len(), mesh.faces().len()] {
         check_primitive_count(count)?;
     }
@@ -140,7 +200,7 @@ pub fn intersections(
     let step = Step::at_rest(mesh, positions);
     let mut primitives = Primitives::default();
     primitives.begin(&step, &options.can_collide);
-    Ok(intersections_at_start(&step, &primitives, broad_phase, options))
+    Ok((step, primitives))
 }
 
 /// The [`intersections`] at the start of a step, of primitives that have begun it.
@@ -150,6 +210,22 @@ pub(super) fn intersections_at_start(
     broad_phase: &dyn BroadPhase,
     options: &IntersectionOptions,
 ) -> Vec<Intersection> {
+    let collector = PairCollector::default();
+    search(step, primitives, broad_phase, options, &|pairs| {
+        collector.add(pairs.iter().copied())
+    });
+    let pairs = collector.into_sorted().into_iter();
+    pairs.map(|[edge, face]| Intersection { edge, face }).collect()
+}
+
+/// Gives the pairs of an edge and a face that meet and share no vertex to a sink.
+fn search(
+    step: &Step<'_>,
+    primitives: &Primitives,
+    broad_phase: &dyn BroadPhase,
+    options: &IntersectionOptions,
+    sink: &PairSink<'_>,
+) {
     let (mesh, [positions, _]) = (step.mesh(), step.positions());
     let (edges, faces) = (mesh.edges(), mesh.faces());
     let point = |vertex: u32| positions[vertex as usize];
@@ -167,18 +243,16 @@ pub(super) fn intersections_at_start(
                 && do_meet(ends.map(point), corners.map(point))
         })
     };
-    let collector = PairCollector::default();
     // All on threads of the pool: entering it from outside costs a context switch each time.
     let _ = rayon::scope(|_| {
         let mut boxes = StepBoxes::<1>::default();
         boxes.place_at_start(step, primitives, [PrimitiveSet::Edges, PrimitiveSet::Faces]);
         let [of_edges, of_faces] = [PrimitiveSet::Edges, PrimitiveSet::Faces].map(|set| boxes.get(set));
         broad_phase.between(of_edges, of_faces, &|pairs| {
-            collector.add(pairs.iter().copied().filter(meet))
+            let pairs: Vec<_> = pairs.iter().copied().filter(meet).collect();
+            sink(&pairs)
         })
     });
-    let pairs = collector.into_sorted().into_iter();
-    pairs.map(|[edge, face]| Intersection { edge, face }).collect()
 }
 
 /// Returns true if an edge passes through the interior of a face.

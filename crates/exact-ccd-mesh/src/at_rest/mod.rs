@@ -4,6 +4,8 @@
 mod intersections;
 mod start_check;
 
-pub use intersections::{Intersection, IntersectionOptions, IntersectionsError, Meeting, intersections};
+pub use intersections::{
+    Intersection, IntersectionOptions, IntersectionsError, Meeting, has_intersections, intersections,
+};
 
 pub(crate) use start_check::StartCheck;

@@ -59,13 +59,8 @@ impl StartCheck {
         let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
         let options = options.with_can_collide(can_collide.clone());
         let crossings = intersections_at_start(step, primitives, broad_phase, &options);
-        if let Some(&crossing) = crossings.first() {
-            return Err(StepError::Crossing {
-                edge: crossing.edge,
-                ends: mesh.edges()[crossing.edge as usize],
-                face: crossing.face,
-                corners: mesh.faces()[crossing.face as usize],
-            });
+        if let Some(first) = crossings.first() {
+            return Err(first.crossing(mesh));
         }
         self.start = x0.to_vec();
         Ok(())

@@ -6,7 +6,8 @@ mod oracle;
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
     AllPairs, Audit, Bvh, CanCollide, Frame, Intersection, IntersectionOptions, IntersectionsError, Meeting,
-    MotionError, Point, PositionsError, StepError, Sweep, TriangleMesh, Violation, intersections, step,
+    MotionError, Point, PositionsError, StepError, Sweep, TriangleMesh, Violation, has_intersections,
+    intersections, step,
 };
 use proptest::prelude::*;
 
@@ -85,6 +86,20 @@ proptest! {
         prop_assert_eq!(&intersections(&mesh, &x, &Sweep, &touching()).unwrap(), &found);
         prop_assert_eq!(&intersections(&mesh, &x, &AllPairs, &touching()).unwrap(), &found);
         prop_assert_eq!(intersections(&mesh, &x, &Bvh, &touching()).unwrap(), found);
+    }
+
+    #[test]
+    fn any_intersection_is_one_of_all(mesh in mesh(30, 10..30), x in positions(30, -1.0..1.0), face in 0..30u32) {
+        let all = intersections(&mesh, &x, &Bvh, &touching()).unwrap();
+        let is_any = |counts: &(dyn Fn(Intersection) -> bool + Sync)| {
+            has_intersections(&mesh, &x, &Bvh, &touching(), counts).unwrap()
+        };
+        prop_assert_eq!(is_any(&|_| true), !all.is_empty());
+        let counts = |pair: Intersection| pair.face == face;
+        prop_assert_eq!(is_any(&counts), all.iter().any(|&pair| counts(pair)));
+        prop_assert!(!is_any(&|pair| !all.contains(&pair)));
+        let outside = Intersection { edge: 0, face: mesh.faces().len() as u32 };
+        prop_assert_eq!(outside.vertices(&mesh), None);
     }
 
     /// Crossings are intersections, and any other intersection touches at the start of a step.
