@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import exact_ccd
-from exact_ccd import Detector, Mesh, Queries
+from exact_ccd import Detector, Mesh, Queries, ipc
 from generated import of_points, queries
 from test_meshes import FACES, two_triangles
 
@@ -46,6 +46,45 @@ def test_tensors_that_are_refused() -> None:
         Queries("vf", x, Tensor(x, device=2))
     with pytest.raises(TypeError, match="x0 cannot be read by DLPack: no such type"):
         Queries("vf", Tensor(x.astype(complex)), x)
+
+
+ENDS = two_triangles(1.0), two_triangles(-1.0)
+EDGES = np.array([[0, 1], [1, 2], [0, 2], [3, 4], [4, 5], [3, 5]])
+STEP = {
+    "positions": lambda of: ipc.compute_collision_free_stepsize(Mesh(6, FACES), *map(of, ENDS)),
+    "positions at rest": lambda of: ipc.has_intersections(Mesh(6, FACES), of(ENDS[1])),
+    "candidates": lambda of: ipc.Candidates().build(Mesh(6, FACES), of(ENDS[0]), of(ENDS[1])),
+    "rest positions": lambda of: ipc.CollisionMesh(of(ENDS[0]), EDGES, FACES).dim,
+    "distances": lambda of: exact_ccd.audit(ENDS, FACES, min_distance=of(np.ones(6))).is_free,
+    "distances of half spaces": lambda of: exact_ccd.audit(
+        [ENDS[0]], FACES, half_spaces=[[[0, 0, -1], [0, 0, 1]]], min_distance=of(np.ones(6))
+    ).violation.half_space,
+    "frames": lambda of: exact_ccd.audit([of(end) for end in ENDS], FACES).violation.contact.time,
+}
+
+
+@pytest.mark.parametrize("name", STEP)
+def test_every_argument_is_read_in_one_way(name: str) -> None:
+    assert STEP[name](Tensor) == STEP[name](np.array)
+    with pytest.raises(TypeError, match="is a masked array"):
+        STEP[name](np.ma.array)
+
+
+def test_masked_points_of_a_pair() -> None:
+    with pytest.raises(TypeError, match="points is a masked array"):
+        ipc.point_point_ccd(np.ma.array([0.0, 0, 0], mask=[1, 0, 0]), [1, 0, 0], [1, 0, 0], [0, 0, 0])
+
+
+def test_a_view_that_cannot_be_written_to_is_copied() -> None:
+    """Its numbers may change by the array that it is a view of."""
+    groups, thickness = np.zeros(6, np.uint32), np.zeros(6)
+    views = [groups.view(), thickness.view()]
+    for view in views:
+        view.flags.writeable = False
+    detector = Detector(Mesh(6, FACES, groups=views[0]), min_distance=views[1])
+    groups[:], thickness[:] = 7, 1.0
+    assert detector.mesh.groups.tolist() == [0] * 6
+    assert detector == Detector(Mesh(6, FACES, groups=[0] * 6), min_distance=[0.0] * 6)
 
 
 def test_results_are_tensors() -> None:

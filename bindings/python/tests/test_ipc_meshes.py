@@ -45,7 +45,6 @@ def test_all_kinds_of_meshes_are_one() -> None:
                     ipc.compute_collision_free_stepsize(mesh, x0, x1),
                     ipc.is_step_collision_free(mesh, x0, x1, 0.01),
                     ipc.has_intersections(mesh, x1),
-                    ipc.is_step_collision_free(mesh, x0[:, :2], x1[:, :2]),
                     candidates.is_step_collision_free(mesh, x0, x1),
                     # The edges of a Mesh have another order.
                     sorted(map(len, (candidates.vv_candidates, candidates.ev_candidates))),

@@ -9,7 +9,9 @@ from typing import Optional
 import numpy as np
 import pytest
 
+import exact_ccd
 from exact_ccd import Queries, ipc
+from exact_ccd.ipc import steps
 from plane import first_meeting
 
 
@@ -113,6 +115,59 @@ def test_random_steps_in_space() -> None:
         free += expected is None
         check(mesh, x0, x1, expected)
     assert 20 < free < 280
+
+
+def test_the_size_1_is_that_of_the_end_itself() -> None:
+    """Vertex 3 touches the face at t = 1; the sum x0 + (x1 - x0) is rounded to the side where it begins."""
+    height = 1e-17
+    x0 = np.array([[0, 0, height], [1, 0, height], [0, 1, height], [0.25, 0.25, -1]])
+    x1 = x0.copy()
+    x1[3, 2] = height
+    mesh = SimpleNamespace(num_vertices=4, edges=np.array([[0, 1], [1, 2], [2, 0]]), faces=np.array([[0, 1, 2]]))
+    candidates = ipc.Candidates()
+    candidates.build(mesh, x0, x1)
+    for way in (ipc, candidates):
+        assert not way.is_step_collision_free(mesh, x0, x1)
+        size = way.compute_collision_free_stepsize(mesh, x0, x1, conservative_rescaling=1.0)
+        assert size == np.nextafter(1.0, 0.0)
+
+
+def test_positions_of_another_dimension() -> None:
+    x, flat = np.zeros((2, 3)), np.zeros((2, 2))
+    meshes = [ipc.CollisionMesh(x), SimpleNamespace(num_vertices=2, edges=[], faces=[])]
+    for mesh, ends, message in (
+        (meshes[0], (flat, flat), "vertices_t0 has 2 columns, expected 3"),
+        (meshes[1], (flat, x), "vertices_t1 has 3 columns, expected 2"),
+        (meshes[1], (x, flat), "vertices_t1 has 2 columns, expected 3"),
+        (ipc.CollisionMesh(flat), (x, x), "vertices_t0 has 3 columns, expected 2"),
+    ):
+        for call in (ipc.is_step_collision_free, ipc.compute_collision_free_stepsize, ipc.Candidates().build):
+            with pytest.raises(ValueError, match=message):
+                call(mesh, *ends)
+    with pytest.raises(ValueError, match="vertices_t0 has 2 columns, expected 3"):
+        ipc.has_intersections(meshes[0], flat)
+
+
+def test_detectors_are_kept() -> None:
+    """By the distance, without a rule if the mesh has none; at most some of each mesh."""
+    mesh = ipc.CollisionMesh(np.zeros((2, 3)))
+    x0 = np.array([[0.0, 0, 0], [4, 0, 0]])
+
+    def detector(distance: float, x: np.ndarray = x0) -> exact_ccd.Detector:
+        ipc.is_step_collision_free(mesh, x, x, distance)
+        return steps._detector(mesh, distance)
+
+    contact, near = detector(0.0), detector(0.25)
+    assert detector(0.0) is contact and detector(0.25) is near is not contact
+    assert contact.mesh.can_collide is None
+    mesh.can_collide = lambda i, j: False
+    assert detector(0.0) is not contact and not steps.has_intersections(mesh, x0)
+    assert ipc.is_step_collision_free(mesh, x0, x0[::-1])
+    mesh.can_collide = None
+    assert not ipc.is_step_collision_free(mesh, x0, x0[::-1]) and detector(0.0) is contact
+    for distance in range(1, 9):
+        detector(distance)
+    assert detector(8.0) is detector(8.0) and detector(0.0) is not contact
 
 
 def test_a_rod_that_folds_through_its_neighbour() -> None:

@@ -11,9 +11,10 @@ optionally, ``can_collide``; ipctk itself is not needed. Positions have two or t
 Where they differ from ipctk:
 
 - Step sizes and times are the exact time of contact, times ``conservative_rescaling``: 0.9 by default, because
-  at the exact time itself the primitives touch. The size is computed for all vertices, and the straight motion to
-  the rounded positions ``x0 + size * (x1 - x0)`` has been decided to be free of contact. With 1, it is as near
-  to the contact as rounding permits. The built-in method of ipctk keeps a distance of
+  at the exact time itself the primitives touch. For a size below 1, the straight motion to the rounded positions
+  ``x0 + size * (x1 - x0)`` has been decided to be free of contact; with 1, that to ``x1``: take ``x1``, not the
+  sum. With a factor of 1, the size is as near to the contact as rounding permits. The built-in method of ipctk
+  keeps a distance of
   ``min(0.2 * d, 1e-4)`` instead, d being the distance at the start.
 - `broad_phase` is accepted and has no effect, as every pair that touches is found. A `narrow_phase_ccd` has no
   effect either, unless it is an :class:`ExactCCD`: its ``conservative_rescaling`` is taken.

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._arrays import Floats, Indices, number
+from .._arrays import Floats, Indices, as_array, number
 from ..queries import Kind, Queries
 from .primitives import AnyMesh, SurfaceMesh, ends, primitives, rule_of, surface
 from .rescaling import choose_rescaling
@@ -86,12 +86,12 @@ class Candidates:
         broad_phase : object
             Accepted as in ipctk, without effect.
         """
-        if vertices_t1 is not None and np.ndim(vertices_t1) == 0:
+        if vertices_t1 is not None and as_array("vertices_t1", vertices_t1).ndim == 0:
             # The form without the end: build(mesh, vertices, inflation_radius).
             inflation_radius, vertices_t1 = number("inflation_radius", vertices_t1), None
         radius = check_distance("inflation_radius", inflation_radius)
         given = surface(mesh)
-        x0, x1 = ends(given, vertices_t0, vertices_t0 if vertices_t1 is None else vertices_t1)
+        x0, x1, dim = ends(given, vertices_t0, vertices_t0 if vertices_t1 is None else vertices_t1)
         every = primitives(given)
         self.clear()
 
@@ -107,10 +107,9 @@ class Candidates:
             self._pairs[kind] = np.hstack([of_first[ids[:, 0]], of_second[ids[:, 1]]])
 
         vertices, edges, faces = (_all(rows) for rows in every[:3])
-        is_flat = np.shape(vertices_t0)[1] == 2
         loose, rods = every.loose_vertices, every.loose_edges
         add("vv", loose, loose, every.vertices, every.vertices)
-        if is_flat:
+        if dim == 2:
             add("ve", vertices, edges, every.vertices, every.edges)
         else:
             add("ve", loose, rods, every.vertices, every.edges)
@@ -200,7 +199,8 @@ class Candidates:
             True if the step is free.
         """
         given = surface(mesh)
-        return self._earliest(given, *ends(given, vertices_t0, vertices_t1), min_distance) is None
+        x0, x1, _ = ends(given, vertices_t0, vertices_t1)
+        return self._earliest(given, x0, x1, min_distance) is None
 
     def compute_collision_free_stepsize(
         self,
@@ -225,14 +225,16 @@ class Candidates:
         """
         rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
         given = surface(mesh)
-        x0, x1 = ends(given, vertices_t0, vertices_t1)
+        x0, x1, _ = ends(given, vertices_t0, vertices_t1)
         time = self._earliest(given, x0, x1, min_distance)
         if time is None:
             return 1.0
         size = whole = rescaling * time
         retreat = whole - np.nextafter(whole, 0.0)
         while size > 0.0:
-            if self._earliest(given, x0, x0 + size * (x1 - x0), min_distance) is None:
+            # At 1 the positions are those given: the sum is rounded.
+            x = x0 + size * (x1 - x0) if size < 1.0 else x1
+            if self._earliest(given, x0, x, min_distance) is None:
                 return size
             size, retreat = float(whole - retreat), 2.0 * retreat
         return 0.0

@@ -9,11 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._arrays import Floats, Indices, floats, frozen, indices
+from .pairs import coordinates
 from .primitives import edges as edges_of, primitives
 
 
 class CollisionMesh:
-    """A mesh in two or three dimensions, with the constructor and the attributes of ``ipctk.CollisionMesh``.
+    """A mesh in two or three dimensions, with the constructor of ``ipctk.CollisionMesh`` and some of its attributes.
+
+    The attributes are those that collision detection needs.
 
     Parameters
     ----------
@@ -49,9 +52,7 @@ class CollisionMesh:
     ) -> None:
         if displacement_map is not None:
             raise ValueError("displacement_map is not supported: give positions to which it has been applied")
-        array = np.asarray(rest_positions)
-        dim = array.shape[1] if array.ndim == 2 and array.shape[1] == 2 else 3
-        self._rest: Floats = frozen(floats("rest_positions", array, (None, dim)))
+        self._rest: Floats = frozen(coordinates("rest_positions", rest_positions))
         self._faces: Indices = frozen(indices("faces", [] if faces is None else faces, (None, 3)))
         own = edges_of(self._faces) if edges is None else edges
         self._edges: Indices = frozen(indices("edges", own, (None, 2)))

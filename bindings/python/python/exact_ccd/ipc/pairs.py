@@ -6,9 +6,9 @@ from math import inf, isnan
 from typing import Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from .._arrays import floats, number
+from .._arrays import Floats, as_array, floats, number
 from ..queries import Kind, Queries
 from .rescaling import CONSERVATIVE_RESCALING, check_rescaling
 
@@ -21,20 +21,22 @@ def _ccd(
     distance, last = number("min_distance", min_distance), number("tmax", tmax)
     if isnan(last):
         raise ValueError("tmax is nan, expected a number")
-    x = three_dimensional("points", points)
+    x = in_space(coordinates("points", points))
     half = len(x) // 2
     query = Queries(kind, x[None, :half], x[None, half:])
     (time,) = query.time_of_impact(separation=distance, until=last).tolist()
     return (False, inf) if isnan(time) else (True, conservative_rescaling * time)
 
 
-def three_dimensional(name: str, points: Union[ArrayLike, tuple[ArrayLike, ...]]) -> NDArray[np.float64]:
+def in_space(x: Floats) -> Floats:
     """The points with z = 0 if they have two coordinates."""
-    array = np.asarray(points)
-    if array.ndim == 2 and array.shape[1] == 2:
-        flat = floats(name, array, (None, 2))
-        return np.hstack([flat, np.zeros((len(flat), 1))])
-    return floats(name, array, (None, 3))
+    return np.hstack([x, np.zeros((len(x), 1))]) if x.shape[1] == 2 else x
+
+
+def coordinates(name: str, points: Union[ArrayLike, tuple[ArrayLike, ...]]) -> Floats:
+    """The points, each with its two or three coordinates."""
+    array = as_array(name, points)
+    return floats(name, array, (None, 2 if array.ndim == 2 and array.shape[1] == 2 else 3))
 
 
 def point_point_ccd(

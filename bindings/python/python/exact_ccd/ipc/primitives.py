@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .._arrays import Floats, Indices, indices
 from ..meshes import Mesh
-from .pairs import three_dimensional
+from .pairs import coordinates, in_space
 
 
 class SurfaceMesh(Protocol):
@@ -115,16 +115,19 @@ def _numbers(edges: NDArray[np.uint32]) -> NDArray[np.uint64]:
     return numbers
 
 
-def ends(mesh: SurfaceMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike) -> tuple[Floats, Floats]:
-    """The positions at both ends, with z = 0 in two dimensions."""
+def ends(mesh: SurfaceMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike) -> tuple[Floats, Floats, int]:
+    """The positions at both ends, with z = 0 in two dimensions, and the number of dimensions: that of the mesh."""
     if len(getattr(mesh, "planes", ())):
         raise ValueError("static planes are not supported: add triangles in their place")
-    x0 = three_dimensional("vertices_t0", vertices_t0)
-    x1 = three_dimensional("vertices_t1", vertices_t1)
+    x0, x1 = coordinates("vertices_t0", vertices_t0), coordinates("vertices_t1", vertices_t1)
+    columns: int = x0.shape[1]
+    dim: int = getattr(mesh, "dim", columns)
     for name, x in (("vertices_t0", x0), ("vertices_t1", x1)):
         if len(x) != mesh.num_vertices:
             raise ValueError(f"{name} has {len(x)} rows, expected one for each of {mesh.num_vertices} vertices")
-    return x0, x1
+        if x.shape[1] != dim:
+            raise ValueError(f"{name} has {x.shape[1]} columns, expected {dim}")
+    return in_space(x0), in_space(x1), dim
 
 
 def rule_of(mesh: SurfaceMesh) -> Optional[Callable[[int, int], object]]:

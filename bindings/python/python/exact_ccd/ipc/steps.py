@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import weakref
 from collections.abc import Callable
-from typing import NamedTuple, Optional
+from typing import Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -57,10 +57,9 @@ def is_step_collision_free(
     >>> is_step_collision_free(mesh, x0, x0 - [0, 0, 2] * (np.arange(4) == 3)[:, None])
     False
     """
-    x0, x1 = ends(surface(mesh), vertices_t0, vertices_t1)
-    detector = _detector(mesh, vertices_t0, min_distance)
-    if detector is not None:
-        return not detector.collides(x0, x1)
+    x0, x1, dim = ends(surface(mesh), vertices_t0, vertices_t1)
+    if dim == 3:
+        return not _detector(mesh, min_distance).collides(x0, x1)
     candidates = _candidates(mesh, vertices_t0, vertices_t1, min_distance)
     return candidates.is_step_collision_free(mesh, vertices_t0, vertices_t1, min_distance)
 
@@ -92,7 +91,8 @@ def compute_collision_free_stepsize(
     float
         1 if the whole step is free; 0 if no positive size is certified, because the mesh touches itself at
         the start, or within the smallest float64 of it. Otherwise the motion to
-        ``vertices_t0 + size * (vertices_t1 - vertices_t0)``, rounded, is free of contact.
+        ``vertices_t0 + size * (vertices_t1 - vertices_t0)``, rounded, is free of contact. With 1, take
+        ``vertices_t1``, not the sum.
 
     Examples
     --------
@@ -103,10 +103,9 @@ def compute_collision_free_stepsize(
     0.45
     """
     rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
-    x0, x1 = ends(surface(mesh), vertices_t0, vertices_t1)
-    detector = _detector(mesh, vertices_t0, min_distance)
-    if detector is not None:
-        return detector.free_step(x0, x1, keep=rescaling).size
+    x0, x1, dim = ends(surface(mesh), vertices_t0, vertices_t1)
+    if dim == 3:
+        return _detector(mesh, min_distance).free_step(x0, x1, keep=rescaling).size
     return _candidates(mesh, vertices_t0, vertices_t1, min_distance).compute_collision_free_stepsize(
         mesh, vertices_t0, vertices_t1, min_distance, conservative_rescaling=rescaling
     )
@@ -132,9 +131,9 @@ def has_intersections(mesh: AnyMesh, vertices: ArrayLike, broad_phase: object = 
         True if it does.
     """
     given = surface(mesh)
-    x, _ = ends(given, vertices, vertices)
-    if np.shape(vertices)[1] == 3:
-        return len(_known(mesh).detector.intersections(x)) > 0
+    x, _, dim = ends(given, vertices, vertices)
+    if dim == 3:
+        return _detector(mesh, 0.0)._native.has_intersections(x[None])
     edges = primitives(given).edges
     pairs = _native.overlaps(edges, edges, x, x, 0.0, None)
     pairs = pairs[pairs[:, 0] < pairs[:, 1]]
@@ -154,55 +153,49 @@ def _candidates(
     return candidates
 
 
-def _detector(mesh: AnyMesh, vertices: ArrayLike, min_distance: float) -> Optional[Detector]:
-    """The detector of a mesh in three dimensions."""
-    if np.shape(vertices)[1] == 2:
-        return None
-    known, distance = _known(mesh), check_distance("min_distance", min_distance)
-    return known.detector if distance == 0.0 else Detector(known.mesh, min_distance=distance)
-
-
-class _Known(NamedTuple):
-    """A mesh, and its detector for contact."""
-
-    mesh: Mesh
-    detector: Detector
-
-
 class _Cache(threading.local):
-    """The meshes that a thread has seen: their faces and edges never change."""
+    """The detectors of the meshes that a thread has seen, whose faces and edges never change."""
 
     def __init__(self) -> None:
-        self.known = weakref.WeakKeyDictionary[AnyMesh, _Known]()
+        self.detectors = weakref.WeakKeyDictionary[AnyMesh, dict[tuple[float, bool], Detector]]()
 
 
 _cache = _Cache()
 
+_MOST_DETECTORS = 4
+"""The number of detectors that are kept for each mesh: the last ones in use."""
 
-def _known(mesh: AnyMesh) -> _Known:
+
+def _detector(mesh: AnyMesh, min_distance: float) -> Detector:
+    """The detector of a mesh in three dimensions."""
+    key = check_distance("min_distance", min_distance), rule_of(surface(mesh)) is not None
     is_kept = isinstance(mesh, (Mesh, CollisionMesh)) or type(mesh).__module__.split(".")[0] == "ipctk"
     if not is_kept:
-        return _new(surface(mesh), lambda: surface(mesh))
-    if mesh not in _cache.known:
-        # Not kept alive by its own detector.
-        _cache.known[mesh] = _of_mesh(mesh) if isinstance(mesh, Mesh) else _new(mesh, weakref.ref(mesh))
-    return _cache.known[mesh]
+        return _new(mesh, lambda: mesh, *key)
+    kept = _cache.detectors.setdefault(mesh, {})
+    found = kept.pop(key, None)
+    # The mesh is not kept alive by its own detector.
+    detector = kept[key] = found or _new(mesh, weakref.ref(mesh), *key)
+    if len(kept) > _MOST_DETECTORS:
+        del kept[next(iter(kept))]
+    return detector
 
 
-def _of_mesh(mesh: Mesh) -> _Known:
-    """A mesh of this package, as another object with the same compiled part."""
-    twin = object.__new__(Mesh)
-    twin.__dict__.update(mesh.__dict__)
-    return _Known(twin, Detector(twin))
+def _new(
+    mesh: AnyMesh, reference: Callable[[], Optional[AnyMesh]], distance: float, has_rule: bool
+) -> Detector:
+    if isinstance(mesh, Mesh):
+        # Another object with the same compiled part.
+        own = object.__new__(Mesh)
+        own.__dict__.update(mesh.__dict__)
+        return Detector(own, min_distance=distance)
 
-
-def _new(mesh: SurfaceMesh, reference: Callable[[], Optional[SurfaceMesh]]) -> _Known:
     def can_collide(v: int, w: int) -> object:
         # The rule of a mesh may be replaced between two calls.
         now = reference()
-        rule = None if now is None else rule_of(now)
+        rule = None if now is None else rule_of(surface(now))
         return rule is None or rule(v, w)
 
     every = primitives(mesh)
-    rules = Mesh(mesh.num_vertices, every.faces, every.edges, can_collide=can_collide)
-    return _Known(rules, Detector(rules))
+    rule = can_collide if has_rule else None
+    return Detector(Mesh(mesh.num_vertices, every.faces, every.edges, can_collide=rule), min_distance=distance)
