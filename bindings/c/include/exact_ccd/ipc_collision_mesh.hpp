@@ -56,9 +56,9 @@ public:
     }
 
     /// As ipc::compute_collision_free_stepsize: 1 if the step is free, else a size of at most the exact time
-    /// of impact multiplied by `conservative_rescaling`, which is above 0 and at most 1. The motion to the
-    /// positions x0 + size * (x1 - x0), each operation rounded, is certified to be free of contact. The size is
-    /// 0 if no positive one is certified.
+    /// of impact multiplied by `conservative_rescaling`, which is above 0 and at most 1. For a size below 1,
+    /// the motion to x0 + size * (x1 - x0), each operation rounded, is certified to be free of contact; with 1,
+    /// that to x1: take x1, not the sum. The size is 0 if no positive one is certified.
     double compute_collision_free_stepsize(
         Eigen::ConstRef<Eigen::MatrixXd> vertices_t0,
         Eigen::ConstRef<Eigen::MatrixXd> vertices_t1,
