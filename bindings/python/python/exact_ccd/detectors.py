@@ -125,8 +125,9 @@ class Detector(Searcher):
     Notes
     -----
     Positions are arrays of shape (V, 3), at t = 0 and at t = 1. float64 and float32 with any strides are read
-    where they are. All methods raise ValueError if there is not one position for each vertex, or if one is
-    not finite, CrossingError with `start_check`, and KeyboardInterrupt after Ctrl-C.
+    where they are, and must not be changed by another thread meanwhile. All methods raise ValueError if there
+    is not one position for each vertex, or if one is not finite, CrossingError with `start_check`, and
+    KeyboardInterrupt after Ctrl-C.
 
     A contact is that of a vertex and a face, of two edges, or of points and rods. An edge that pierces a face
     at rest, away from its boundary, is none of these: a step from such a start may be free of contact, and

@@ -97,8 +97,8 @@ class Worlds(Searcher):
     Notes
     -----
     Positions are arrays of shape (W, V, 3), at t = 0 and at t = 1. float64 and float32 with any strides are
-    read where they are. The exceptions are those of a :class:`Detector`; the message names the first world
-    that is wrong.
+    read where they are, and must not be changed by another thread meanwhile. The exceptions are those of a
+    :class:`Detector`; the message names the first world that is wrong.
 
     Examples
     --------
