@@ -2,13 +2,13 @@
 // with their times, bit for bit; the certified step ends before the first.
 
 #include <cstring>
-#include <map>
 #include <optional>
 
 #include <exact_ccd.hpp>
 
 #include "check.h"
 #include "ply.hpp"
+#include "times.hpp"
 
 namespace {
 
@@ -26,10 +26,6 @@ struct Pair {
 };
 
 // The first time, where it is published.
-struct Time {
-    double value;
-    bool is_exact;
-};
 using Verdict = std::optional<std::optional<Time>>;
 
 std::string text(const fs::path& file)
@@ -77,27 +73,6 @@ std::vector<bool> read_verdicts(const fs::path& file)
         }
     }
     return verdicts;
-}
-
-std::map<std::size_t, Time> read_times(const fs::path& file)
-{
-    std::map<std::size_t, Time> times;
-    std::istringstream lines(text(file));
-    std::string line;
-    std::getline(lines, line);
-    while (std::getline(lines, line)) {
-        std::istringstream row(line);
-        std::size_t query = 0, count = 0;
-        char comma = 0;
-        std::string time;
-        bool is_exact = false;
-        row >> query >> comma >> count >> comma;
-        std::getline(row, time, ',');
-        row >> is_exact;
-        CHECK(row);
-        times[query] = {std::strtod(time.c_str(), nullptr), is_exact};
-    }
-    return times;
 }
 
 fs::path only(const fs::path& folder, const std::string& end)

@@ -1,26 +1,15 @@
 // All queries of `separation` in the published data, with their truth: verdict, number of intervals, first time
 // and its exactness, bit for bit, query by query and as batches.
 
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
-
 #include <exact_ccd.hpp>
 
 #include "check.h"
+#include "times.hpp"
 
 namespace {
 
 using exact_ccd::Kind;
 using exact_ccd::Point;
-
-struct Truth {
-    std::size_t count = 0;
-    double time = NAN;
-    bool is_exact = false;
-};
 
 // A coordinate as numerator and denominator, which is a double: the quotient of two integers, whose
 // range is that of long double.
@@ -31,29 +20,6 @@ double coordinate(std::istream& line)
     CHECK(std::getline(line, numerator, ',') && std::getline(line, denominator, ','));
     return static_cast<double>(std::strtold(numerator.c_str(), nullptr)
                                / std::strtold(denominator.c_str(), nullptr));
-}
-
-std::map<std::size_t, Truth> read_truth(const std::filesystem::path& file)
-{
-    std::ifstream input(file);
-    CHECK(input);
-    std::map<std::size_t, Truth> truth;
-    std::string line;
-    std::getline(input, line);
-    while (std::getline(input, line)) {
-        std::istringstream row(line);
-        std::size_t query = 0;
-        char comma = 0;
-        std::string time;
-        Truth answer;
-        row >> query >> comma >> answer.count >> comma;
-        std::getline(row, time, ',');
-        answer.time = std::strtod(time.c_str(), nullptr);
-        row >> answer.is_exact;
-        CHECK(row);
-        truth[query] = answer;
-    }
-    return truth;
 }
 
 // The queries of a file; returns their number.
@@ -75,7 +41,7 @@ std::size_t compare(const std::filesystem::path& file, Kind kind, double min_dis
     CHECK(x0.size() == x1.size() && x0.size() % n == 0 && !x0.empty());
 
     auto times_name = file;
-    const auto truth = read_truth(times_name.replace_extension(".times.csv"));
+    const auto published = read_times(times_name.replace_extension(".times.csv"));
     std::vector<std::uint32_t> vertices(x0.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         vertices[i] = static_cast<std::uint32_t>(i);
@@ -84,8 +50,8 @@ std::size_t compare(const std::filesystem::path& file, Kind kind, double min_dis
 
     for (std::size_t query = 0; query < times.size(); ++query) {
         const exact_ccd::Points t0(x0[n * query].data(), n), t1(x1[n * query].data(), n);
-        const auto expected = truth.find(query);
-        const bool is_hit = expected != truth.end();
+        const auto expected = published.find(query);
+        const bool is_hit = expected != published.end();
         CHECK(exact_ccd::collides(kind, t0, t1, min_distance) == is_hit);
         const auto impact = exact_ccd::impact(kind, t0, t1, min_distance);
         CHECK(impact.has_value() == is_hit && std::isnan(times[query]) != is_hit);
@@ -94,10 +60,10 @@ std::size_t compare(const std::filesystem::path& file, Kind kind, double min_dis
             CHECK(intervals.empty());
             continue;
         }
-        const Truth& answer = expected->second;
-        CHECK(impact->time == answer.time && impact->time_is_exact == answer.is_exact);
-        CHECK(times[query] == answer.time);
-        CHECK(intervals.size() == answer.count && intervals.front().start == answer.time);
+        const Time& answer = expected->second;
+        CHECK(impact->time == answer.value && impact->time_is_exact == answer.is_exact);
+        CHECK(times[query] == answer.value);
+        CHECK(intervals.size() == answer.count && intervals.front().start == answer.value);
     }
     return times.size();
 }
