@@ -1,6 +1,6 @@
 # Installs the library, moves the installed tree, and compiles the program of docs/c.md against it: by
 # pkg-config, shared and static, by the commands of that page, and as a CMake package. The prefix is not the
-# configured one, and no option names it.
+# configured one, and no option names it. And adds its folder to the project of another.
 
 set(first "${BUILD}/installed first")
 set(prefix "${BUILD}/installed and moved")
@@ -80,3 +80,15 @@ execute_process(COMMAND "${CMAKE_COMMAND}" -S "${work}" -B "${work}/build" "-DCM
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${work}/build/user" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 check_output("${output}")
+
+# The project of another, which has no option of tests that it has not asked for.
+file(WRITE "${work}/host/CMakeLists.txt" "
+cmake_minimum_required(VERSION 3.21)
+project(host LANGUAGES C CXX)
+add_subdirectory([[${SOURCE}]] exact_ccd)
+if(DEFINED CACHE{BUILD_TESTING})
+    message(FATAL_ERROR \"exact_ccd sets BUILD_TESTING in the project of another\")
+endif()
+")
+execute_process(COMMAND "${CMAKE_COMMAND}" -S "${work}/host" -B "${work}/host/build"
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

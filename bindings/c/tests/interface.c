@@ -24,6 +24,7 @@ static const double FACE_END[12] = {0.25, 0.25, -1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 static void versions(void)
 {
+    // The sources, and the header, by which CMake and cargo name the shared library.
     CHECK(exact_ccd_abi_version() == EXACT_CCD_ABI_VERSION);
     CHECK(strlen(exact_ccd_version()) >= 5);
 }
