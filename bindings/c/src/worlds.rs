@@ -1,5 +1,7 @@
 //! Steps of many worlds, which have one mesh and positions of their own.
 
+use std::sync::{Mutex, PoisonError};
+
 use exact_ccd::Point;
 use rayon::prelude::*;
 
@@ -42,20 +44,24 @@ impl<'a> Worlds<'a> {
     }
 
     /// The results of `work` for the positions of each world, or the error of the first world that has
-    /// one. A thread keeps a detector from world to world.
+    /// one. There are as many detectors as worlds at a time.
     fn each<T: Send>(
         &self,
         work: impl Fn(&mut exact_ccd_mesh::Detector, &'a [Point], &'a [Point]) -> Result<T, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
-        let own = || self.detector.inner.clone();
-        let answer = |detector: &mut exact_ccd_mesh::Detector, world: usize| {
+        let idle = Mutex::new(Vec::new());
+        let idle = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let answer = |world: usize| {
+            let own = idle().pop();
+            let mut detector = own.unwrap_or_else(|| self.detector.inner.clone());
             let of_world = |x: &'a [Point]| &x[world * self.vertex_count..][..self.vertex_count];
-            let answer = work(detector, of_world(self.x0), of_world(self.x1));
+            let answer = work(&mut detector, of_world(self.x0), of_world(self.x1));
+            idle().push(detector);
             answer.map_err(|error| error.of_world(world))
         };
         self.detector.threads.run(|| {
             let worlds = (0..self.world_count).into_par_iter();
-            let answers: Vec<_> = worlds.map_init(own, answer).collect();
+            let answers: Vec<_> = worlds.map(answer).collect();
             answers.into_iter().collect()
         })
     }
