@@ -4,9 +4,10 @@ use exact_ccd_certify::{Maker, MakerError, Uncertified};
 
 use crate::audit::Audit;
 use crate::border::call;
-use crate::detector::Detector;
+use crate::detector::{Detector, with_ends};
 use crate::error::{Error, Status};
-use crate::pointers::{Out, positions, reference, reference_mut};
+use crate::lists::elements;
+use crate::pointers::{Out, free, reference, reference_mut};
 
 /// The bytes of a certificate, which the program `exact-ccd-check` verifies with the mesh files.
 /// `docs/certificates.md` has the format.
@@ -19,26 +20,22 @@ pub unsafe extern "C" fn exact_ccd_certificate_data(
     data: *mut *const u8,
     count: *mut usize,
 ) -> Status {
-    call(|| {
-        // SAFETY: the documentation of the function states the promise.
-        let (Certificate(bytes), data, count) = unsafe {
-            let certificate = reference("certificate", certificate)?;
-            let data = Out::new("data", data)?;
-            (certificate, data, Out::new("count", count)?)
-        };
-        data.write(bytes.as_ptr());
-        count.write(bytes.len());
-        Ok(())
-    })
+    // SAFETY: the documentation of the function states the promise.
+    unsafe {
+        elements(
+            ("certificate", certificate),
+            |Certificate(bytes)| bytes,
+            data,
+            count,
+        )
+    }
 }
 
 /// Frees a certificate. Null is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_certificate_free(certificate: *mut Certificate) {
-    if !certificate.is_null() {
-        // SAFETY: made by a function of this file, and freed once: the caller's promise.
-        drop(unsafe { Box::from_raw(certificate) });
-    }
+    // SAFETY: the caller's promise.
+    unsafe { free(certificate) }
 }
 
 /// The proof of the answer to a step: that it is free of contact until its earliest one, and has that one;
@@ -60,14 +57,10 @@ pub unsafe extern "C" fn exact_ccd_detector_certificate(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, x0, x1, certificate) = unsafe {
-            let detector = reference_mut("detector", detector)?;
-            let certificate = Out::new("certificate", certificate)?;
+        let ((detector, [x0, x1]), certificate) = unsafe {
             (
-                detector,
-                positions("x0", x0, vertex_count)?,
-                positions("x1", x1, vertex_count)?,
-                certificate,
+                with_ends(detector, x0, x1, vertex_count)?,
+                Out::new("certificate", certificate)?,
             )
         };
         let mut maker = Maker::new(Maker::distance(&detector.min_distance)?);

@@ -1,4 +1,4 @@
-//! Lists that the library makes: contacts and pairs.
+//! Lists that the library makes: contacts, pairs, and the bytes of certificates.
 
 use exact_ccd::Point;
 use exact_ccd_mesh::TriangleMesh;
@@ -53,9 +53,11 @@ pub unsafe extern "C" fn exact_ccd_pairs_data(
     unsafe { elements(("pairs", pairs), |Pairs(all)| all, data, count) }
 }
 
+/// The number of elements of a list, and a pointer to the first.
+///
 /// # Safety
 /// The pointers are null, or point to a list with this name, and to places for the results.
-unsafe fn elements<L, T>(
+pub(crate) unsafe fn elements<L, T>(
     (name, list): (&str, *const L),
     all: fn(&L) -> &Vec<T>,
     data: *mut *const T,
