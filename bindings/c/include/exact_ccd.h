@@ -10,6 +10,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/// The index of no vertex, no edge and no face.
+#define EXACT_CCD_NONE 4294967295
+
 /// The version of the binary interface. It grows with each change that a compiled caller notices.
 #define EXACT_CCD_ABI_VERSION 3
 
@@ -86,13 +89,13 @@ typedef struct exact_ccd_impact_t {
   bool has_normal;
   /// u and v, from 0 to 1: the points (1 - u - v) v1 + u v2 + v v3 of a face, or (1 - u) a0 + u a1
   /// and (1 - v) b0 + v b1 of two edges. A vertex is an edge of length zero there: against an edge, the
-  /// point is (1 - v) b0 + v b1.
+  /// point is (1 - v) b0 + v b1. With a face, u + v may be larger than 1 by rounding.
   double parameters[2];
   /// The unit normal, from the second primitive towards the first; zero if there is none.
   double normal[3];
   /// x, y and z of the points of the first and of the second primitive that touch or are closest at that
   /// time. They are rounded: at contact, both are the same up to a few units in the last place of the
-  /// largest coordinate.
+  /// largest coordinate, and up to 2^-32 of the size of the primitives.
   double points[2][3];
 } exact_ccd_impact_t;
 
@@ -104,7 +107,7 @@ typedef struct exact_ccd_contact_t {
   uint32_t first;
   /// The index of the second: the face, the edge or the vertex.
   uint32_t second;
-  /// The vertices, in the order of the kind; 4294967295 in the places that the kind does not use.
+  /// The vertices, in the order of the kind; `EXACT_CCD_NONE` in the places that the kind does not use.
   uint32_t vertices[4];
   /// Bounds of the distance at that time: 0 for a minimum distance of 0.
   double distance[2];
@@ -135,9 +138,9 @@ typedef struct exact_ccd_error_t {
   bool has_query;
   /// The index, from 0, of the first query of a batch that is wrong; 0 if there is none.
   size_t query;
-  /// The edge that passes through a face, for `EXACT_CCD_STATUS_CROSSING`; else 4294967295.
+  /// The edge that passes through a face, for `EXACT_CCD_STATUS_CROSSING`; else `EXACT_CCD_NONE`.
   uint32_t edge;
-  /// That face; else 4294967295.
+  /// That face; else `EXACT_CCD_NONE`.
   uint32_t face;
 } exact_ccd_error_t;
 
@@ -149,7 +152,7 @@ typedef struct exact_ccd_pair_t {
   uint32_t first;
   /// The index of the second: the face, the edge or the vertex.
   uint32_t second;
-  /// The vertices, in the order of the kind; 4294967295 in the places that the kind does not use.
+  /// The vertices, in the order of the kind; `EXACT_CCD_NONE` in the places that the kind does not use.
   uint32_t vertices[4];
 } exact_ccd_pair_t;
 
@@ -180,8 +183,8 @@ enum exact_ccd_status_t exact_ccd_audit_set_threads(struct exact_ccd_audit_t *au
 /// `contact` is written unless the result is `EXACT_CCD_AUDIT_RESULT_FREE`.
 ///
 /// For an intersection, `contact->kind` is `EXACT_CCD_KIND_EDGE_FACE`, `contact->first` the edge and
-/// `contact->second` the face; the vertices are 4294967295, and all other numbers 0. A contact is in the
-/// step from the frame before: its time is 0 there and 1 at this frame; in the first frame it is 0.
+/// `contact->second` the face; the vertices are `EXACT_CCD_NONE`, and all other numbers 0. A contact is in
+/// the step from the frame before: its time is 0 there and 1 at this frame; in the first frame it is 0.
 enum exact_ccd_status_t exact_ccd_audit_examine(struct exact_ccd_audit_t *audit,
                                                 const double *x,
                                                 size_t vertex_count,
@@ -344,8 +347,8 @@ enum exact_ccd_status_t exact_ccd_detector_set_inner_distance(struct exact_ccd_d
                                                               double min_distance,
                                                               double inner_distance);
 
-/// Only primitives of different groups can collide; `groups` has a number for each of the
-/// `vertex_count` vertices. It replaces an earlier rule.
+/// Primitives all of whose vertices have the same number do not collide; `groups` has a number for each of
+/// the `vertex_count` vertices. It replaces an earlier rule.
 enum exact_ccd_status_t exact_ccd_detector_set_groups(struct exact_ccd_detector_t *detector,
                                                       const uint32_t *groups,
                                                       size_t vertex_count);

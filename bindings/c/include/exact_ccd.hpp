@@ -41,7 +41,7 @@ public:
     /// The index, from 0, of the first query of a batch that is wrong.
     std::optional<std::size_t> query() const noexcept { return query_; }
 
-    /// The edge and the face that cross at the start, for EXACT_CCD_STATUS_CROSSING; else 4294967295.
+    /// The edge and the face that cross at the start, for EXACT_CCD_STATUS_CROSSING; else EXACT_CCD_NONE.
     std::uint32_t edge() const noexcept { return edge_; }
     std::uint32_t face() const noexcept { return face_; }
 

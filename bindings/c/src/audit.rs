@@ -1,4 +1,4 @@
-//! The certificate of a sequence of frames.
+//! Audits of sequences of frames.
 
 use std::sync::Arc;
 
@@ -128,8 +128,8 @@ pub unsafe extern "C" fn exact_ccd_audit_set_threads(audit: *mut Audit, count: u
 /// `contact` is written unless the result is `EXACT_CCD_AUDIT_RESULT_FREE`.
 ///
 /// For an intersection, `contact->kind` is `EXACT_CCD_KIND_EDGE_FACE`, `contact->first` the edge and
-/// `contact->second` the face; the vertices are 4294967295, and all other numbers 0. A contact is in the
-/// step from the frame before: its time is 0 there and 1 at this frame; in the first frame it is 0.
+/// `contact->second` the face; the vertices are `EXACT_CCD_NONE`, and all other numbers 0. A contact is in
+/// the step from the frame before: its time is 0 there and 1 at this frame; in the first frame it is 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_audit_examine(
     audit: *mut Audit,

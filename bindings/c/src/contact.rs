@@ -4,7 +4,7 @@ use exact_ccd::Point;
 use exact_ccd_mesh::{TriangleMesh, contact_points};
 
 use crate::kind::Kind;
-use crate::pair::Pair;
+use crate::pair::{EXACT_CCD_NONE, Pair};
 
 /// The first time at which two primitives touch or come within a distance, and the place.
 #[repr(C)]
@@ -18,13 +18,13 @@ pub struct Impact {
     pub has_normal: bool,
     /// u and v, from 0 to 1: the points (1 - u - v) v1 + u v2 + v v3 of a face, or (1 - u) a0 + u a1
     /// and (1 - v) b0 + v b1 of two edges. A vertex is an edge of length zero there: against an edge, the
-    /// point is (1 - v) b0 + v b1.
+    /// point is (1 - v) b0 + v b1. With a face, u + v may be larger than 1 by rounding.
     pub parameters: [f64; 2],
     /// The unit normal, from the second primitive towards the first; zero if there is none.
     pub normal: [f64; 3],
     /// x, y and z of the points of the first and of the second primitive that touch or are closest at that
     /// time. They are rounded: at contact, both are the same up to a few units in the last place of the
-    /// largest coordinate.
+    /// largest coordinate, and up to 2^-32 of the size of the primitives.
     pub points: [[f64; 3]; 2],
 }
 
@@ -85,7 +85,7 @@ pub struct Contact {
     pub first: u32,
     /// The index of the second: the face, the edge or the vertex.
     pub second: u32,
-    /// The vertices, in the order of the kind; 4294967295 in the places that the kind does not use.
+    /// The vertices, in the order of the kind; `EXACT_CCD_NONE` in the places that the kind does not use.
     pub vertices: [u32; 4],
     /// Bounds of the distance at that time: 0 for a minimum distance of 0.
     pub distance: [f64; 2],
@@ -106,7 +106,10 @@ impl Contact {
             second,
             vertices,
         } = Pair::of(mesh, contact.pair);
-        let used = vertices.iter().take_while(|&&vertex| vertex != u32::MAX).count();
+        let used = vertices
+            .iter()
+            .take_while(|&&vertex| vertex != EXACT_CCD_NONE)
+            .count();
         let (a, b) = vertices[..used].split_at(contact.pair.first_len().min(used));
         Self {
             kind,
@@ -124,7 +127,7 @@ impl Contact {
             kind: Kind::EdgeFace as u32,
             first: edge,
             second: face,
-            vertices: [u32::MAX; 4],
+            vertices: [EXACT_CCD_NONE; 4],
             distance: [0.0; 2],
             impact: Impact::default(),
         }

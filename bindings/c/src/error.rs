@@ -10,6 +10,8 @@ use exact_ccd_mesh::{
     IntersectionsError, LineSearchError, MeshError, MotionError, StepError, ThicknessCount, TooManyPrimitives,
 };
 
+use crate::pair::EXACT_CCD_NONE;
+
 /// The outcome of a call.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,9 +57,9 @@ pub struct LastError {
     pub has_query: bool,
     /// The index, from 0, of the first query of a batch that is wrong; 0 if there is none.
     pub query: usize,
-    /// The edge that passes through a face, for `EXACT_CCD_STATUS_CROSSING`; else 4294967295.
+    /// The edge that passes through a face, for `EXACT_CCD_STATUS_CROSSING`; else `EXACT_CCD_NONE`.
     pub edge: u32,
-    /// That face; else 4294967295.
+    /// That face; else `EXACT_CCD_NONE`.
     pub face: u32,
 }
 
@@ -102,8 +104,8 @@ impl Error {
             message: message.as_ptr(),
             has_query: self.query.is_some(),
             query: self.query.unwrap_or(0),
-            edge: self.crossing.map_or(u32::MAX, |[edge, _]| edge),
-            face: self.crossing.map_or(u32::MAX, |[_, face]| face),
+            edge: self.crossing.map_or(EXACT_CCD_NONE, |[edge, _]| edge),
+            face: self.crossing.map_or(EXACT_CCD_NONE, |[_, face]| face),
         };
         LAST.set(Some((message, fields)));
         self.status
@@ -199,8 +201,8 @@ pub extern "C" fn exact_ccd_last_error_fields() -> LastError {
             message: c"".as_ptr(),
             has_query: false,
             query: 0,
-            edge: u32::MAX,
-            face: u32::MAX,
+            edge: EXACT_CCD_NONE,
+            face: EXACT_CCD_NONE,
         },
     })
 }

@@ -1,7 +1,7 @@
 //! The C interface of `exact-ccd`: the functions of `exact_ccd.h`.
 //!
 //! Every function returns a [`Status`], and writes its results through pointers. The functions are
-//! documented here as C programmers read them; the header is made from this file by cbindgen.
+//! documented here as C programmers read them; the header is made from the sources by cbindgen.
 //!
 //! Rules for all functions:
 //!

@@ -4,6 +4,9 @@ use exact_ccd_mesh::TriangleMesh;
 
 use crate::kind::Kind;
 
+/// The index of no vertex, no edge and no face.
+pub const EXACT_CCD_NONE: u32 = 0xFFFF_FFFF;
+
 /// Two primitives of a mesh.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,14 +17,14 @@ pub struct Pair {
     pub first: u32,
     /// The index of the second: the face, the edge or the vertex.
     pub second: u32,
-    /// The vertices, in the order of the kind; 4294967295 in the places that the kind does not use.
+    /// The vertices, in the order of the kind; `EXACT_CCD_NONE` in the places that the kind does not use.
     pub vertices: [u32; 4],
 }
 
 impl Pair {
     pub(crate) fn of(mesh: &TriangleMesh, pair: exact_ccd_mesh::Pair) -> Self {
         let [first, second] = pair.ids();
-        let mut vertices = [u32::MAX; 4];
+        let mut vertices = [EXACT_CCD_NONE; 4];
         // A pair is of primitives that the mesh has.
         let of_pair = pair.vertices(mesh).unwrap_or_default();
         for (place, &vertex) in vertices.iter_mut().zip(&of_pair) {

@@ -115,7 +115,7 @@ static void errors(void)
     fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, 1, NULL), argument, "collides");
     fails(exact_ccd_collides(7, FACE_START, FACE_END, 0, 1, &collides), argument, "kind is 7");
     fails(exact_ccd_collides(EXACT_CCD_KIND_EDGE_FACE, FACE_START, FACE_END, 0, 1, &collides), argument, "kind is 4");
-    CHECK(!exact_ccd_last_error_fields().has_query && exact_ccd_last_error_fields().edge == UINT32_MAX);
+    CHECK(!exact_ccd_last_error_fields().has_query && exact_ccd_last_error_fields().edge == EXACT_CCD_NONE);
     fails(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, NAN, &time),
           argument,
           "until");
@@ -577,7 +577,7 @@ static void meshes(void)
     OK(exact_ccd_audit_new(mesh, 0, &audit));
     OK(exact_ccd_audit_examine(audit, x1, 6, &result, &contact));
     CHECK(result == EXACT_CCD_AUDIT_RESULT_INTERSECTION && contact.second == 0);
-    CHECK(contact.kind == EXACT_CCD_KIND_EDGE_FACE);
+    CHECK(contact.kind == EXACT_CCD_KIND_EDGE_FACE && contact.vertices[0] == EXACT_CCD_NONE);
     exact_ccd_audit_free(audit);
     exact_ccd_mesh_free(mesh);
 }
