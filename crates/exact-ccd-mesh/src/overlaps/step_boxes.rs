@@ -358,8 +358,8 @@ mod tests {
         assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
     }
 
-    /// The sides of a box are the least and largest coordinates of its vertices, relative to the origins, off by
-    /// the margin and by the roundings to single precision, of numbers below 16.
+    /// The sides of a box are the least and largest coordinates of its vertices, relative to the origins, off
+    /// by the margin and by the roundings to single precision, of numbers below 16.
     #[test]
     fn boxes_are_around_their_primitives_with_their_margins() {
         fn assert_around<const T: usize>(mut boxes: StepBoxes<T>, far: f64, rng: &mut Rng) {

@@ -46,7 +46,8 @@ const SAMPLE_STRIDE: usize = 64;
 /// and its tests are cheaper.
 const SHORT_DISPLACEMENTS: [f64; 2] = [0.25, 1.0];
 
-/// Boxes, and the screen, are placed anew if the time until which contacts matter has shrunk to this fraction.
+/// Boxes, and the screen, are placed anew if the time until which contacts matter has shrunk to this
+/// fraction.
 const SHRUNK_TIME: f64 = 0.5;
 
 impl Memory {
