@@ -20,8 +20,8 @@ use crate::steps::{MotionError, StepError};
 /// a contact of the step. A predicate of [`with_can_collide`](Self::with_can_collide) may leave out this
 /// pair, but not the edge and the face that come to meet. With one, every frame is examined at rest; an edge
 /// that passes through a face between two frames only is no violation then. Parts that share a vertex are
-/// neighbours and may touch. Edges and vertices without a face are primitives as all others, compared as defined by [`Pair`](crate::Pair), which
-/// lists what is never compared.
+/// neighbours and may touch. Edges and vertices without a face are primitives as all others, compared as
+/// defined by [`Pair`](crate::Pair), which lists what is never compared.
 ///
 /// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either, but for a
 /// vertex and an edge that another edge connects. In the first frame, the least distance of primitives that

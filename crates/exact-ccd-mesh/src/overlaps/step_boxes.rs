@@ -379,17 +379,15 @@ mod tests {
                 let place = [x0[vertex], between(time, x0[vertex], x1[vertex])][end];
                 core::array::from_fn(|axis| place[axis] - boxes.origins[end][axis])
             };
-            let faces = |id: u32| mesh.faces()[id as usize].to_vec();
-            let edges = |id: u32| mesh.edges()[id as usize].to_vec();
-            let all: [(PrimitiveSet, &dyn Fn(u32) -> Vec<u32>); 3] = [
-                (PrimitiveSet::Vertices, &|id| vec![id]),
-                (PrimitiveSet::Faces, &faces),
-                (PrimitiveSet::Edges, &edges),
-            ];
-            for (set, vertices) in all {
+            let vertices = |set: PrimitiveSet, id: u32| match set {
+                PrimitiveSet::Faces => mesh.faces()[id as usize].to_vec(),
+                PrimitiveSet::Edges => mesh.edges()[id as usize].to_vec(),
+                _ => vec![id],
+            };
+            for set in [PrimitiveSet::Vertices, PrimitiveSet::Faces, PrimitiveSet::Edges] {
                 let mut count = 0;
                 for (id, places) in boxes.get(set).iter() {
-                    let of_ends = [0, 1].map(|end| vertices(id).into_iter().map(move |v| (v, end)));
+                    let of_ends = [0, 1].map(|end| vertices(set, id).into_iter().map(move |v| (v, end)));
                     let mut ends = of_ends.map(|places| places.map(|(v, end)| at(v, end)).collect::<Aabb>());
                     if T == 1 {
                         ends[0] = ends[0].union(&ends[1]);
