@@ -6,8 +6,25 @@ use dashu_int::IBig;
 use exact_ccd::{Point, Separation};
 
 use super::HalfSpace;
-use super::side::integer;
 use crate::vector::{dot, minus};
+
+/// The number times 2¹⁰⁷⁴, which is an integer for every finite f64.
+fn integer(number: f64) -> IBig {
+    let bits = number.to_bits();
+    let fraction = bits & ((1 << 52) - 1);
+    let exponent = (bits >> 52 & 0x7ff) as usize;
+    let (mantissa, shift) = if exponent == 0 {
+        (fraction, 0)
+    } else {
+        (fraction | 1 << 52, exponent - 1)
+    };
+    let magnitude = IBig::from(mantissa) << shift;
+    if number.is_sign_negative() {
+        -magnitude
+    } else {
+        magnitude
+    }
+}
 
 /// 1074: [`integer`] is a number in units of 2⁻¹⁰⁷⁴.
 const UNIT: usize = 1074;
@@ -39,7 +56,7 @@ impl HalfSpace {
         if !is_finite {
             return Some([0.0; 2]);
         }
-        let height = Height::new(self, [x0, x1], d);
+        let height = Height::new([self.normal, self.point], [x0, x1], d);
         if height.above_distance(0.0) != Greater {
             return Some([0.0; 2]);
         }
@@ -61,16 +78,16 @@ impl HalfSpace {
 
 /// The height n · (x(t) − p) = a + t b of a vertex above a plane, with a and b in units of 2⁻²¹⁴⁸, and the
 /// square of d |n| in units of 2⁻⁴²⁹⁶.
-struct Height {
+pub(super) struct Height {
     start: IBig,
     change: IBig,
     least_squared: IBig,
 }
 
 impl Height {
-    fn new(half_space: &HalfSpace, positions: [Point; 2], d: Separation) -> Self {
-        let vectors = [half_space.normal, half_space.point];
-        let [normal, point] = vectors.map(|vector| vector.map(integer));
+    /// The height of a vertex with these positions at both ends, above the plane of a normal and a point.
+    pub(super) fn new(plane: [Point; 2], positions: [Point; 2], d: Separation) -> Self {
+        let [normal, point] = plane.map(|vector| vector.map(integer));
         let [x0, x1] = positions.map(|position| position.map(integer));
         let along = |from: &[IBig; 3], to: &[IBig; 3]| -> IBig {
             (0..3).map(|axis| &normal[axis] * (&to[axis] - &from[axis])).sum()
@@ -85,7 +102,7 @@ impl Height {
     }
 
     /// The order of the height at a time t in [0, 1] and d |n|: both sides times 2¹⁰⁷⁴, as t has that unit.
-    fn above_distance(&self, t: f64) -> Ordering {
+    pub(super) fn above_distance(&self, t: f64) -> Ordering {
         let height = (&self.start << UNIT) + integer(t) * &self.change;
         if height < IBig::ZERO {
             Ordering::Less
@@ -144,6 +161,27 @@ mod tests {
             let a = IBig::from(a) << UNIT;
             assert!(at(lower) <= a && a <= at(upper), "{motion:?} {lower} {upper}");
             assert!(upper == lower || upper == lower.next_up() && at(lower) < a && a < at(upper));
+        }
+    }
+
+    /// The distance is a multiple of √2 away from the plane x + y = 0, along x: the times are irrational.
+    #[test]
+    fn times_at_which_a_distance_is_reached_are_between_adjacent_numbers() {
+        let mut random = fastrand::Rng::with_seed(33);
+        let half_space = HalfSpace::new([0.0; 3], [1.0, 1.0, 0.0]);
+        for _ in 0..2000 {
+            let [b, d] = [0, 1].map(|_| random.u32(1..1 << 20));
+            let a = 2 * d + b;
+            let motion = [[f64::from(a), 0.0, 7.0], [-f64::from(b), 0.0, 7.0]];
+            let distance = Separation::new(d.into()).expect("not negative");
+            let [lower, upper] = half_space.first_contact(motion, distance).unwrap();
+            // x > √2 d, in units of 2⁻¹⁰⁷⁴.
+            let is_apart = |t: f64| {
+                let x = (IBig::from(a) << UNIT) - integer(t) * (a + b);
+                x > IBig::ZERO && &x * &x > IBig::from(2 * u64::from(d) * u64::from(d)) << (2 * UNIT)
+            };
+            assert_eq!(upper, lower.next_up(), "{motion:?} {d}");
+            assert!(is_apart(lower) && !is_apart(upper), "{motion:?} {d}");
         }
     }
 

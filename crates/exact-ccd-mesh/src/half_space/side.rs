@@ -1,7 +1,8 @@
 //! The side of a plane, exactly.
 
-use dashu_int::IBig;
 use exact_ccd::{Point, Separation, environment};
+
+use super::first_contact::Height;
 
 /// Returns true if n · (x − p) > d |n| for a distance d, exactly. False if a coordinate is not finite.
 pub(super) fn is_beyond(normal: Point, point: Point, x: Point, d: Separation) -> bool {
@@ -35,34 +36,11 @@ fn in_floating_point(normal: Point, point: Point, x: Point, d: Separation) -> Op
     (environment::is_default() && squared.is_normal() && excess.abs() > bound).then_some(excess > 0.0)
 }
 
-/// The definition: s = n · (x − p) is positive, and s² > d² |n|².
+/// The definition: the [`Height`] of a vertex at rest.
 fn in_integers(normal: Point, point: Point, x: Point, d: Separation) -> bool {
-    let [normal, point, x] = [normal, point, x].map(|numbers| numbers.map(integer));
-    let sum: IBig = (0..3).map(|axis| &normal[axis] * (&x[axis] - &point[axis])).sum();
-    if sum <= IBig::ZERO {
-        return false;
-    }
-    let squared: IBig = normal.iter().map(|n| n * n).sum();
-    let d = integer(d.get());
-    &sum * &sum > &d * &d * squared
-}
-
-/// The number times 2¹⁰⁷⁴, which is an integer for every finite f64.
-pub(super) fn integer(number: f64) -> IBig {
-    let bits = number.to_bits();
-    let fraction = bits & ((1 << 52) - 1);
-    let exponent = (bits >> 52 & 0x7ff) as usize;
-    let (mantissa, shift) = if exponent == 0 {
-        (fraction, 0)
-    } else {
-        (fraction | 1 << 52, exponent - 1)
-    };
-    let magnitude = IBig::from(mantissa) << shift;
-    if number.is_sign_negative() {
-        -magnitude
-    } else {
-        magnitude
-    }
+    Height::new([normal, point], [x, x], d)
+        .above_distance(0.0)
+        .is_gt()
 }
 
 #[cfg(test)]
