@@ -10,7 +10,7 @@ import weakref
 import numpy as np
 import pytest
 
-from exact_ccd import Detector, Mesh, Worlds
+from exact_ccd import Detector, Mesh, Worlds, ipc
 
 SETTING = """
 import numpy as np
@@ -56,6 +56,7 @@ def test_a_rule_that_refers_to_the_owner_of_its_mesh() -> None:
     detector, worlds = owner.detectors
     reference = weakref.ref(owner)
     x = np.zeros((6, 3))
+    assert not ipc.is_step_collision_free(owner.mesh, x, x)
     assert detector.collides(x, x) and worlds.collides(x[None], x[None]).all()
     del owner, worlds
     gc.collect()

@@ -29,7 +29,8 @@ use every::EveryViolation;
 /// another edge. From each frame to the next, every vertex moves in a straight line, and no contact
 /// may occur, as in `exact-ccd step`. If there is none, then no frame passes through itself, nor
 /// does the mesh at any time between; otherwise, the first violation is named. Parts of the mesh
-/// that have a vertex in common are neighbours and may touch.
+/// that have a vertex in common are neighbours and may touch. With --ignore or --only, every frame is
+/// examined for edges that meet faces: a pair that is left out may have led there.
 ///
 /// With --min-distance D, no two of them may come within D of each other, in the first frame and
 /// after it.

@@ -81,8 +81,10 @@ def audit(
 
     The first frame is examined at rest: no edge may meet a face, no vertex a face, and no edge another
     edge. From each frame to the next, every vertex moves in a straight line, and no contact may occur. If
-    there is none, no frame passes through itself, nor does the mesh at any time between. Primitives that
-    share a vertex may touch; `docs/pairs.md` of the repository lists all pairs that are never a contact.
+    there is none, no frame passes through itself, nor does the mesh at any time between. With `groups` or
+    `can_collide`, this holds for the pairs that can collide, and every frame is examined for edges that meet
+    faces: a pair that cannot collide may have led there. An edge that passes through a face between two
+    frames only is not found then. Primitives that share a vertex may touch; `docs/pairs.md` of the repository lists all pairs that are never a contact.
 
     With `half_spaces`, no vertex may touch one of them in any frame, hence at any time between.
 
@@ -210,7 +212,7 @@ def examine(
 ) -> tuple[int, Optional[Violation]]:
     """The number of the last frame examined, plus 1, and the first violation in frames from `first` on.
 
-    Frame 0 is examined at rest. `examined` is called with each frame that is examined. The certificates of
+    Frame 0 is examined at rest; with groups or a rule, every frame. `examined` is called with each frame that is examined. The certificates of
     steps are added to `parts`: put together, those of all frames from 0 on are one certificate.
     """
     last: Optional[NDArray[np.float64]] = None

@@ -36,7 +36,8 @@ impl StartCheck {
         (self.start, self.end) = (Vec::new(), Vec::new());
     }
 
-    /// Makes certain that nothing crosses at the start of a step, which the primitives have begun.
+    /// Makes certain that nothing crosses at the start of a step. A pass over the mesh begins it for the
+    /// primitives.
     ///
     /// # Errors
     /// [`StepError::Crossing`] has the first edge that crosses a face.
@@ -44,7 +45,7 @@ impl StartCheck {
         &mut self,
         broad_phase: &dyn BroadPhase,
         step: &Step<'_>,
-        primitives: &Primitives,
+        primitives: &mut Primitives,
         can_collide: &CanCollide,
     ) -> Result<(), StepError> {
         let (mesh, [x0, _]) = (step.mesh(), step.positions());
@@ -58,6 +59,7 @@ impl StartCheck {
         self.passes += 1;
         let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
         let options = options.with_can_collide(can_collide.clone());
+        primitives.begin(step, can_collide);
         let crossings = intersections_at_start(step, primitives, broad_phase, &options);
         if let Some(first) = crossings.first() {
             return Err(first.crossing(mesh));

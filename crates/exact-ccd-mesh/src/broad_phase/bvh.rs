@@ -19,8 +19,8 @@ pub struct Bvh;
 /// The number of groups of blocks that a thread searches for in one task.
 const GRAIN: usize = 4;
 
-/// The number of places of which the first grains are.
-const PARTS: usize = 64;
+/// The number of places, all over the boxes, from which the first grains are.
+const PLACES: usize = 64;
 
 /// The least number of nodes that a thread makes in one task: as much work as that of filling blocks.
 const NODES: usize = 256;
@@ -49,7 +49,7 @@ impl BoxPairs<2> for Bvh {
 
 fn between<const T: usize>(a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
     let tree = Tree::new(b);
-    grains(a).try_for_each(|groups| {
+    grains(a.blocks.len()).try_for_each(|groups| {
         let pairs = Pairs::between(a, b, sink);
         vectorized!(simd => tree.search(simd, a, groups, false, pairs))
     })
@@ -57,7 +57,7 @@ fn between<const T: usize>(a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> C
 
 fn within<const T: usize>(boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
     let tree = Tree::new(boxes);
-    grains(boxes).try_for_each(|groups| {
+    grains(boxes.blocks.len()).try_for_each(|groups| {
         let pairs = Pairs::within(boxes, sink);
         vectorized!(simd => tree.search(simd, boxes, groups, true, pairs))
     })
@@ -65,11 +65,13 @@ fn within<const T: usize>(boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<
 
 /// The groups of blocks by grains, and these in an order in which the first ones are from everywhere: a
 /// search for any pair ends early.
-fn grains<const T: usize>(boxes: &Boxes<T>) -> impl ParallelIterator<Item = Range<usize>> {
-    let count = boxes.blocks.len().div_ceil(LANES);
-    let parts = count.div_ceil(GRAIN).div_ceil(PARTS);
-    let spread = move |i: usize| i % PARTS * parts + i / PARTS;
-    (0..PARTS * parts).into_par_iter().map(move |i| {
+fn grains(blocks: usize) -> impl ParallelIterator<Item = Range<usize>> {
+    let count = blocks.div_ceil(LANES);
+    let grains = count.div_ceil(GRAIN);
+    let parts = grains.div_ceil(PLACES);
+    let places = grains.div_ceil(parts.max(1));
+    let spread = move |i: usize| i % places * parts + i / places;
+    (0..places * parts).into_par_iter().map(move |i| {
         let first = GRAIN * spread(i);
         first.min(count)..(first + GRAIN).min(count)
     })
@@ -205,4 +207,28 @@ fn blocks<const T: usize>(boxes: &[MovingBox<T>]) -> Vec<Block<T>> {
         .with_min_len(NODES)
         .map(Block::of)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use rayon::prelude::*;
+
+    use super::{GRAIN, PLACES, grains};
+    use crate::broad_phase::block::LANES;
+
+    #[test]
+    fn each_group_is_in_one_grain_and_the_first_grains_are_from_everywhere() {
+        for count in (0..600).chain([4096, 5000]) {
+            let all: Vec<_> = grains(LANES * count).collect();
+            let mut groups: Vec<usize> = all.iter().cloned().flatten().collect();
+            groups.sort_unstable();
+            assert!(groups.into_iter().eq(0..count), "{count}");
+            let empty = all.iter().filter(|grain| grain.is_empty()).count();
+            assert!(empty * PLACES * GRAIN <= count, "{count}: {empty}");
+            if count == 5000 {
+                let first: Vec<_> = all[..10].iter().map(|grain| grain.start).collect();
+                assert!(first.windows(2).all(|pair| pair[1] - pair[0] == 80), "{first:?}");
+            }
+        }
+    }
 }

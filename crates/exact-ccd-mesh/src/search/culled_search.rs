@@ -94,8 +94,7 @@ impl CulledSearch {
     pub(crate) fn check_start(&mut self, step: &Step<'_>, check: &mut StartCheck) -> Result<(), StepError> {
         let Self { broad_phase, memory } = self;
         let can_collide = memory.narrow_phase.can_collide();
-        memory.primitives.begin(step, can_collide);
-        check.examine(&**broad_phase, step, &memory.primitives, can_collide)
+        check.examine(&**broad_phase, step, &mut memory.primitives, can_collide)
     }
 
     /// Passes to the collector all candidates that come within their distance until its time, and possibly

@@ -94,3 +94,77 @@ fn is_joined(place: &[Event], next: &[Event], touches: impl Fn(&Split) -> bool) 
             .zip(low)
             .is_some_and(|(high, low)| touches(&Split::between(high, low)))
 }
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec;
+    use core::cmp::Ordering;
+
+    use dashu_int::IBig;
+    use fastrand::Rng;
+
+    use super::*;
+    use crate::exact::polynomial::Polynomial;
+    use crate::exact::roots::roots_between;
+
+    /// The time at which the ratio of the time elapsed to the time left has this square.
+    fn root_of(square: [u64; 2]) -> Instant {
+        let [numerator, denominator] = square.map(IBig::from);
+        let polynomial = Polynomial::new(vec![-numerator, IBig::ZERO, denominator]);
+        let mut roots = roots_between(&polynomial, [&Split::START, &Split::END]);
+        roots.pop().expect("there is one")
+    }
+
+    /// The union of intervals, with ends that are often equal or 2⁻⁸⁰ apart, does not depend on what is known
+    /// of its events, nor on their order.
+    #[test]
+    fn entries_and_exits_are_the_ends_of_unions() {
+        let mut random = Rng::with_seed(0);
+        let (mut all, mut moments) = (0, 0);
+        for _ in 0..2000 {
+            let mut square = || {
+                let denominator = 1 << [1, 2, 40][random.usize(..3)];
+                [random.u64(1..6) * denominator + random.u64(..2), denominator]
+            };
+            let less = |a: [u64; 2], b: [u64; 2]| {
+                u128::from(a[0]) * u128::from(b[1]) < u128::from(b[0]) * u128::from(a[1])
+            };
+            let ends = [(); 4].map(|()| [square(), square()]);
+            let ends = ends.map(|[a, b]| if less(b, a) { [b, a] } else { [a, b] });
+            let ends = &ends[..random.usize(1..5)];
+            let times = ends.iter().map(|ends| ends.map(root_of)).collect::<Vec<_>>();
+            let touches = |t: &Split| {
+                let contains =
+                    |[start, end]: &[Instant; 2]| start.compare(t).is_le() && end.compare(t).is_ge();
+                times.iter().any(contains)
+            };
+            let mut events = |is_known: bool| {
+                let mut events: Vec<Event> = Vec::new();
+                for (ends, times) in ends.iter().zip(&times) {
+                    let is_known = is_known && less(ends[0], ends[1]);
+                    let passages = [Passage::Entry, Passage::Exit];
+                    events.extend(times.iter().cloned().zip(passages).map(|(time, passage)| Event {
+                        time,
+                        passage: if is_known { passage } else { Passage::Unknown },
+                    }));
+                }
+                random.shuffle(&mut events);
+                events
+            };
+            let expected = intervals_of(events(false), touches);
+            assert_eq!(intervals_of(events(true), touches), expected, "{ends:?}");
+            all += expected.len();
+            moments += expected.iter().filter(|interval| interval.is_moment).count();
+            let first = times
+                .iter()
+                .map(|[start, _]| start.clone())
+                .reduce(Instant::earlier);
+            let start = first.map(|first| first.round());
+            assert_eq!(
+                start.map(|start| start.cmp(&expected[0].start)),
+                Some(Ordering::Equal)
+            );
+        }
+        assert!(all > 2000 && moments > 50, "{all} {moments}");
+    }
+}

@@ -154,7 +154,7 @@ def _candidates(
 
 
 class _Cache(threading.local):
-    """The detectors of the meshes that a thread has seen, whose faces and edges never change."""
+    """The detectors of the meshes of a thread, whose faces and edges never change."""
 
     def __init__(self) -> None:
         self.detectors = weakref.WeakKeyDictionary[AnyMesh, dict[tuple[float, bool], Detector]]()
@@ -169,7 +169,11 @@ _MOST_DETECTORS = 4
 def _detector(mesh: AnyMesh, min_distance: float) -> Detector:
     """The detector of a mesh in three dimensions."""
     key = check_distance("min_distance", min_distance), rule_of(surface(mesh)) is not None
-    is_kept = isinstance(mesh, (Mesh, CollisionMesh)) or type(mesh).__module__.split(".")[0] == "ipctk"
+    if isinstance(mesh, Mesh):
+        # A detector has the rule of its mesh, and the rule may have the mesh.
+        is_kept = mesh.can_collide is None
+    else:
+        is_kept = isinstance(mesh, CollisionMesh) or type(mesh).__module__.split(".")[0] == "ipctk"
     if not is_kept:
         return _new(mesh, lambda: mesh, *key)
     kept = _cache.detectors.setdefault(mesh, {})
@@ -193,7 +197,7 @@ def _new(
     def can_collide(v: int, w: int) -> object:
         # The rule of a mesh may be replaced between two calls.
         now = reference()
-        rule = None if now is None else rule_of(surface(now))
+        rule = getattr(now, "can_collide", None)
         return rule is None or rule(v, w)
 
     every = primitives(mesh)

@@ -61,11 +61,11 @@ impl Feature {
         }
     }
 
-    /// The times in [low, high] at which the excess vanishes and the feature exists, in increasing order;
-    /// none if the excess is zero at all times.
-    pub(super) fn crossings(&self, bounds: &[Split; 2]) -> impl Iterator<Item = Event> {
-        let roots = self.roots(bounds).into_iter();
-        roots.filter_map(|root| self.existing(root))
+    /// Returns true if the excess vanishes at a time in [low, high] at which the feature exists, and not at all
+    /// times.
+    pub(super) fn crosses(&self, bounds: &[Split; 2]) -> bool {
+        let mut roots = self.roots(bounds).into_iter();
+        roots.any(|root| self.exists(&Narrowing::new(root)))
     }
 
     /// The times in [low, high] at which the excess vanishes, in increasing order; none if it is zero at all
@@ -85,8 +85,10 @@ impl Feature {
         let instant = Narrowing::new(root);
         let existence = self.existence(&instant);
         let time = instant.into_instant();
-        let start = time.sign_before(&self.excess.reduced());
-        let passage = match start.filter(|_| existence.is_gt()) {
+        let start = existence
+            .is_gt()
+            .then(|| time.sign_before(&self.excess.reduced()));
+        let passage = match start.flatten() {
             Some(Ordering::Less) => Passage::Exit,
             Some(Ordering::Greater) => Passage::Entry,
             _ => Passage::Unknown,

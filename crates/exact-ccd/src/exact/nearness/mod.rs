@@ -28,8 +28,7 @@ static STEP: [Split; 2] = [Split::START, Split::END];
 /// Returns true if the primitives come within d.
 pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
     let features = Approach::new(query, d).features::<K>();
-    let crosses = |feature: &Feature| feature.crossings(&STEP).next().is_some();
-    STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(crosses)
+    STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(|feature| feature.crosses(&STEP))
 }
 
 /// [`Query::distance_at`], computed in integers alone.
