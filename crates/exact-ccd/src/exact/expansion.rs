@@ -55,10 +55,10 @@ impl Polynomial {
     /// same for the quotient leaves the next coefficient, and so on. With σ = low + 2⁻ᶜ ρ, the coefficients
     /// of the i-th quotient are multiplied by 2⁻ᶜⁱ. If the n + 1 coefficients of σ are at most 2ᵇ, its sums
     /// are at most 2ⁿ⁺¹⁺ᵇ⁻ᶜⁱ, because the binomial coefficients in them are at most 2ⁿ⁺¹. So `low` is rounded
-    /// down to two more bits than that, which adds at most 1 to the error of a sum, its own error included, and
-    /// rounding the product adds at most 1. If the error of the coefficients of a quotient is at most 2, that of its sums is at
-    /// most 4 (n + 1), which is at most 2ᶜ: that of the next ones is at most 2. A sum of n + 1 coefficients
-    /// is off by at most 4 (n + 1)².
+    /// down to two more bits than that, which adds at most 1 to the error of a sum, its own error included,
+    /// and rounding the product adds at most 1. If the error of the coefficients of a quotient is at most 2,
+    /// that of its sums is at most 4 (n + 1), which is at most 2ᶜ: that of the next ones is at most 2. A sum
+    /// of n + 1 coefficients is off by at most 4 (n + 1)².
     pub(super) fn expansion(&self, low: &Split, high: &Split, unit: isize) -> Expansion {
         let closeness = Split::closeness(low, high);
         let scale = high.top();

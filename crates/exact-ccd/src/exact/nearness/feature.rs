@@ -61,8 +61,8 @@ impl Feature {
         }
     }
 
-    /// Returns true if the excess vanishes at a time in [low, high] at which the feature exists, and not at all
-    /// times.
+    /// Returns true if the excess vanishes at a time in [low, high] at which the feature exists, but not at
+    /// all times.
     pub(super) fn crosses(&self, bounds: &[Split; 2]) -> bool {
         let mut roots = self.roots(bounds).into_iter();
         roots.any(|root| self.exists(&Narrowing::new(root)))
