@@ -46,6 +46,15 @@ impl Aabb {
         }
     }
 
+    /// The same box, unbounded on the sides that are not numbers.
+    pub(super) fn without_nan(&self) -> Self {
+        let or = |bound: f64| move |x: f64| if x.is_nan() { bound } else { x };
+        Self {
+            lower: self.lower.map(or(f64::NEG_INFINITY)),
+            upper: self.upper.map(or(f64::INFINITY)),
+        }
+    }
+
     /// Returns true if a point is in the box.
     #[must_use]
     pub fn contains(&self, point: &Point) -> bool {

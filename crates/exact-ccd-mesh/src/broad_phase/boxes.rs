@@ -34,7 +34,8 @@ pub struct Boxes<const T: usize> {
 }
 
 impl<const T: usize> Boxes<T> {
-    /// Boxes at t = 0 and at t = 1, or boxes at rest (T = 1). Their indices are those in the slice.
+    /// Boxes at t = 0 and at t = 1, or boxes at rest (T = 1). Their indices are those in the slice. A side that
+    /// is not a number counts as unbounded.
     ///
     /// # Errors
     /// [`TooManyPrimitives`], if indices of 32 bits do not suffice.
@@ -45,7 +46,8 @@ impl<const T: usize> Boxes<T> {
             center(&boxes[id as usize])
         });
         let mut all = Self::of(Arc::new(Members::new(ids, |_| [])));
-        all.replace(|_| true, |id| MovingBox::new(&boxes[id as usize], &[[0.0; 3]; T]));
+        let places = |id: u32| boxes[id as usize].each_ref().map(Aabb::without_nan);
+        all.replace(|_| true, |id| MovingBox::new(&places(id), &[[0.0; 3]; T]));
         Ok(all)
     }
 

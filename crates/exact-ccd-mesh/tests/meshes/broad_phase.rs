@@ -186,6 +186,28 @@ fn both_zeros_are_one_point() {
 }
 
 #[test]
+fn sides_that_are_not_numbers_are_unbounded() {
+    let mut boxes: Vec<[Aabb; 1]> = (0..100)
+        .map(|i| {
+            [around(
+                [2.0 * f64::from(i), 0.0, 0.0],
+                [2.0 * f64::from(i) + 1.0, 1.0, 1.0],
+            )]
+        })
+        .collect();
+    boxes[40][0].lower[0] = f64::NAN;
+    boxes[70][0].upper[0] = f64::NAN;
+    let expected: Vec<[u32; 2]> = (0..40)
+        .map(|i| [i, 40])
+        .chain((71..100).map(|i| [70, i]))
+        .collect();
+    let boxes = Boxes::new(&boxes).unwrap();
+    assert_eq!(within(&AllPairs, &boxes), expected);
+    assert_eq!(within(&Bvh, &boxes), expected);
+    assert_eq!(within(&Sweep, &boxes), expected);
+}
+
+#[test]
 fn identical_boxes_all_overlap() {
     let boxes = vec![at_rest(around([1.0, -2.0, 0.1], [1.0, 5.0, 0.1])); 300];
     assert_eq!(within(&Bvh, &Boxes::new(&boxes).unwrap()).len(), 300 * 299 / 2);
