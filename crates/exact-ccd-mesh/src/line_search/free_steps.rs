@@ -32,6 +32,9 @@ pub struct FreeSteps {
 /// The round from which on a contact brings the vertices that it holds back to the least size.
 const LAST_FALL: usize = 32;
 
+/// The round from which on a contact brings all vertices to the least size.
+const LAST_OF_SOME: usize = 64;
+
 impl Detector {
     /// A step for each vertex, from positions `x0` towards positions `x1`, such that the motion of all
     /// vertices is certified to be free of contact.
@@ -43,8 +46,8 @@ impl Detector {
     /// which is the certificate.
     ///
     /// No size falls below that of [`free_step`](Self::free_step), to which the step of all vertices is
-    /// certified. So the rounds end: from round 32 on, a contact brings vertices to that size, and there are
-    /// at most as many further rounds as vertices.
+    /// certified. So the rounds end: from round 32 on, a contact brings vertices to that size, and from round
+    /// 64 on, all that are not pinned.
     ///
     /// `pinned` are vertices that go all the way, such as those of obstacles and scripts. If there are any,
     /// the least size of the others is 0, and a pair that touches nonetheless is reported as blocked.
@@ -114,7 +117,11 @@ fn free_steps(
         }
         blocked.extend(stuck);
         kept = if rounds < LAST_FALL { kept * keep } else { 0.0 };
-        sizes.hold_back(&times, kept);
+        if rounds < LAST_OF_SOME {
+            sizes.hold_back(&times, kept);
+        } else {
+            sizes.hold_all_back();
+        }
     }
     blocked.sort_unstable();
     blocked.dedup();

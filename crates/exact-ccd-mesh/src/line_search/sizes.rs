@@ -90,6 +90,18 @@ impl<'a> Sizes<'a> {
         self.update_can_retreat();
     }
 
+    /// Holds all vertices back that are not pinned: to the least size.
+    pub(super) fn hold_all_back(&mut self) {
+        for vertex in 0..self.sizes.len() {
+            if self.can_retreat[vertex] {
+                self.sizes[vertex] = self.least;
+                self.positions[vertex] = self.step.vertex_at(vertex, self.least);
+            }
+        }
+        self.has_fallen = Some(self.can_retreat.clone());
+        self.update_can_retreat();
+    }
+
     fn update_can_retreat(&mut self) {
         let vertices = self.sizes.iter().zip(&self.is_pinned);
         self.can_retreat.clear();

@@ -286,10 +286,10 @@ fn rounds_are_those_that_search_all_pairs() {
 
 /// Points in a row that move by 1: the first one is held back by a point at rest, and each of the others by
 /// the one before it, a round later. A face at rest, far away, may be so large that the step counts as short.
-fn row(keep: f64, size_of_face: f64) -> Scene {
+fn row(keep: f64, size_of_face: f64, rounds: usize) -> Scene {
     let least = 0.02 * keep;
     let (mut x0, mut size, mut kept) = (vec![[0.02, 0.0, 0.0]], least, keep);
-    for round in 2..40 {
+    for round in 2..rounds {
         // It would pass the one before it by a little, and no other one.
         let gap = 0.999 - size;
         kept = if round < 32 { kept * keep } else { 0.0 };
@@ -305,8 +305,23 @@ fn row(keep: f64, size_of_face: f64) -> Scene {
     ];
     x0.extend(at_rest);
     x1.extend(at_rest);
-    let mesh = TriangleMesh::new(43, vec![[40, 41, 42]]).unwrap();
+    let first = rounds as u32;
+    let mesh = TriangleMesh::new(rounds + 3, vec![[first, first + 1, first + 2]]).unwrap();
     Scene { mesh, x0, x1 }
+}
+
+/// From round 64 on, a contact brings all vertices to the least size: not one round for each vertex.
+#[test]
+fn rounds_end_in_long_rows() {
+    let options = FreeStepOptions::default();
+    let scene = row(options.keep, 0.1, 300);
+    let mut detector = Detector::new(scene.mesh.clone());
+    let found = detector.free_steps(&scene.x0, &scene.x1, &[], &options).unwrap();
+    assert!((65..70).contains(&found.rounds), "{}", found.rounds);
+    assert_eq!(found.blocked, []);
+    let common = detector.free_step(&scene.x0, &scene.x1, &options).unwrap().size;
+    assert!(found.sizes.iter().all(|&size| size == common));
+    assert_eq!(detector.collides(&scene.x0, &found.positions, CONTACT), Ok(false));
 }
 
 /// From round 32 on, contacts bring vertices to the least size. Boxes of a long step before are not used.
@@ -314,7 +329,7 @@ fn row(keep: f64, size_of_face: f64) -> Scene {
 fn late_rounds_bring_vertices_to_the_least_size() {
     let options = FreeStepOptions::default();
     for size_of_face in [0.1, 10.0] {
-        let scene = row(options.keep, size_of_face);
+        let scene = row(options.keep, size_of_face, 40);
         let mut detector = Detector::new(scene.mesh.clone());
         let common = detector.free_step(&scene.x0, &scene.x1, &options).unwrap().size;
         let expected = rounds(&scene, &options.min_distance, options.keep, common);
