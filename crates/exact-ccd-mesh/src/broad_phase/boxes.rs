@@ -34,8 +34,8 @@ pub struct Boxes<const T: usize> {
 }
 
 impl<const T: usize> Boxes<T> {
-    /// Boxes at t = 0 and at t = 1, or boxes at rest (T = 1). Their indices are those in the slice. A side that
-    /// is not a number counts as unbounded.
+    /// Boxes at t = 0 and at t = 1, or boxes at rest (T = 1). Their indices are those in the slice. A side
+    /// that is not a number counts as unbounded.
     ///
     /// # Errors
     /// [`TooManyPrimitives`], if indices of 32 bits do not suffice.
