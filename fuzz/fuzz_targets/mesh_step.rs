@@ -13,7 +13,7 @@ use exact_ccd_mesh::{
 use libfuzzer_sys::fuzz_target;
 
 /// Enough for several blocks of boxes.
-const VERTICES: usize = 40;
+const VERTICES: usize = 24;
 
 fuzz_target!(|bytes: &[u8]| {
     // Too few bytes are no mesh.
@@ -22,8 +22,8 @@ fuzz_target!(|bytes: &[u8]| {
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
     let mut vertex = || bytes.int_in_range(0..=VERTICES as u32 - 1);
-    let faces = [[(); 3]; 24].map(|face| face.map(|()| vertex().unwrap_or_default()));
-    let edges = [[(); 2]; 6].map(|edge| edge.map(|()| vertex().unwrap_or_default()));
+    let faces = [[(); 3]; 12].map(|face| face.map(|()| vertex().unwrap_or_default()));
+    let edges = [[(); 2]; 4].map(|edge| edge.map(|()| vertex().unwrap_or_default()));
     let min_distance = min_distance(bytes)?;
     let until = [1.0, 0.5, coordinate(bytes)?.abs().min(1.0)][bytes.choose_index(3)?];
     let can_collide = if bytes.arbitrary()? {
