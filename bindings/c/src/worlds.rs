@@ -44,7 +44,7 @@ impl<'a> Worlds<'a> {
     }
 
     /// The results of `work` for the positions of each world, or the error of the first world that has
-    /// one. There are as many detectors as worlds at a time.
+    /// one. There are as many detectors as worlds that are searched at a time.
     fn each<T: Send>(
         &self,
         work: impl Fn(&mut exact_ccd_mesh::Detector, &'a [Point], &'a [Point]) -> Result<T, Error> + Sync,

@@ -36,8 +36,8 @@ impl StartCheck {
         (self.start, self.end) = (Vec::new(), Vec::new());
     }
 
-    /// Makes certain that nothing crosses at the start of a step. A pass over the mesh begins it for the
-    /// primitives.
+    /// Makes certain that nothing crosses at the start of a step. The primitives begin the step only if the
+    /// mesh is searched.
     ///
     /// # Errors
     /// [`StepError::Crossing`] has the first edge that crosses a face.

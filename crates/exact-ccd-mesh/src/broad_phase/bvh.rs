@@ -19,7 +19,7 @@ pub struct Bvh;
 /// The number of groups of blocks that a thread searches for in one task.
 const GRAIN: usize = 4;
 
-/// The number of places, all over the boxes, from which the first grains are.
+/// The number of parts of the boxes that the first grains come from, one from each.
 const PLACES: usize = 64;
 
 /// The least number of nodes that a thread makes in one task: as much work as that of filling blocks.
@@ -63,8 +63,8 @@ fn within<const T: usize>(boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<
     })
 }
 
-/// The groups of blocks by grains, and these in an order in which the first ones are from everywhere: a
-/// search for any pair ends early.
+/// Grains of groups of blocks. The first ones are spread over all boxes, so that a search for any pair ends
+/// early.
 fn grains(blocks: usize) -> impl ParallelIterator<Item = Range<usize>> {
     let count = blocks.div_ceil(LANES);
     let grains = count.div_ceil(GRAIN);
