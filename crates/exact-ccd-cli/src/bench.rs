@@ -47,7 +47,7 @@ pub(crate) struct Arguments {
     /// The folder.
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    #[arg(long, value_name = "NAME", value_delimiter = ',', alias = "methods", help = method_help())]
+    #[arg(long, value_name = "NAME", value_delimiter = ',', help = method_help())]
     method: Vec<String>,
     /// The size of the random sample of each data set and kind. Half of it are queries in contact,
     /// if there are enough.
@@ -60,7 +60,7 @@ pub(crate) struct Arguments {
     #[arg(long = "peer", value_name = "COMMAND")]
     peers: Vec<String>,
     /// Write the report to this folder, as Markdown, CSV and JSON, with plots.
-    #[arg(long, short, value_name = "REPORT_DIR", alias = "out")]
+    #[arg(long, short, value_name = "REPORT_DIR")]
     output: Option<PathBuf>,
     /// Print the report as a JSON object at the end, in place of the tables. docs/reports.md has its
     /// schema.

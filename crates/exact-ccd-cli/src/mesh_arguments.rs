@@ -30,7 +30,7 @@ pub(crate) struct MeshArguments {
     pub(crate) all: Option<ListFile>,
     /// Write the mesh at the time of the first contact, impact.vtu, and the contacts of its step that
     /// were found as points, contacts.vtp, to this folder, for ParaView.
-    #[arg(long, value_name = "DIR", alias = "out")]
+    #[arg(long, value_name = "DIR")]
     pub(crate) paraview: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) view: View,

@@ -76,12 +76,12 @@ pub(crate) struct Arguments {
     /// The scene, a .toml file or one of another program.
     scene: PathBuf,
     /// Write the results to this folder.
-    #[arg(long, short, value_name = "DIR", alias = "out")]
+    #[arg(long, short, value_name = "DIR")]
     output: Option<PathBuf>,
     /// The folder of the mesh files, by default that of the scene file.
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
-    #[arg(long, value_name = "NAME", alias = "ccd", help = method_help())]
+    #[arg(long, value_name = "NAME", help = method_help())]
     method: Option<String>,
     /// The line search, in place of that of the scene: one step size for all vertices, or one for each
     /// vertex.

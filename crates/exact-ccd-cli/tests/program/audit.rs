@@ -161,7 +161,7 @@ fn the_seconds_have_the_writing_of_files() {
     for (options, phases) in [
         (&[][..], &["examine", "read"][..]),
         (&["--all", "all.csv"], &["examine", "read", "write"]),
-        (&["--out", "out"], &["examine", "read", "write"]),
+        (&["--paraview", "out"], &["examine", "read", "write"]),
         (&["--view", "page.html"], &["examine", "read", "write"]),
     ] {
         let run = folder.run(&[&["audit", "--json", "0.ply", "1.ply", "2.ply"], options].concat());
@@ -371,7 +371,7 @@ fn half_spaces_are_not_entered() {
         folder.run(&[&files[..], options].concat())
     };
     let first = |height: &str| {
-        let run = run(height, &["--json", "--out", "out"]);
+        let run = run(height, &["--json", "--paraview", "out"]);
         let report: Value = serde_json::from_str(&run.stdout).unwrap();
         report["contact"].clone()
     };

@@ -44,7 +44,7 @@ fn every_method_has_a_row_in_every_table() {
 #[test]
 fn methods_are_chosen_by_name_and_a_report_is_written() {
     let folder = folder();
-    let run = folder.run(&["bench", "data", "--methods", "ti,Exact", "--out", "some/report"]);
+    let run = folder.run(&["bench", "data", "--method", "ti,Exact", "--output", "some/report"]);
     assert_eq!(run.status, 0, "{run:?}");
     let names: Vec<_> = run
         .stdout
@@ -68,7 +68,7 @@ fn every_fault_is_reported() {
     );
     assert!(error(&["nowhere"]).starts_with("nowhere: "));
     assert!(
-        error(&["data", "--methods", "exact,GUESS"])
+        error(&["data", "--method", "exact,GUESS"])
             .starts_with("there is no method GUESS; there are exact, parity, IRF")
     );
     assert!(error(&["data", "--peer", "no-such-program"]).starts_with("no-such-program: "));
@@ -79,7 +79,9 @@ fn every_fault_is_reported() {
     );
     folder.write("blocked", "");
     fs::remove_file(folder.path("data/wedge/vertex-face/1.csv")).unwrap();
-    assert!(error(&["data", "--methods", "exact", "--out", "blocked"]).starts_with("cannot write blocked: "));
+    assert!(
+        error(&["data", "--method", "exact", "--output", "blocked"]).starts_with("cannot write blocked: ")
+    );
 }
 
 /// The peer writes its greeting and ends.
@@ -91,11 +93,11 @@ fn the_run_continues_without_a_peer_that_has_failed() {
     let run = folder.run(&[
         "bench",
         "data",
-        "--methods",
+        "--method",
         "exact,mute",
         "--peer",
         "sh peer.sh",
-        "--out",
+        "--output",
         "report",
     ]);
     assert_eq!(run.stdout.matches("\n| exact | all | ").count(), 2, "{run:?}");

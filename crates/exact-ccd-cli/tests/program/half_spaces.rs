@@ -130,7 +130,7 @@ fn the_list_has_the_contacts_of_both() {
     let planes = ["--half-space", "0,0,0.5,0,0,1", "--half-space", "0,0,-0.5,0,0,1"];
     let run = step(
         &folder,
-        &[&planes[..], &["--all", "all.jsonl", "--out", "out"]].concat(),
+        &[&planes[..], &["--all", "all.jsonl", "--paraview", "out"]].concat(),
     );
     assert_eq!(run.status, 1, "{run:?}");
     let list = folder.read("all.jsonl");

@@ -66,7 +66,7 @@ fn vertices_around_solids_have_the_ids_of_the_file() {
     let run = folder.run(
         &[
             &command[..],
-            &["--out", "out", "--all", "all.csv", "--view", "page.html"],
+            &["--paraview", "out", "--all", "all.csv", "--view", "page.html"],
         ]
         .concat(),
     );

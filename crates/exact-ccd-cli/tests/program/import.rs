@@ -31,8 +31,8 @@ fn a_scene_and_its_import_have_the_same_simulation() {
     let printed = folder.run(&["import", "scenes/scene.txt"]);
     assert_eq!(printed.stdout, folder.read("scene.toml"));
     for arguments in [
-        ["simulate", "scenes/scene.txt", "--out", "theirs"].as_slice(),
-        &["simulate", "scene.toml", "--meshes", "scenes", "--out", "ours"],
+        ["simulate", "scenes/scene.txt", "--output", "theirs"].as_slice(),
+        &["simulate", "scene.toml", "--meshes", "scenes", "--output", "ours"],
     ] {
         assert_eq!(folder.run(arguments).status, 0);
     }

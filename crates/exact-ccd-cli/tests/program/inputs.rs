@@ -135,7 +135,7 @@ fn outputs_without_a_place_are_named_with_a_remedy() {
             "name a file, as there is a folder of this name",
         ),
         (
-            "--out",
+            "--paraview",
             "text.txt",
             "name another folder, as there is a file of this name",
         ),

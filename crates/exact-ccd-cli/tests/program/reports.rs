@@ -69,7 +69,7 @@ fn every_report_has_its_schema() {
     folder.write("data/vertex-face/0.csv", rows(&pass(), ",1"));
     // With a method that has no times of impact, and with queries of one class only.
     for methods in ["exact", "exact,parity,IRF"] {
-        let run = folder.run(&["bench", "data", "--methods", methods, "--json"]);
+        let run = folder.run(&["bench", "data", "--method", methods, "--json"]);
         let report = json_of(&run);
         schema.assert("bench", &report);
         let rows = report["tables"][0]["rows"].as_array().unwrap();
@@ -167,7 +167,7 @@ fn the_impact_is_written_for_paraview() {
         "step",
         "start.ply",
         "end.ply",
-        "--out",
+        "--paraview",
         "out",
         "--all",
         "all.jsonl",
@@ -187,16 +187,16 @@ fn the_impact_is_written_for_paraview() {
         assert!(text.contains(&format!(" Name=\"{name}\" ")), "{name}");
     }
 
-    let run = folder.run(&["audit", "start.ply", "end.ply", "--as-given", "--out", "out"]);
+    let run = folder.run(&["audit", "start.ply", "end.ply", "--as-given", "--paraview", "out"]);
     assert_eq!(run.status, 1);
     assert_eq!(impact(&folder), (mesh, points[..1].to_vec()));
 
     // An answer without a contact leaves no mesh of an earlier one.
-    let run = folder.run(&["audit", "start.ply", "start.ply", "--out", "out"]);
+    let run = folder.run(&["audit", "start.ply", "start.ply", "--paraview", "out"]);
     assert_eq!(run.status, 0, "{run:?}");
     assert!(!folder.path("out/impact.vtu").exists());
-    folder.run(&["audit", "start.ply", "end.ply", "--as-given", "--out", "out"]);
-    let run = folder.run(&["step", "start.ply", "start.ply", "--out", "out"]);
+    folder.run(&["audit", "start.ply", "end.ply", "--as-given", "--paraview", "out"]);
+    let run = folder.run(&["step", "start.ply", "start.ply", "--paraview", "out"]);
     assert_eq!(run.status, 0);
     assert!(!folder.path("out/impact.vtu").exists() && folder.path("out/contacts.vtp").exists());
 }
@@ -205,7 +205,7 @@ fn the_impact_is_written_for_paraview() {
 fn an_intersection_is_written_at_rest() {
     let folder = fall(-1.0, 1.0);
     for command in [&["step", "start.ply", "end.ply"][..], &["audit", "start.ply"]] {
-        folder.run(&[command, &["--out", "out"]].concat());
+        folder.run(&[command, &["--paraview", "out"]].concat());
         let (mesh, points) = impact(&folder);
         assert_eq!(mesh, tip_above_square(-1.0));
         // The first side of the tip meets the square in its middle.
@@ -219,7 +219,7 @@ fn files_that_cannot_be_written_are_errors() {
     let error = |option: &[&str]| folder.run(&[&["step", "start.ply", "end.ply"], option].concat());
     folder.write("blocked", "");
     assert!(
-        error(&["--out", "blocked"])
+        error(&["--paraview", "blocked"])
             .error()
             .starts_with("cannot write blocked: ")
     );

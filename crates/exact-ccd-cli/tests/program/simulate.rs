@@ -30,7 +30,7 @@ pub(crate) fn folder() -> Folder {
 #[test]
 fn every_step_is_printed_and_free_of_contact() {
     let folder = folder();
-    let run = folder.run(&["simulate", "scene.toml", "--out", "result"]);
+    let run = folder.run(&["simulate", "scene.toml", "--output", "result"]);
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     let lines: Vec<&str> = run.stdout.lines().collect();
     assert_eq!(lines.len(), 11);
@@ -48,7 +48,7 @@ fn every_step_is_printed_and_free_of_contact() {
 #[test]
 fn the_path_is_free_of_contact() {
     let folder = folder();
-    let run = folder.run(&["simulate", "scene.toml", "--out", "result", "--path"]);
+    let run = folder.run(&["simulate", "scene.toml", "--output", "result", "--path"]);
     assert_eq!(run.status, 0);
     let files = fs::read_dir(folder.path("result/path")).unwrap().count();
     assert!(files > 20, "{files} files for 10 time steps");
@@ -71,7 +71,9 @@ fn columns(statistics: &str) -> Vec<(&str, Vec<&str>)> {
 fn statistics_are_columns_with_units() {
     let folder = folder();
     assert_eq!(
-        folder.run(&["simulate", "scene.toml", "--out", "result"]).status,
+        folder
+            .run(&["simulate", "scene.toml", "--output", "result"])
+            .status,
         0
     );
     let statistics = folder.read("result/statistics.csv");
@@ -117,7 +119,7 @@ fn statistics_are_columns_with_units() {
 #[test]
 fn vtu_files_have_tetrahedra_and_triangles_of_all_time_steps() {
     let folder = folder();
-    let run = folder.run(&["simulate", "scene.toml", "--out", "result", "--steps", "3"]);
+    let run = folder.run(&["simulate", "scene.toml", "--output", "result", "--steps", "3"]);
     assert_eq!(run.status, 0);
     let collection = exact_ccd_files::read_pvd(folder.path("result/motion.pvd")).unwrap();
     let file = |step: u32| folder.path(&format!("result/vtu/00000{step}.vtu"));
@@ -157,7 +159,7 @@ particles = { density = 1000.0, radius = 0.01 }
 translate = [0.2, 0.5, 0.0]
 "#;
     folder.write("rod.toml", scene);
-    let run = folder.run(&["simulate", "rod.toml", "--out", "result", "--path", "--render"]);
+    let run = folder.run(&["simulate", "rod.toml", "--output", "result", "--path", "--render"]);
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     let summary = "7 vertices, 0 faces, 4 rod edges, 2 particles, ";
     assert!(run.stdout.starts_with(summary), "{run:?}");
@@ -178,7 +180,7 @@ translate = [0.2, 0.5, 0.0]
 fn the_method_can_be_chosen() {
     let folder = folder();
     for ccd in ["bisection", "parity", "ti"] {
-        let run = folder.run(&["simulate", "scene.toml", "--ccd", ccd, "--steps", "6"]);
+        let run = folder.run(&["simulate", "scene.toml", "--method", ccd, "--steps", "6"]);
         assert_eq!((run.status, run.stdout.lines().count()), (0, 7), "{ccd}");
     }
 }
@@ -186,7 +188,7 @@ fn the_method_can_be_chosen() {
 #[test]
 fn a_complete_run_has_nothing_to_resume() {
     let folder = folder();
-    let arguments = ["simulate", "scene.toml", "--out", "out", "--steps", "2"];
+    let arguments = ["simulate", "scene.toml", "--output", "out", "--steps", "2"];
     assert_eq!(folder.run(&arguments).status, 0);
     let run = folder.run(&[arguments.as_slice(), &["--resume"]].concat());
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
@@ -201,7 +203,7 @@ fn a_complete_run_has_nothing_to_resume() {
 fn one_time_step_is_singular() {
     let folder = folder();
     let run = |more: &[&str]| {
-        let arguments = ["simulate", "scene.toml", "--out", "out"];
+        let arguments = ["simulate", "scene.toml", "--output", "out"];
         let run = folder.run(&[arguments.as_slice(), more].concat());
         assert_eq!((run.status, run.stderr.as_str()), (0, ""));
         run.stdout.lines().next().unwrap().to_owned()
@@ -238,7 +240,7 @@ fn files_of_some_time_steps_are_written() {
     let arguments = [
         "simulate",
         "scene.toml",
-        "--out",
+        "--output",
         "out",
         "--every",
         "4",
@@ -273,7 +275,7 @@ fn warnings_are_printed() {
         "short.toml",
         SCENE.replace("[settings]", "[settings]\nmax-iterations = 1"),
     );
-    let run = folder.run(&["simulate", "short.toml", "--out", "out"]);
+    let run = folder.run(&["simulate", "short.toml", "--output", "out"]);
     let found = run.stderr.starts_with("exact-ccd: warning: ")
         && run
             .stderr
@@ -282,7 +284,7 @@ fn warnings_are_printed() {
     let run = folder.run(&[
         "simulate",
         "short.toml",
-        "--out",
+        "--output",
         "out",
         "--overwrite",
         "--strict",
@@ -324,7 +326,14 @@ translate = [0.0, 2.0, 0.0]
 motion = { key-frames = { frames = [{ time = 0.0 }, { time = 0.1, translate = [0.0, 1.0, 0.0], degrees = 9.0 }] } }
 "#;
     folder.write("ground.toml", scene);
-    let run = folder.run(&["simulate", "ground.toml", "--out", "out", "--render", "--strict"]);
+    let run = folder.run(&[
+        "simulate",
+        "ground.toml",
+        "--output",
+        "out",
+        "--render",
+        "--strict",
+    ]);
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     let frame = exact_ccd_files::read_frame(folder.path("out/frames/000010.ply")).unwrap();
     assert!(frame.positions[..8].iter().all(|x| x[1] > 0.0) && frame.positions[8][1] == 3.0);
@@ -363,7 +372,7 @@ fn bodies_have_names_and_contacts_are_written() {
     let run = folder.run(&[
         "simulate",
         "scene.toml",
-        "--out",
+        "--output",
         "result",
         "--path",
         "--every",

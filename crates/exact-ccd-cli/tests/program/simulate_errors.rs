@@ -17,7 +17,7 @@ fn assert_error(run: &Run, error: &str) {
 #[test]
 fn an_unknown_method_is_an_error() {
     let folder = folder();
-    let run = folder.run(&["simulate", "scene.toml", "--ccd", "luck"]);
+    let run = folder.run(&["simulate", "scene.toml", "--method", "luck"]);
     assert_error(
         &run,
         "there is no method luck; there are exact, bisection, parity, ",
@@ -35,11 +35,11 @@ fn errors_name_the_file_and_the_field() {
     );
     let run = folder.run(&["simulate", "missing.toml"]);
     assert_error(&run, "missing.toml: ");
-    let run = folder.run(&["simulate", "scene.toml", "--out", "empty", "--resume"]);
+    let run = folder.run(&["simulate", "scene.toml", "--output", "empty", "--resume"]);
     assert_error(&run, "empty/checkpoint.json: the file does not exist");
     fs::create_dir(folder.path("empty")).unwrap();
     folder.write("empty/checkpoint.json", "{\"step\": 3}");
-    let run = folder.run(&["simulate", "scene.toml", "--out", "empty", "--resume"]);
+    let run = folder.run(&["simulate", "scene.toml", "--output", "empty", "--resume"]);
     assert_error(&run, "empty/checkpoint.json: missing field `settings`");
 }
 
@@ -48,7 +48,7 @@ fn errors_name_the_file_and_the_field() {
 fn a_checkpoint_of_another_scene_is_an_error() {
     let folder = folder();
     let simulate = |scene: &str, more: &[&str]| {
-        let arguments = ["simulate", scene, "--out", "out", "--steps", "2"];
+        let arguments = ["simulate", scene, "--output", "out", "--steps", "2"];
         folder.run(&[arguments.as_slice(), more].concat())
     };
     assert_eq!(simulate("scene.toml", &[]).status, 0);
@@ -77,7 +77,7 @@ fn a_checkpoint_of_another_scene_is_an_error() {
         let expected = format!("out/checkpoint.json: the checkpoint {what}");
         assert_error(&run, &expected);
     }
-    let run = simulate("scene.toml", &["--resume", "--ccd", "bisection"]);
+    let run = simulate("scene.toml", &["--resume", "--method", "bisection"]);
     assert_error(
         &run,
         "out/checkpoint.json: the checkpoint has `ccd` = exact, expected bisection",
@@ -88,7 +88,7 @@ fn a_checkpoint_of_another_scene_is_an_error() {
 #[test]
 fn a_checkpoint_without_the_files_of_its_step_is_an_error() {
     let folder = folder();
-    let arguments = ["simulate", "scene.toml", "--out", "out", "--steps", "2"];
+    let arguments = ["simulate", "scene.toml", "--output", "out", "--steps", "2"];
     assert_eq!(folder.run(&arguments).status, 0);
     let checkpoint = folder.read("out/checkpoint.json");
     assert!(checkpoint.contains("\"step\":2,"));
@@ -116,7 +116,7 @@ fn a_checkpoint_without_the_files_of_its_step_is_an_error() {
 fn results_are_kept_and_complete() {
     let folder = folder();
     let simulate = |more: &[&str]| {
-        let arguments = ["simulate", "scene.toml", "--out", "out", "--steps", "3"];
+        let arguments = ["simulate", "scene.toml", "--output", "out", "--steps", "3"];
         folder.run(&[arguments.as_slice(), more].concat())
     };
     assert_eq!(simulate(&[]).status, 0);

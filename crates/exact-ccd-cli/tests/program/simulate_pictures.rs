@@ -9,7 +9,7 @@ use crate::simulate::{SCENE, folder};
 fn there_is_a_picture_of_each_time_step() {
     let folder = folder();
     let run = |more: &[&str]| {
-        let arguments = ["simulate", "scene.toml", "--out", "result", "--render"];
+        let arguments = ["simulate", "scene.toml", "--output", "result", "--render"];
         let run = folder.run(&[arguments.as_slice(), more].concat());
         assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     };
@@ -52,7 +52,14 @@ fn pictures_are_written_as_the_run_goes() {
         "scene.toml",
         SCENE.replace("[settings]", "[settings]\nmax-iterations = 1"),
     );
-    let run = folder.run(&["simulate", "scene.toml", "--out", "out", "--render", "--strict"]);
+    let run = folder.run(&[
+        "simulate",
+        "scene.toml",
+        "--output",
+        "out",
+        "--render",
+        "--strict",
+    ]);
     assert_eq!(run.status, 2, "{run:?}");
     let pictures = fs::read_dir(folder.path("out/pictures")).unwrap().count();
     assert!((2..11).contains(&pictures), "{pictures}");
@@ -81,7 +88,7 @@ fn pictures_have_settings() {
         let run = folder.run(&[
             "simulate",
             "settings.toml",
-            "--out",
+            "--output",
             name,
             "--render",
             "--steps",
@@ -114,7 +121,7 @@ fn plots_of_any_numbers_are_drawn() {
     let arguments = [
         "simulate",
         "scene.toml",
-        "--out",
+        "--output",
         "out",
         "--steps",
         "2",

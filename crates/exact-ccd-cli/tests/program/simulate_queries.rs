@@ -42,7 +42,7 @@ fn queries_are_a_data_set_with_ground_truth() {
     let run = folder.run(&[
         "simulate",
         "scene.toml",
-        "--out",
+        "--output",
         "result",
         "--dump-queries",
         "queries",
@@ -81,7 +81,7 @@ fn queries_are_a_data_set_with_ground_truth() {
             )
         );
     }
-    let bench = folder.run(&["bench", "queries", "--methods", "exact", "--budget", "0.01"]);
+    let bench = folder.run(&["bench", "queries", "--method", "exact", "--budget", "0.01"]);
     let heading = format!("### queries, vertex-face\n\n{vf} queries, {vf_in_contact} in contact");
     assert!(bench.status == 0 && bench.stdout.contains(&heading), "{bench:?}");
 }
@@ -116,10 +116,10 @@ fn recording_queries_does_not_change_results() {
         let observed = [
             "simulate",
             "scene.toml",
-            "--ccd",
+            "--method",
             ccd,
             "--overwrite",
-            "--out",
+            "--output",
             "observed",
         ];
         let observed = [observed.as_slice(), &["--dump-queries", "queries"]].concat();
@@ -127,10 +127,10 @@ fn recording_queries_does_not_change_results() {
         let plain = [
             "simulate",
             "scene.toml",
-            "--ccd",
+            "--method",
             ccd,
             "--overwrite",
-            "--out",
+            "--output",
             "plain",
         ];
         assert_eq!(folder.run(&plain).status, 0);

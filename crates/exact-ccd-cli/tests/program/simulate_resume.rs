@@ -51,7 +51,7 @@ fn arguments<'a>(out: &'a str, queries: &'a str, more: &[&'a str]) -> Vec<&'a st
     let all = [
         "simulate",
         "scene.toml",
-        "--out",
+        "--output",
         out,
         "--path",
         "--dump-queries",
@@ -172,7 +172,7 @@ fn overwriting_replaces_an_earlier_simulation() {
 fn a_path_is_continued() {
     let folder = folder();
     let simulate = |out: &str, more: &[&str]| {
-        folder.run(&[&["simulate", "scene.toml", "--out", out][..], more].concat())
+        folder.run(&[&["simulate", "scene.toml", "--output", out][..], more].concat())
     };
     let names = || {
         let files = files(&folder, "parts").into_keys();
@@ -231,7 +231,7 @@ fn an_interrupted_simulation_says_how_to_continue() {
     let run = folder.run(&[
         "simulate",
         "scene.toml",
-        "--out",
+        "--output",
         "whole",
         "--path",
         "--threads",
@@ -271,7 +271,7 @@ fn an_interrupted_simulation_says_how_to_continue() {
         "{nothing}"
     );
 
-    let message = interrupt(&["--path", "--out", "a result", "--overwrite"]);
+    let message = interrupt(&["--path", "--output", "a result", "--overwrite"]);
     let (first, command) = message.trim_end().split_once('\n').unwrap();
     let step: u64 = first
         .strip_prefix("exact-ccd: interrupted after time step ")
@@ -281,7 +281,10 @@ fn an_interrupted_simulation_says_how_to_continue() {
         .unwrap();
     assert!(step >= 2, "{message}");
     assert!(
-        command.ends_with(&format!(" {} --path --out 'a result' --resume", long.join(" "))),
+        command.ends_with(&format!(
+            " {} --path --output 'a result' --resume",
+            long.join(" ")
+        )),
         "{command}"
     );
     let rows = fs::read_to_string(folder.path("a result/statistics.csv")).unwrap();
@@ -296,7 +299,7 @@ fn an_interrupted_simulation_says_how_to_continue() {
     let resume = [
         "simulate",
         "scene.toml",
-        "--out",
+        "--output",
         "a result",
         "--path",
         "--resume",

@@ -163,7 +163,7 @@ fn the_seconds_are_those_of_all_phases() {
         (&["--any", "--half-space", "0,0,0,0,0,1"], &["half_spaces"]),
         (&["--toi", "--all", "all.csv"], &["list", "write"]),
         (&["--any", "--view", "page.html"], &["list", "write"]),
-        (&["--out", "out", "--repeat", "3"], &["list", "write"]),
+        (&["--paraview", "out", "--repeat", "3"], &["list", "write"]),
     ] {
         let run = folder.run(&[&["step", "start.ply", "end.ply", "--json"], options].concat());
         let report: Value = serde_json::from_str(&run.stdout).unwrap();
