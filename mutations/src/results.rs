@@ -51,8 +51,8 @@ pub fn read<'a>(folder: &Path, mutations: &[&'a str]) -> Result<Results<'a>, Box
     Ok(results)
 }
 
-/// Writes the results, and prints the number of each outcome by file.
-pub fn write(folder: &Path, mutations: &[&str], results: &Results) -> Result<(), Box<dyn Error>> {
+/// Writes the results.
+pub fn write(folder: &Path, results: &Results) -> Result<(), Box<dyn Error>> {
     let mut file = File::create(folder.join("results.tsv"))?;
     for (mutation, (outcome, seconds)) in results {
         match outcome {
@@ -61,6 +61,11 @@ pub fn write(folder: &Path, mutations: &[&str], results: &Results) -> Result<(),
             Outcome::Survives => writeln!(file, "survives\t{seconds}\t{mutation}")?,
         }
     }
+    Ok(())
+}
+
+/// Prints the number of each outcome by file.
+pub fn print_table(mutations: &[&str], results: &Results) {
     println!("| file | mutations | run | a test fails | no end | survive |\n|---|---:|---:|---:|---:|---:|");
     let files: BTreeSet<&str> = mutations.iter().map(|mutation| file_of(mutation)).collect();
     for name in files {
@@ -83,5 +88,4 @@ pub fn write(folder: &Path, mutations: &[&str], results: &Results) -> Result<(),
             count(|outcome| *outcome == Outcome::Survives),
         );
     }
-    Ok(())
 }

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::process::{lock, started, watched};
-use crate::results::{Outcome, file_of, read, write};
+use crate::results::{Outcome, file_of, print_table, read, write};
 
 /// The choice of tests and mutations.
 pub struct Limits {
@@ -92,8 +92,10 @@ pub fn run(package: &str, folder: &Path, limits: &Limits) -> Result<(), Box<dyn 
         })?;
         used = end;
         seconds *= 4.0;
+        write(folder, &lock(&results))?;
     }
-    write(folder, &mutations, &lock(&results))
+    print_table(&mutations, &lock(&results));
+    Ok(())
 }
 
 /// All tests but the slowest, with the time of each. A test that fails without a mutation is an error.

@@ -18,7 +18,7 @@ use crate::steps::Step;
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeSteps {
     /// The part of its displacement that each vertex takes, from 0 to 1. It is 1 if the vertex is pinned, or
-    /// if no contact held it back in any round.
+    /// if no contact held it back in any round and there are fewer than 64 rounds.
     pub sizes: Vec<f64>,
     /// The positions at the ends of these parts: those of [`Step::at`], vertex by vertex.
     pub positions: Vec<Point>,

@@ -77,8 +77,7 @@ pub fn step_size(
             if value.is_nan() || value <= 0.0 {
                 return Err(LineSearchError::Tolerance(value));
             }
-            // Rounding is monotone: in a smaller step, no coordinate leaves the box of the full
-            // one.
+            // The boxes of candidates have a margin for the rounded positions of smaller steps.
             let candidates = Candidates::new(full, &Bvh);
             Ok(bisect(tolerance, |size| {
                 let end = advance(start, direction, size);

@@ -69,9 +69,10 @@ impl Moment {
 
 /// The sign of a quadratic in a bracket, if it is certain.
 ///
-/// With its coefficients in the window, M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 4 M its
-/// slope. The value at `near` results from n = 7 roundings: that of the coefficient, 1 − t twice, two
-/// products and two sums. The integers are at least 1, so that what underflows is far below the bound.
+/// With its coefficients in the window, M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 2 M its
+/// slope −2 q₀ (1−t) + q₁ (1−2t) + 2 q₂ t. The value at `near` results from n = 7 roundings: that of the
+/// coefficient, 1 − t twice, two products and two sums. The integers are at least 1, so that what underflows
+/// is far below the bound.
 fn near<A: Area>(quadratic: [A; 3], window: &Window, root: &Root) -> Option<Ordering> {
     if quadratic.iter().all(|q| q.sign().is_eq()) {
         return Some(Ordering::Equal);

@@ -7,13 +7,13 @@
 
 use super::advance::Advancement;
 use super::scaled::Scaled;
-use crate::filter::Within;
 use crate::filter::coplanarity::{self, Coplanarity};
 use crate::filter::decision::{Decision, Proved};
 use crate::filter::hull::Hull;
 use crate::filter::near_plane::decide_near_plane;
 use crate::filter::number::Lanes;
 use crate::filter::roundoff::{UNIT, margin};
+use crate::filter::{Touching, Within};
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
@@ -26,7 +26,8 @@ pub(super) fn first_after<K: Kind>(
     d: f64,
     free: f64,
 ) -> Option<ContactTime> {
-    if hull.is_out_of_range(Within(d)) {
+    // Contact is decided for boxes that meet.
+    if hull.is_out_of_range(Within(d)) || hull.is_beyond_axis(Touching) {
         return None;
     }
     let planes = Coplanarity::new::<K>(&query.four());
