@@ -166,22 +166,27 @@ fn numbers(source: &str) -> Vec<u32> {
         .collect()
 }
 
+/// The test of all bits of generated answers, also of the crates below that of the meshes.
+const ANSWERS: &[&str] = &["--package", "exact-ccd-mesh", "--test", "architectures"];
+
 /// Compiles the tests, and copies the programs.
 fn test_programs(package: &str, folder: &Path, tree: &Path) -> Result<(), Box<dyn Error>> {
     eprintln!("compiling the tests of {package}");
-    let built = cargo(folder, tree, &["test", "--no-run", "--package", package]).output()?;
-    if !built.status.success() {
-        return Err(String::from_utf8_lossy(&built.stderr).into());
-    }
     let programs = folder.join("programs");
     fs::create_dir_all(&programs)?;
-    for line in String::from_utf8(built.stdout)?.lines() {
-        let message: Value = serde_json::from_str(line)?;
-        if let (Some(program), Some(name)) =
-            (message["executable"].as_str(), message["target"]["name"].as_str())
-            && message["profile"]["test"] == true
-        {
-            fs::copy(program, programs.join(name))?;
+    for tests in [&["--package", package][..], ANSWERS] {
+        let built = cargo(folder, tree, &[&["test", "--no-run"], tests].concat()).output()?;
+        if !built.status.success() {
+            return Err(String::from_utf8_lossy(&built.stderr).into());
+        }
+        for line in String::from_utf8(built.stdout)?.lines() {
+            let message: Value = serde_json::from_str(line)?;
+            if let (Some(program), Some(name)) =
+                (message["executable"].as_str(), message["target"]["name"].as_str())
+                && message["profile"]["test"] == true
+            {
+                fs::copy(program, programs.join(name))?;
+            }
         }
     }
     Ok(())

@@ -1,5 +1,5 @@
 //! The answers to generated queries and steps in two numbers, which are the same on every machine:
-//! `scripts/check architectures`.
+//! `scripts/check architectures` runs the program, and `cargo test` compares both numbers too.
 //!
 //! The exit status is 0 if both are those recorded here. With files of raw queries (`raw.rs`), a line for
 //! each with the digest of the answers.
@@ -14,16 +14,18 @@ mod meshes;
 #[path = "../../../../exact-ccd/tests/queries/primitives.rs"]
 #[allow(dead_code, reason = "the test target `queries` needs more of it")]
 mod primitives;
+#[cfg(not(test))]
 mod raw;
-
-use std::process::ExitCode;
 
 /// The digest of the answers of the kernel. A change by intent is recorded anew.
 const KERNEL: u64 = 0x659a_818b_62b1_5480;
 /// The digest of the answers to steps of meshes.
 const MESHES: u64 = 0x8387_125a_322a_943b;
 
-fn main() -> ExitCode {
+#[cfg(not(test))]
+fn main() -> std::process::ExitCode {
+    use std::process::ExitCode;
+
     let mut all_right = true;
     let mut check = |name: &str, found: u64, recorded: u64| {
         println!("{name} {found:#018x}, recorded {recorded:#018x}");
@@ -44,4 +46,14 @@ fn main() -> ExitCode {
         }
     }
     ExitCode::from(u8::from(!all_right))
+}
+
+#[test]
+fn the_answers_of_the_kernel_are_those_recorded() {
+    assert_eq!(kernel::digest(), KERNEL);
+}
+
+#[test]
+fn the_answers_to_steps_are_those_recorded_with_any_number_of_threads() {
+    meshes::THREADS.for_each(|threads| assert_eq!(meshes::digest(threads), MESHES, "{threads} threads"));
 }
