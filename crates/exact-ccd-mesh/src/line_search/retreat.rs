@@ -7,7 +7,7 @@ use arrayvec::ArrayVec;
 use exact_ccd::Impact;
 
 use crate::mesh::TriangleMesh;
-use crate::pairs::{Pair, PairKind};
+use crate::pairs::{Pair, PairKind, Searched};
 use crate::search::{Collect, Gathered, NarrowPhase};
 use crate::steps::Step;
 use crate::vector::{dot, minus};
@@ -90,7 +90,7 @@ impl Collect for Retreats<'_> {
         1.0
     }
 
-    fn examine<K: PairKind>(
+    fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,
         mesh: &TriangleMesh,

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::error::LineSearchError;
 use super::options::FreeStepOptions;
 use crate::mesh::TriangleMesh;
-use crate::pairs::PairKind;
+use crate::pairs::Searched;
 use crate::search::{Collect, NarrowPhase};
 
 /// The caller's callbacks during a search.
@@ -61,7 +61,7 @@ impl<C: Collect> Collect for Watched<'_, C> {
         self.collector.until()
     }
 
-    fn examine<K: PairKind>(
+    fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,
         mesh: &TriangleMesh,
@@ -75,5 +75,9 @@ impl<C: Collect> Collect for Watched<'_, C> {
             progress(pairs.len());
         }
         ControlFlow::Continue(())
+    }
+
+    fn forget_sample<K: Searched>(&self) {
+        self.collector.forget_sample::<K>();
     }
 }

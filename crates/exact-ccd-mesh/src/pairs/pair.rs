@@ -1,7 +1,5 @@
 //! Pairs of primitives of a mesh.
 
-use super::by_kind::PairCounts;
-
 /// Two primitives of a mesh without a common vertex.
 ///
 /// Pairs are ordered by their kind, as below, then by the first index, then by the second. The page
@@ -95,21 +93,5 @@ impl Pair {
             Self::VertexEdge { vertex, edge } => [vertex, edge],
             Self::EdgeEdge { a, b } | Self::VertexVertex { a, b } => [a, b],
         }
-    }
-}
-
-impl PairCounts {
-    /// The numbers of pairs of each kind.
-    pub(crate) fn of(pairs: &[Pair]) -> Self {
-        let mut counts = Self::default();
-        for pair in pairs {
-            *match pair {
-                Pair::VertexFace { .. } => &mut counts.vertex_face,
-                Pair::EdgeEdge { .. } => &mut counts.edge_edge,
-                Pair::VertexEdge { .. } => &mut counts.vertex_edge,
-                Pair::VertexVertex { .. } => &mut counts.vertex_vertex,
-            } += 1;
-        }
-        counts
     }
 }

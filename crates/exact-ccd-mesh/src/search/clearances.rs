@@ -9,7 +9,7 @@ use super::collect::Collect;
 use super::detector::Detector;
 use super::narrow_phase::NarrowPhase;
 use crate::mesh::TriangleMesh;
-use crate::pairs::PairKind;
+use crate::pairs::Searched;
 use crate::steps::StepError;
 
 impl Detector {
@@ -84,7 +84,7 @@ impl Collect for Clearances {
         0.0
     }
 
-    fn examine<K: PairKind>(
+    fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,
         mesh: &TriangleMesh,

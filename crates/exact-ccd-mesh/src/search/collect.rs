@@ -1,7 +1,7 @@
 //! Collectors of the contacts among candidates.
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use exact_ccd::ContactTime;
@@ -10,7 +10,7 @@ use super::contact::{Contact, earlier};
 use super::gathered::Gathered;
 use super::narrow_phase::NarrowPhase;
 use crate::mesh::TriangleMesh;
-use crate::pairs::{Pair, PairCounts, PairKind};
+use crate::pairs::{ByKind, Pair, PairCounts, Searched};
 
 /// A collector of contacts: receives batches of candidates in any order, on any thread.
 pub(crate) trait Collect: Sync {
@@ -23,12 +23,15 @@ pub(crate) trait Collect: Sync {
 
     /// Examines candidates of one kind, of two primitives of one set the smaller index first. `Break` ends
     /// the search.
-    fn examine<K: PairKind>(
+    fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()>;
+
+    /// Forgets the numbers of one kind, after a sample: its pairs are examined again.
+    fn forget_sample<K: Searched>(&self) {}
 }
 
 /// The existence of a contact that counts.
@@ -60,7 +63,7 @@ impl Collect for AnyContact<'_> {
         self.until
     }
 
-    fn examine<K: PairKind>(
+    fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,
         mesh: &TriangleMesh,
@@ -85,9 +88,9 @@ pub(crate) struct Earliest {
     /// never increases.
     limit: AtomicU64,
     contact: Mutex<Option<(ContactTime, Pair)>>,
-    /// The pairs that start within their distance, some of them twice, if they are to be counted. Their boxes
-    /// meet at t = 0, so that a search until any time examines all of them.
-    touching: Option<Gathered<Pair>>,
+    /// The numbers of pairs that start within their distance, if they are to be counted. Their boxes meet at
+    /// t = 0, so that a search until any time examines all of them.
+    touching: Option<ByKind<AtomicUsize>>,
 }
 
 impl Earliest {
@@ -103,7 +106,7 @@ impl Earliest {
     /// The earliest contact of the step, with the pairs that start within their distance.
     pub(crate) fn with_touching() -> Self {
         Self {
-            touching: Some(Gathered::default()),
+            touching: Some(ByKind::default()),
             ..Self::new(1.0)
         }
     }
@@ -115,10 +118,7 @@ impl Earliest {
 
     /// The numbers of pairs that start within their distance.
     pub(crate) fn touching(self) -> PairCounts {
-        let mut pairs = self.touching.map_or_else(Vec::new, Gathered::into_list);
-        pairs.sort_unstable();
-        pairs.dedup();
-        PairCounts::of(&pairs)
+        self.touching.unwrap_or_default().map(AtomicUsize::into_inner)
     }
 
     /// The earliest contact so far.
@@ -142,13 +142,13 @@ impl Collect for Earliest {
         f64::from_bits(self.limit.load(Ordering::Relaxed))
     }
 
-    fn examine<K: PairKind>(
+    fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
-        let mut touching = Vec::new();
+        let mut touching = 0;
         let mut lesser = Vec::new();
         // At the same time, a lesser pair comes first. The kinds are examined in the order of pairs.
         let is_later = |first| K::pair([0; 2]) > first;
@@ -165,9 +165,7 @@ impl Collect for Earliest {
         };
         narrow_phase.approaches::<K>(mesh, pairs, until, |ids, approach| {
             let times = approach.times();
-            if times.starts_within && self.touching.is_some() {
-                touching.push(K::pair(ids));
-            }
+            touching += usize::from(times.starts_within);
             // Equal times count, for a lesser pair.
             if let Some(time) = times.contact
                 && time.lower() <= self.until()
@@ -176,9 +174,15 @@ impl Collect for Earliest {
             }
         });
         if let Some(all) = &self.touching {
-            all.append(touching);
+            K::of(all).fetch_add(touching, Ordering::Relaxed);
         }
         ControlFlow::Continue(())
+    }
+
+    fn forget_sample<K: Searched>(&self) {
+        if let Some(all) = &self.touching {
+            K::of(all).store(0, Ordering::Relaxed);
+        }
     }
 }
 
@@ -211,7 +215,7 @@ impl Collect for AllContacts {
         self.until
     }
 
-    fn examine<K: PairKind>(
+    fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,
         mesh: &TriangleMesh,

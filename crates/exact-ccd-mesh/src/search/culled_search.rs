@@ -308,6 +308,9 @@ impl<C: Collect> Pass<'_, C> {
             } else {
                 self.examine_among::<K, 2>(moving, self.broad_phase, new_time, sample)?;
             }
+            if sample.is_some() {
+                self.collector.forget_sample::<K>();
+            }
             if !stay {
                 placed = Some((is_short, time));
             }
