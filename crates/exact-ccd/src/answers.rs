@@ -62,12 +62,14 @@ impl<K: Kind> Query<K> {
             .map_or_else(Intervals::default, |collision| collision.intervals())
     }
 
-    /// The distance of the primitives at time `t`, between two adjacent f64 or exactly.
+    /// The distance of the primitives at time `t`, between two adjacent f64 or exactly: computed in integers
+    /// alone.
     ///
     /// # Errors
     /// [`TimeOutOfStep`], if `t` is not in [0, 1].
     pub fn distance_at(&self, t: f64) -> Result<DistanceBounds, TimeOutOfStep> {
-        exact::distance_at(self, t)
+        TimeOutOfStep::check(t)?;
+        Ok(exact::distance_at(self, t))
     }
 }
 

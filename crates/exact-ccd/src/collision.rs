@@ -192,7 +192,7 @@ impl<'a, K: Kind> Collision<'a, K> {
 
     pub(crate) fn determine_distance(&self) -> DistanceBounds {
         if !self.separation.is_zero() && self.time().is_start() {
-            return exact::distance_at(self.query, 0.0).expect("0 is a time of the step");
+            return exact::distance_at(self.query, 0.0);
         }
         let d = self.separation.get();
         DistanceBounds { lower: d, upper: d }

@@ -39,7 +39,7 @@ pub(crate) use first::First;
 pub(crate) use first_contact::FirstContact;
 #[cfg(test)]
 pub(crate) use nearness::FirstWithin;
-pub use nearness::distance_at;
+pub(crate) use nearness::distance_at;
 #[cfg(test)]
 pub(crate) use polynomial::Polynomial;
 #[cfg(test)]

@@ -13,8 +13,8 @@ use crate::exact::split::Split;
 use crate::kind::Kind;
 use crate::query::Query;
 
-/// The distance of the primitives at a time, by the integral part of a square root.
-pub(super) fn bounds<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
+/// The distance of the primitives at a time of the step, by the integral part of a square root.
+pub(crate) fn distance_at<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
     let approach = Approach::at(query, t);
     // All polynomials are constant.
     let now = Narrowing::new(Instant::At(Split::START));

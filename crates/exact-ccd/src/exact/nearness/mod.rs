@@ -11,12 +11,13 @@ mod distance;
 mod feature;
 mod first_within;
 
+pub(crate) use distance::distance_at;
 pub(crate) use first_within::FirstWithin;
 
 use super::instant::Instant;
 use super::narrowing::Narrowing;
 use super::split::Split;
-use crate::distance::{DistanceBounds, Separation, TimeOutOfStep};
+use crate::distance::Separation;
 use crate::kind::Kind;
 use crate::query::Query;
 use approach::Approach;
@@ -29,15 +30,6 @@ static STEP: [Split; 2] = [Split::START, Split::END];
 pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
     let features = Approach::new(query, d).features::<K>();
     STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(|feature| feature.crosses(&STEP))
-}
-
-/// [`Query::distance_at`], computed in integers alone.
-///
-/// # Errors
-/// [`TimeOutOfStep`], if `t` is not in [0, 1].
-pub fn distance_at<K: Kind>(query: &Query<K>, t: f64) -> Result<DistanceBounds, TimeOutOfStep> {
-    TimeOutOfStep::check(t)?;
-    Ok(distance::bounds(query, t))
 }
 
 /// Returns true if the distance is at most d at a time.

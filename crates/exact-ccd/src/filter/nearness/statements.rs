@@ -43,7 +43,7 @@ fn queries<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
 fn separations<K: Kind>(query: &Query<K>) -> Vec<f64> {
     let mut all = Vec::new();
     for t in TIMES {
-        let d = exact::distance_at(query, t).expect("a time of the step").lower;
+        let d = exact::distance_at(query, t).lower;
         all.extend([
             0.75 * d,
             d * (1.0 - 1e-12),
@@ -59,7 +59,7 @@ fn separations<K: Kind>(query: &Query<K>) -> Vec<f64> {
 
 /// The comparison of the distance at a time with d.
 fn compare<K: Kind>(query: &Query<K>, t: f64, d: f64) -> Ordering {
-    let DistanceBounds { lower, upper } = exact::distance_at(query, t).expect("a time of the step");
+    let DistanceBounds { lower, upper } = exact::distance_at(query, t);
     if lower == upper {
         lower.total_cmp(&d)
     } else if d <= lower {
