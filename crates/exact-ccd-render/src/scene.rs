@@ -142,26 +142,15 @@ impl Parts {
     fn new(mesh: &TriangleMesh) -> Self {
         // Memory is proportional to the faces and edges, and all indices are below the count.
         let (mesh, vertices) = mesh.without_loose_vertices();
-        let mut parent: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
-        let root = |parent: &mut [u32], mut vertex: u32| {
-            while parent[vertex as usize] != vertex {
-                parent[vertex as usize] = parent[parent[vertex as usize] as usize];
-                vertex = parent[vertex as usize];
-            }
-            vertex
-        };
-        for &[a, b] in mesh.edges() {
-            let [a, b] = [a, b].map(|vertex| root(&mut parent, vertex));
-            parent[a as usize] = b;
-        }
+        let components = mesh.components();
         let mut numbers = HashMap::new();
         let first_corners = mesh.faces().iter().map(|face| face[0]);
         for vertex in first_corners.chain(mesh.loose_edges().iter().map(|edge| edge[0])) {
             let next = numbers.len();
-            numbers.entry(root(&mut parent, vertex)).or_insert(next);
+            numbers.entry(components[vertex as usize]).or_insert(next);
         }
-        let part = |vertex: u32| numbers.get(&root(&mut parent, vertex)).copied().unwrap_or(0);
-        let parts = (0..mesh.vertex_count() as u32).map(part).collect();
+        let part = |component| numbers.get(component).copied().unwrap_or(0);
+        let parts = components.iter().map(part).collect();
         let count = numbers.len();
         Self {
             vertices,

@@ -15,8 +15,32 @@ impl TriangleMesh {
     /// ```
     #[must_use]
     pub fn component_count(&self) -> usize {
-        let mut components = DisjointSets::new(self.vertex_count());
-        let joining = self.edges().iter().filter(|[a, b]| components.unite(*a, *b));
-        self.vertex_count() - joining.count()
+        let components = self.components();
+        let least = (0..).zip(&components).filter(|(vertex, least)| vertex == *least);
+        least.count()
+    }
+
+    /// The least vertex of the connected component of each vertex.
+    ///
+    /// ```
+    /// use exact_ccd_mesh::TriangleMesh;
+    ///
+    /// let mesh = TriangleMesh::with_edges(6, vec![[0, 4, 2]], &[[5, 3]])?;
+    /// assert_eq!(mesh.components(), [0, 1, 0, 3, 0, 3]);
+    /// # Ok::<(), exact_ccd_mesh::MeshError>(())
+    /// ```
+    #[must_use]
+    pub fn components(&self) -> Vec<u32> {
+        let mut sets = DisjointSets::new(self.vertex_count());
+        for &[a, b] in self.edges() {
+            sets.unite(a, b);
+        }
+        let mut least = vec![u32::MAX; self.vertex_count()];
+        let of_vertex = |vertex: u32| {
+            let least = &mut least[sets.root(vertex) as usize];
+            *least = vertex.min(*least);
+            *least
+        };
+        (0..self.vertex_count() as u32).map(of_vertex).collect()
     }
 }
