@@ -1,6 +1,6 @@
 //! Rigid bodies as instances of meshes.
 
-use exact_ccd_mesh::{CanCollide, Frame, FrameError, PositionsError, TriangleMesh};
+use exact_ccd_mesh::{CanCollide, Frame, FrameError, PositionsError, TriangleMesh, check_positions};
 
 use crate::pose::Pose;
 use crate::rigid::{RigidMotionError, RigidPoint};
@@ -59,26 +59,12 @@ impl Instances {
     /// [`InstanceError`] names the body whose motion or positions are not valid, the vertex whose
     /// place is not finite, or the number of vertices if it exceeds 2³² − 1.
     pub fn new(instances: &[Instance<'_>]) -> Result<Self, InstanceError> {
-        let (mut faces, mut edges, mut positions) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut trajectories, mut bodies) = (Vec::new(), Vec::new());
+        let (mut positions, mut trajectories, mut bodies) = (Vec::new(), Vec::new(), Vec::new());
         for (body, instance) in instances.iter().enumerate() {
             let checked = instance.frame.check();
             checked.map_err(|source| InstanceError::Positions { body, source })?;
             let motion = instance.start.motion_to(&instance.end);
             let motion = motion.map_err(|source| InstanceError::Motion { body, source })?;
-            // Indices that do not fit are an error below: there are too many vertices.
-            let first = positions.len() as u32;
-            let mesh = &instance.frame.mesh;
-            faces.extend(
-                mesh.faces()
-                    .iter()
-                    .map(|face| face.map(|v| v.wrapping_add(first))),
-            );
-            edges.extend(
-                mesh.loose_edges()
-                    .iter()
-                    .map(|edge| edge.map(|v| v.wrapping_add(first))),
-            );
             for &vertex in &instance.frame.positions {
                 let start = instance.start.place(vertex);
                 positions.push(start);
@@ -86,7 +72,9 @@ impl Instances {
                 bodies.push(body as u32);
             }
         }
-        let mesh = Frame::with_edges(positions, faces, &edges)?.mesh;
+        let meshes = instances.iter().map(|instance| &instance.frame.mesh);
+        let mesh = TriangleMesh::joined(meshes).map_err(FrameError::from)?;
+        check_positions(mesh.vertex_count(), &positions).map_err(FrameError::from)?;
         Ok(Self {
             mesh,
             trajectories,

@@ -200,27 +200,17 @@ fn joined(parts: &mut [Part], mesh: Option<&TriangleMesh>, index: usize) -> Resu
     if let [part] = parts {
         return part.read(index);
     }
-    let (mut positions, mut faces, mut edges) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut positions, mut meshes) = (Vec::new(), Vec::new());
     for part in parts {
         let frame = part.read(index)?;
         let first = positions.len() as u32;
-        if mesh.is_none() {
-            faces.extend(
-                frame
-                    .mesh
-                    .faces()
-                    .iter()
-                    .map(|face| face.map(|vertex| first + vertex)),
-            );
-            let loose = frame.mesh.loose_edges().iter();
-            edges.extend(loose.map(|edge| edge.map(|vertex| first + vertex)));
-        }
+        meshes.push(frame.mesh);
         positions.extend(frame.positions);
         part.set_vertices(first, positions.len())?;
     }
     let mesh = match mesh {
         Some(mesh) => mesh.clone(),
-        None => TriangleMesh::with_edges(positions.len(), faces, &edges)
+        None => TriangleMesh::joined(&meshes)
             .map_err(|error| Failure::new(format_args!("the parts together: {error}")))?,
     };
     Ok(Frame { mesh, positions })

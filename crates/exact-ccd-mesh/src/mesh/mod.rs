@@ -5,6 +5,7 @@ mod components;
 mod connectivity;
 mod disjoint_sets;
 mod frame;
+mod joined;
 mod positions;
 mod tet_error;
 mod tet_mesh;
