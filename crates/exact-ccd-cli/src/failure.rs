@@ -51,7 +51,10 @@ impl Failure {
     /// The failure to write a file, with the remedy.
     pub(crate) fn write(file: &Path, source: io::Error) -> Self {
         let remedy = remedy(source.kind());
-        Self::new(format_args!("cannot write {}: {source}{remedy}", file.display()))
+        Self {
+            is_closed_pipe: source.kind() == io::ErrorKind::BrokenPipe,
+            ..Self::new(format_args!("cannot write {}: {source}{remedy}", file.display()))
+        }
     }
 
     /// The message on one line. Control characters, which names of files may have, become spaces.

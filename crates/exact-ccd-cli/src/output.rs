@@ -62,6 +62,15 @@ impl Output {
         }
     }
 
+    /// The failure to write the answer.
+    #[cfg(feature = "queries")]
+    pub(crate) fn failed(&self, source: io::Error) -> Failure {
+        match self.file() {
+            Some(file) => Failure::write(file, source),
+            None => source.into(),
+        }
+    }
+
     /// Writes the answer as it is computed. What is complete before an error is on standard output; a file is
     /// unchanged then.
     #[cfg(feature = "queries")]

@@ -128,7 +128,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         arguments.output.stream(|output| {
             let mut run = Run {
                 arguments,
-                output: AnswerRows::new(output, arguments.json)?,
+                output: AnswerRows::new(output, arguments.json)
+                    .map_err(|source| arguments.output.failed(source))?,
                 tally: Tally::default(),
                 progress,
             };
@@ -196,7 +197,9 @@ impl<W: Write> Run<'_, W> {
             for (sample, answer) in batch.iter().zip(answers) {
                 let query = self.tally.queries();
                 let answer = answer.map_err(|source| query_files::failed(file, query - first, source))?;
-                self.output.write(query, &answer)?;
+                self.output
+                    .write(query, &answer)
+                    .map_err(|source| self.arguments.output.failed(source))?;
                 self.tally.add(answer.collides, sample.truth);
                 choice.see(file, query, &sample.query, answer.collides);
             }

@@ -80,4 +80,9 @@ fn an_answer_that_cannot_be_written_is_an_error() {
         let run: Run = folder.program(arguments).stdout(full()).output().unwrap().into();
         assert!(run.error().starts_with("cannot write the answer: "), "{run:?}");
     }
+    folder.write("many.csv", rows(&resting(), "").repeat(5_000));
+    for input in ["vf.csv", "many.csv"] {
+        let run = folder.run(&["queries", "--kind", "vf", "--output", "/dev/full", input]);
+        assert!(run.error().starts_with("cannot write /dev/full: "), "{run:?}");
+    }
 }
