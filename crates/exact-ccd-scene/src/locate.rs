@@ -81,8 +81,10 @@ pub(super) fn of_simulation(error: &SimulationError) -> FieldError {
         SimulationError::Grounded { vertex, .. } => {
             return FieldError::new(format!("body.{}", vertex.body.place()), error);
         }
+        SimulationError::FrictionPair { pair, source } => {
+            return FieldError::new(format!("settings.friction.pair.{pair}.{}", source.field), source);
+        }
         SimulationError::Setting(setting) => setting.field,
-        SimulationError::UnknownBody { .. } => "friction.pair",
         SimulationError::ByVertex { .. } | SimulationError::AffineByVertex { .. } => "line-search",
         SimulationError::Method { .. } | SimulationError::Separation { .. } => "ccd",
         _ => "",

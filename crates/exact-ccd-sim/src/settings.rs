@@ -72,8 +72,8 @@ impl Settings {
         }
     }
 
-    /// Checks that all settings are in range, for a scene of this
-    /// [size](crate::System::size), in m.
+    /// Checks that all settings but the pairs of friction are in range, for a scene of this
+    /// [size](crate::System::size), in m. [`Simulation::new`](crate::Simulation::new) checks the pairs.
     ///
     /// # Errors
     /// [`OutOfRange`] names the first setting that is out of range. Lengths are in m.
@@ -102,9 +102,7 @@ impl Settings {
         )?;
         let iterations = self.max_iterations;
         check(iterations > 0, "max-iterations", iterations, "at least 1")?;
-        check_finite("gravity", &self.gravity)?;
-        let mut pairs = friction.pairs.iter();
-        pairs.try_for_each(|pair| check_not_negative("friction.pair", pair.coefficient))
+        check_finite("gravity", &self.gravity)
     }
 }
 

@@ -214,12 +214,12 @@ fn numbers_out_of_range_are_reported_at_their_field() {
         (
             "lags = 2",
             "lags = 2\n[[settings.friction.pair]]\nbetween = [\"a\", \"b\"]\ncoefficient = -1.0",
-            "line 17, settings.friction.pair: `friction.pair` is -1, expected a number not below 0",
+            "line 19, settings.friction.pair[0].coefficient: `coefficient` is -1, expected a number not below 0",
         ),
         (
             "lags = 2",
             "lags = 2\n[[settings.friction.pair]]\nbetween = [\"a\", \"b\"]\ncoefficient = 1.0",
-            "line 17, settings.friction.pair: `friction.pair` names the body `a`, expected one of the names",
+            "line 18, settings.friction.pair[0].between: `between` is `a`, expected names of bodies and half spaces",
         ),
         (
             "scale = 0.5",

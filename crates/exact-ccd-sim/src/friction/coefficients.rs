@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 
+use crate::range::{OutOfRange, check_not_negative};
 use crate::settings::Friction;
+use crate::system::System;
 
 /// The friction coefficient of each pair of bodies and half spaces.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,24 +17,32 @@ pub(crate) struct Coefficients {
 }
 
 impl Coefficients {
-    /// The coefficients of settings, for bodies and half spaces with these names. A pair of names applies to
+    /// The coefficients of settings, for the bodies and half spaces of a system. A pair of names applies to
     /// all bodies with these names, and the last pair of two bodies counts.
     ///
     /// # Errors
-    /// The first name that no body has.
-    pub(crate) fn new(friction: &Friction, names: &[&str]) -> Result<Self, String> {
+    /// The place of the first pair that has a negative coefficient or a name that no body has.
+    pub(crate) fn new(friction: &Friction, system: &System) -> Result<Self, (usize, OutOfRange)> {
         let mut first = HashMap::new();
+        let names = system.names();
         let numbered = names.iter().enumerate();
         let numbers = numbered
             .map(|(place, name)| *first.entry(*name).or_insert(place))
             .collect();
         let number = |name: &String| {
             let number = first.get(name.as_str()).filter(|_| !name.is_empty());
-            number.copied().ok_or_else(|| name.clone())
+            number.copied().ok_or_else(|| OutOfRange {
+                field: "between",
+                found: format!("`{name}`"),
+                expected: format!("names of bodies and half spaces: {}", system.known_names()),
+            })
         };
         let mut pairs = HashMap::new();
-        for pair in &friction.pairs {
-            let [a, b] = [number(&pair.between[0])?, number(&pair.between[1])?];
+        for (place, pair) in friction.pairs.iter().enumerate() {
+            let wrong = |source| (place, source);
+            check_not_negative("coefficient", pair.coefficient).map_err(wrong)?;
+            let a = number(&pair.between[0]).map_err(wrong)?;
+            let b = number(&pair.between[1]).map_err(wrong)?;
             pairs.insert([a.min(b), a.max(b)], pair.coefficient);
         }
         let default = friction.coefficient;

@@ -13,15 +13,13 @@ pub enum SimulationError {
     /// A setting is out of range.
     #[error(transparent)]
     Setting(#[from] OutOfRange),
-    /// A pair of friction names a body that does not exist.
-    #[error(
-        "`friction.pair` names the body `{name}`, expected one of the names of bodies and half spaces: {known}"
-    )]
-    UnknownBody {
-        /// The name.
-        name: String,
-        /// The names of the bodies and half spaces.
-        known: String,
+    /// A pair of friction has a negative coefficient, or names a body that does not exist.
+    #[error("friction pair {pair}: {source}")]
+    FrictionPair {
+        /// The place of the pair in [`Friction::pairs`](crate::Friction::pairs), from 0.
+        pair: usize,
+        /// The coefficient or the name.
+        source: OutOfRange,
     },
     /// The settings name another CCD method than `exact`, which only the caller can pass.
     #[error(

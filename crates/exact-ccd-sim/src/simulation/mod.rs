@@ -127,11 +127,8 @@ impl Simulation {
                 "a length for which the masses give a positive and finite stiffness of the barrier";
             check(false, "contact-distance", distance, expected)?;
         }
-        let coefficients = Coefficients::new(&settings.friction, &system.names());
-        let coefficients = coefficients.map_err(|name| SimulationError::UnknownBody {
-            name,
-            known: system.known_names(),
-        })?;
+        let coefficients = Coefficients::new(&settings.friction, &system)
+            .map_err(|(pair, source)| SimulationError::FrictionPair { pair, source })?;
         Ok(Self {
             coefficients,
             fingerprint: system.fingerprint(),

@@ -1,8 +1,6 @@
 //! Friction coefficients of pairs of bodies.
 
-use exact_ccd_sim::{
-    Body, Friction, FrictionPair, HalfSpace, Settings, Simulation, SimulationError, System, shapes,
-};
+use exact_ccd_sim::{Body, Friction, FrictionPair, HalfSpace, Settings, Simulation, System, shapes};
 
 const DEGREES: f64 = 20.0;
 
@@ -88,15 +86,18 @@ fn blocks_on_one_slope_have_coefficients_of_their_own() {
 fn names_that_no_body_has_and_negative_coefficients_are_errors() {
     let error = |pairs: Vec<FrictionPair>| {
         let system = System::new(&[block("block", 0.0), block("", 1.0)], &[]).unwrap();
-        Simulation::new(system, settings(pairs)).err().unwrap()
+        Simulation::new(system, settings(pairs))
+            .err()
+            .unwrap()
+            .to_string()
     };
+    let right = pair("block", "block", 0.1);
     assert_eq!(
-        error(vec![pair("block", "slope", 0.1)]),
-        SimulationError::UnknownBody {
-            name: "slope".to_owned(),
-            known: "`block`".to_owned(),
-        }
+        error(vec![right.clone(), pair("block", "slope", 0.1)]),
+        "friction pair 1: `between` is `slope`, expected names of bodies and half spaces: `block`"
     );
-    let error = error(vec![pair("block", "block", -0.1)]).to_string();
-    assert_eq!(error, "`friction.pair` is -0.1, expected a number not below 0");
+    assert_eq!(
+        error(vec![right, pair("block", "block", -0.1)]),
+        "friction pair 1: `coefficient` is -0.1, expected a number not below 0"
+    );
 }
