@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use exact_ccd_files::{write_ply_with_parts, write_pvd};
 use exact_ccd_scene::Scene;
-use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
+use exact_ccd_sim::{Checkpoint, Simulation, State, Statistics, System};
 
 use super::grid::Grid;
 use super::layout::{
@@ -219,14 +219,12 @@ impl OutputFolder {
         Ok(())
     }
 
-    /// The writer for the path of the next time step, which starts at the current state, if the folder has
-    /// a path.
-    pub(super) fn path(&self, simulation: &Simulation) -> Option<PathWriter> {
+    /// The writer for the path of the time step of a system from a state, if the folder has a path.
+    pub(super) fn path<'a>(&self, system: &'a System, state: &State) -> Option<PathWriter<'a>> {
         if !self.has_path {
             return None;
         }
-        let state = simulation.state();
-        let mut path = PathWriter::new(self.file(PATH), simulation.system().clone(), state.step + 1);
+        let mut path = PathWriter::new(self.file(PATH), system, state.step + 1);
         path.add(&state.positions);
         Some(path)
     }

@@ -248,7 +248,9 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     simulation = iterations::watched(simulation, &bar);
     let ended = during(bar, |progress| -> Result<Ended, Failure> {
         while simulation.state().step < steps {
-            let mut path = folder.as_ref().and_then(|folder| folder.path(&simulation));
+            let mut path = folder
+                .as_ref()
+                .and_then(|folder| folder.path(&scene.system, simulation.state()));
             let stepped = simulation.step_along(&mut |positions| {
                 if let Some(path) = &mut path {
                     path.add(positions);

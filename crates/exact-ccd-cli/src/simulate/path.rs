@@ -11,9 +11,9 @@ use crate::failure::Failure;
 use crate::output::write_file_soon;
 
 /// Writes the surface after each Newton step of a time step.
-pub(super) struct Path {
+pub(super) struct Path<'a> {
     folder: PathBuf,
-    system: System,
+    system: &'a System,
     parts: Vec<NamedPart>,
     step: u64,
     increments: usize,
@@ -21,12 +21,12 @@ pub(super) struct Path {
     result: Result<(), Failure>,
 }
 
-impl Path {
+impl<'a> Path<'a> {
     /// The writer for a time step, in a folder.
-    pub(super) fn new(folder: PathBuf, system: System, step: u64) -> Self {
+    pub(super) fn new(folder: PathBuf, system: &'a System, step: u64) -> Self {
         Self {
             folder,
-            parts: named_parts(&system),
+            parts: named_parts(system),
             system,
             step,
             increments: 0,
