@@ -17,6 +17,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, Stage, VertexFace};
+use exact_ccd_bench::{median, seconds};
 use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Bvh, Candidates, Detector, Frame, Step, StepReport, TriangleMesh};
 use rayon::ThreadPoolBuilder;
@@ -91,14 +92,7 @@ fn print_times(scene: &Scene, mesh: &TriangleMesh) {
 
 /// The median time of a task.
 fn milliseconds<T>(mut task: impl FnMut() -> T) -> f64 {
-    let times = (0..ROUNDS).map(|_| {
-        let clock = Instant::now();
-        black_box(task());
-        clock.elapsed().as_secs_f64() * 1e3
-    });
-    let mut times: Vec<f64> = times.collect();
-    times.sort_by(f64::total_cmp);
-    times[ROUNDS / 2]
+    1e3 * median(&[(); ROUNDS].map(|()| seconds(&mut task)))
 }
 
 /// The count and the seconds of each stage.
@@ -136,8 +130,8 @@ fn decide<K: Kind<Points = [Point; 4]>>(scene: &Scene, vertices: [u32; 4], settl
     let query = Query::<K>::new(at(start), at(end)).expect("all positions are finite");
     let clock = Instant::now();
     let (_, stage) = black_box(&query).decide(CONTACT);
-    let seconds = clock.elapsed().as_secs_f64();
+    let time = clock.elapsed().as_secs_f64();
     let (count, sum) = &mut settled[stage as usize];
     *count += 1;
-    *sum += seconds;
+    *sum += time;
 }

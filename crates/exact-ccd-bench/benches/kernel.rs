@@ -12,21 +12,16 @@
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
 mod published;
-mod times;
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace, exact};
+use exact_ccd_bench::{mean, median, nanoseconds, nanoseconds_each, quantile};
 use exact_ccd_data::{DataError, DataKind};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion, Step};
 
-use times::{mean, nanoseconds, quantile};
-
 const ROUNDS: usize = 7;
-/// The number of queries in a batch that is timed as a whole.
-const LARGE: usize = 400_000;
 /// The number of colliding queries that the exact path answers.
 const AUDITED: usize = 1000;
 
@@ -135,17 +130,7 @@ impl<'a> Batch<'a> {
         } = self.functions;
         let (step, pairs) = (&self.step, &self.pairs[..]);
         let (trajectories, vertices) = (&self.trajectories, &self.vertices[..]);
-        // Small batches are repeated until the effects of the clock and the caches are negligible.
-        let repetitions = LARGE.div_ceil(pairs.len().max(1));
-        let mean = |count: &dyn Fn() -> usize| {
-            // The first pass reads memory that the system may have taken since the last round.
-            black_box(count());
-            let clock = Instant::now();
-            for _ in 0..repetitions {
-                black_box(count());
-            }
-            clock.elapsed().as_secs_f64() * 1e9 / (repetitions * pairs.len()) as f64
-        };
+        let mean = |count: &dyn Fn() -> usize| nanoseconds_each(pairs.len(), count);
         self.means
             .push(mean(&|| count_collisions(step, black_box(pairs))));
         self.batch_means
@@ -216,9 +201,9 @@ fn print_candidates(batches: &[Batch<'_>]) {
             "| {} | {} | {:.1} | {:.1} | {:.0} |",
             batch.name,
             batch.pairs.len(),
-            quantile(&batch.batch_means, 0.5),
-            quantile(&batch.batch_times_means, 0.5),
-            quantile(&batch.means, 0.5)
+            median(&batch.batch_means),
+            median(&batch.batch_times_means),
+            median(&batch.means)
         );
     }
 }
@@ -270,13 +255,13 @@ fn print_colliding(batches: &[Batch<'_>]) {
             "| {name} | {} | {:.0} | {:.0} | {:.0} | {} | {:.0} | {:.0} | {:.0} | {:.0} |",
             times.len(),
             mean(times),
-            quantile(times, 0.5),
+            median(times),
             quantile(times, 1.0),
             times.len() - times_filtered.len(),
             mean(times_filtered),
             quantile(times_filtered, 1.0),
             mean(impacts),
-            quantile(exact, 0.5),
+            median(exact),
         );
     }
 }

@@ -13,6 +13,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use exact_ccd::{CONTACT, EdgeEdge, Exact, Kind, Point, Query, Stage, VertexFace};
+use exact_ccd_bench::median;
 use exact_ccd_mesh::{LineSearch, Tolerance, TriangleMesh, step_size};
 use fastrand::Rng;
 use rayon::ThreadPoolBuilder;
@@ -72,10 +73,7 @@ fn print_mesh(name: &str, (points, faces): &Body, k: f64) -> Result<(), Box<dyn 
             times[index].push(1e3 * clock.elapsed().as_secs_f64());
         }
     }
-    let [exact, bisection] = times.map(|mut times| {
-        times.sort_by(f64::total_cmp);
-        times[TURNS / 2]
-    });
+    let [exact, bisection] = times.map(|times| median(&times));
     println!(
         "| {name}, k = {k} | {:.5} | {:.5} | {exact:.0} | {bisection:.0} |",
         sizes[0], sizes[1]

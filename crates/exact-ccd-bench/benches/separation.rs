@@ -10,25 +10,20 @@
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
 mod published;
-mod times;
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{CONTACT, EdgeEdge, Query, Separation, Stage, VertexFace};
+use exact_ccd_bench::{mean, median, nanoseconds, nanoseconds_each, quantile};
 use exact_ccd_data::{DataError, DataKind};
 use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, Motion, Step};
-
-use times::{mean, nanoseconds, quantile};
 
 const ROUNDS: usize = 7;
 /// d as fractions of the mean length of an edge.
 const FRACTIONS: [f64; 2] = [1e-3, 1e-1];
 /// The largest number of candidates of a row: every so many, if there are more.
 const CANDIDATES: usize = 200_000;
-/// The number of queries that are timed as a whole.
-const LARGE: usize = 400_000;
 /// The number of queries of which all intervals and the impact are timed.
 const SAMPLE: usize = 20_000;
 
@@ -133,17 +128,8 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
     }
     let [x0, x1] = step.positions();
     let trajectories = Trajectories::new(x0, x1).expect("the frames of a scene are sound");
-    let repetitions = LARGE.div_ceil(outside.len().max(1));
     let count = outside.len();
-    let mean = move |count_all: &dyn Fn() -> usize| {
-        // The first pass reads memory that the system may have taken since the last round.
-        black_box(count_all());
-        let clock = Instant::now();
-        for _ in 0..repetitions {
-            black_box(count_all());
-        }
-        clock.elapsed().as_secs_f64() * 1e9 / (repetitions * count) as f64
-    };
+    let mean = move |count_all: &dyn Fn() -> usize| nanoseconds_each(count, count_all);
     let one_by_one = move |decide: &dyn Fn(&Query<K>) -> bool| {
         mean(&|| black_box(&outside).iter().filter(|query| decide(query)).count())
     };
@@ -182,7 +168,7 @@ fn print_decisions(rows: &[Row]) {
     println!("|---|{}", "---:|".repeat(8));
     for Row { name, measured, .. } in rows {
         let figures = |contact: &[f64], outside: &[f64]| {
-            let (contact, outside) = (quantile(contact, 0.5), quantile(outside, 0.5));
+            let (contact, outside) = (median(contact), median(outside));
             format!("{contact:.1} | {outside:.1} | {:.2}", outside / contact)
         };
         println!(
@@ -205,13 +191,13 @@ fn print_times(rows: &[Row]) {
         println!(
             "| {name} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} |",
             mean(&measured.first),
-            quantile(&measured.first, 0.5),
+            median(&measured.first),
             quantile(&measured.first, 1.0),
             quantile(&measured.first_filtered, 1.0),
             mean(&measured.intervals),
-            quantile(&measured.intervals, 0.5),
+            median(&measured.intervals),
             mean(&measured.impacts),
-            quantile(&measured.impacts, 0.5),
+            median(&measured.impacts),
         );
     }
 }

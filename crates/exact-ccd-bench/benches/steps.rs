@@ -12,9 +12,9 @@ mod published;
 
 use std::hint::black_box;
 use std::sync::Arc;
-use std::time::Instant;
 
 use exact_ccd::CONTACT;
+use exact_ccd_bench::{median, seconds};
 use exact_ccd_data::DataError;
 use exact_ccd_mesh::{BroadPhase, Bvh, Detector, Motion, Point, Step, StepReport, Sweep, advance};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -95,30 +95,23 @@ fn print_row(scene: &str, name: &str, question: &Question, step: Step<'_>) {
             }));
         }
     }
-    let medians = times.map(|times| format!("{:.1}", median(times)));
+    let medians = times.map(|times| format!("{:.1}", median(&times)));
     println!("| {scene} | {name} | {} |", medians.join(" | "));
 }
 
 fn milliseconds(pool: &ThreadPool, task: impl Fn() + Sync) -> f64 {
-    let clock = Instant::now();
-    pool.install(&task);
-    clock.elapsed().as_secs_f64() * 1e3
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    1e3 * seconds(|| pool.install(&task))
 }
 
 /// The bytes read and written in a second by a copy that is larger than any cache.
 fn bandwidth() -> f64 {
     let from = vec![1u64; 1 << 25];
     let mut to = vec![0u64; 1 << 25];
-    let copies = (0..ROUNDS).map(|_| {
-        let clock = Instant::now();
-        to.copy_from_slice(black_box(&from));
-        black_box(&to);
-        clock.elapsed().as_secs_f64()
+    let copies = [(); ROUNDS].map(|()| {
+        seconds(|| {
+            to.copy_from_slice(black_box(&from));
+            black_box(&to);
+        })
     });
-    2.0 * size_of_val(&from[..]) as f64 / median(copies.collect())
+    2.0 * size_of_val(&from[..]) as f64 / median(&copies)
 }

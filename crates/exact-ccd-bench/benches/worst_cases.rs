@@ -16,16 +16,12 @@ mod hard_cases;
 #[allow(dead_code, reason = "the test target `queries` needs more of it")]
 mod primitives;
 
-use std::hint::black_box;
-use std::time::Instant;
-
 use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd_bench::nanoseconds;
 
 use hard_cases::extremes::families;
 use hard_cases::hard::Hard;
 use hard_cases::{Family, coincident, queries};
-
-const ATTEMPTS: usize = 5;
 
 /// The answers that are timed.
 const ANSWERS: [&str; 4] = ["collides", "time_of_impact", "intervals", "impact"];
@@ -122,10 +118,5 @@ fn with_filters<K: Kind>(query: &Query<K>, d: Separation) -> [f64; ANSWERS.len()
 }
 
 fn milliseconds<T>(task: impl Fn() -> T) -> f64 {
-    let attempt = |_| {
-        let clock = Instant::now();
-        black_box(task());
-        clock.elapsed().as_secs_f64() * 1e3
-    };
-    (0..ATTEMPTS).map(attempt).fold(f64::INFINITY, f64::min)
+    1e-6 * nanoseconds(task)
 }

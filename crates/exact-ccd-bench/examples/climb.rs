@@ -9,9 +9,9 @@
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexFace};
+use exact_ccd_bench::fastest;
 
 const ATTEMPTS: usize = 3;
 /// The number of steps without a rise after which a climb begins anew.
@@ -99,8 +99,7 @@ fn milliseconds<K: Kind<Points = [Point; 4]>>(candidate: &Candidate, answer: Ans
     let [start, end] = candidate.points;
     let query = Query::<K>::new(start, end).ok()?;
     let d = Separation::new(candidate.d).ok()?;
-    let attempt = |_| {
-        let clock = Instant::now();
+    let attempt = || {
         let query = black_box(&query);
         match answer {
             Answer::First => {
@@ -113,9 +112,8 @@ fn milliseconds<K: Kind<Points = [Point; 4]>>(candidate: &Candidate, answer: Ans
                 black_box(query.impact(d));
             }
         }
-        clock.elapsed().as_secs_f64() * 1e3
     };
-    Some((0..ATTEMPTS).map(attempt).fold(f64::INFINITY, f64::min))
+    Some(1e3 * fastest(ATTEMPTS, attempt))
 }
 
 impl Start {

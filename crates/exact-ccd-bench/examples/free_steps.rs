@@ -10,6 +10,7 @@ use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
 
+use exact_ccd_bench::median;
 use exact_ccd_data::DataFolder;
 use exact_ccd_mesh::{Detector, FreeStepOptions, LineSearchError, Motion};
 use rayon::ThreadPoolBuilder;
@@ -44,7 +45,6 @@ fn print_row(name: &str, Motion { mesh, x0, x1, .. }: &Motion) -> Result<(), Lin
     for _ in 1..TURNS {
         turn()?;
     }
-    ratios.sort_by(f64::total_cmp);
     let count = steps.sizes.len() as f64;
     let mean = steps.sizes.iter().sum::<f64>() / count;
     let all_the_way = steps.sizes.iter().filter(|&&size| size == 1.0).count() as f64 / count;
@@ -53,7 +53,7 @@ fn print_row(name: &str, Motion { mesh, x0, x1, .. }: &Motion) -> Result<(), Lin
         common.size,
         100.0 * all_the_way,
         steps.rounds,
-        ratios[TURNS / 2]
+        median(&ratios)
     );
     Ok(())
 }

@@ -4,11 +4,11 @@
 
 use std::error::Error;
 use std::path::Path;
-use std::time::Instant;
 use std::{env, fs};
 
 use exact_ccd::batch::{Queries, Trajectories};
 use exact_ccd::{CONTACT, EdgeEdge};
+use exact_ccd_bench::fastest;
 use exact_ccd_mesh::{Detector, TriangleMesh};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -50,16 +50,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         format!("{{\"indices\": {by_indices}, \"points\": {by_points}, \"earliest_contact\": {earliest}}}\n");
     std::io::Write::write_all(&mut std::io::stdout(), table.as_bytes())?;
     Ok(())
-}
-
-/// The seconds of the fastest of some runs.
-fn fastest<T>(runs: usize, mut run: impl FnMut() -> T) -> f64 {
-    let seconds = (0..runs).map(|_| {
-        let clock = Instant::now();
-        std::hint::black_box(run());
-        clock.elapsed().as_secs_f64()
-    });
-    seconds.fold(f64::INFINITY, f64::min)
 }
 
 /// The rows of `M` numbers in a file.

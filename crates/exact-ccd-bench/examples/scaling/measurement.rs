@@ -3,8 +3,8 @@
 use std::env;
 use std::error::Error;
 use std::process::{Command, Stdio};
-use std::time::Instant;
 
+use exact_ccd_bench::{median, seconds};
 use exact_ccd_mesh::{Bvh, Detector, StepReport};
 use serde::{Deserialize, Serialize};
 
@@ -42,15 +42,12 @@ impl Measurement {
         let detector = Detector::new(mesh.clone());
         let memory = Memory::now();
         let rounds = if mesh.faces().len() < MANY { ROUNDS } else { 1 };
-        let mut seconds = vec![0.0; rounds];
+        let mut times = vec![0.0; rounds];
         let mut rise = None;
-        for time in &mut seconds {
-            let clock = Instant::now();
-            question.answer(step, detector.clone());
-            *time = clock.elapsed().as_secs_f64();
+        for time in &mut times {
+            *time = seconds(|| question.answer(step, detector.clone()));
             rise = rise.or_else(|| memory.rise());
         }
-        seconds.sort_by(f64::total_cmp);
         let report = StepReport::new(step, &Bvh, &|_| ());
         assert_eq!(
             report.is_free(),
@@ -62,7 +59,7 @@ impl Measurement {
             primitives: mesh.vertex_count() + mesh.edges().len() + mesh.faces().len(),
             candidates: report.candidates.total(),
             colliding: report.colliding.total(),
-            seconds: seconds[rounds / 2],
+            seconds: median(&times),
             memory: rise,
         }
     }
