@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::folder::{Folder, Run};
 use crate::meshes::{fall, ply, tip_above_square};
-use crate::step::answer;
+use crate::step::{answer, triangles};
 
 /// A run of `step` with these options.
 fn step(folder: &Folder, options: &[&str]) -> Run {
@@ -252,15 +252,6 @@ fn a_distance_that_is_none_is_an_error_with_the_reason() {
             let expected = format!("error: invalid value '{d}' for '{option} <D>': {reason}\n");
             assert!(run.stderr.starts_with(&expected), "{run:?}");
         }
-    }
-}
-
-prop_compose! {
-    /// Triangles without shared vertices.
-    fn triangles(count: usize)(
-        points in prop::collection::vec(prop::array::uniform3(-1.0..1.0), 3 * count)
-    ) -> Vec<Point> {
-        points
     }
 }
 

@@ -158,12 +158,12 @@ fn ply_errors_name_the_line_and_the_edge() {
     );
 }
 
-/// A grid as text, of the six points, with cells from line 4 on.
-fn vtu(connectivity: &str, offsets: &str, types: &str) -> String {
+/// A grid as text, with cells from line 4 on.
+pub(crate) fn vtu(points: &[Point], connectivity: &str, offsets: &str, types: &str) -> String {
     let array = |name: &str, text: &str| {
         format!("<DataArray type='Int64' Name='{name}' format='ascii'>{text}</DataArray>\n")
     };
-    let coordinates: String = POINTS.as_flattened().iter().map(|x| format!("{x} ")).collect();
+    let coordinates: String = points.as_flattened().iter().map(|x| format!("{x} ")).collect();
     format!(
         "<VTKFile type='UnstructuredGrid' byte_order='LittleEndian'><UnstructuredGrid><Piece>\n<Points>\n\
          <DataArray type='Float64' format='ascii'>{coordinates}</DataArray></Points>\n<Cells>\n\
@@ -179,12 +179,12 @@ fn vtu(connectivity: &str, offsets: &str, types: &str) -> String {
 fn vtk_lines_and_polylines_are_rods() {
     let read = |file: String| parse_frame(file.as_bytes(), Format::Vtu).unwrap();
     assert_eq!(
-        read(vtu("0 1 2 1 0 3 2 3 4 5", "3 5 9 10", "5 3 4 1")),
+        read(vtu(&POINTS, "0 1 2 1 0 3 2 3 4 5", "3 5 9 10", "5 3 4 1")),
         frame(&[[0, 1, 2]], &[[3, 2], [3, 4]])
     );
     // Beside tetrahedra: an edge of one is not loose, and a vertex stays if it is in a line or
     // listed as a point.
-    let beside = read(vtu("0 1 2 3 0 3 3 4 5 0 5", "4 6 8 11", "10 3 3 2"));
+    let beside = read(vtu(&POINTS, "0 1 2 3 0 3 3 4 5 0 5", "4 6 8 11", "10 3 3 2"));
     let tetrahedron = TetMesh::new(POINTS.to_vec(), vec![[0, 1, 2, 3]]).unwrap();
     assert_eq!(beside, frame(tetrahedron.surface(), &[[3, 4]]));
     assert_eq!(beside.mesh.loose_vertices().collect::<Vec<_>>(), [5]);
@@ -198,13 +198,13 @@ fn vtk_errors_name_the_cell() {
         ("0 1", "2", "1", "cell 0 of type 1 with 2 corners"),
     ] {
         assert_error(
-            vtu(connectivity, offsets, types),
+            vtu(&POINTS, connectivity, offsets, types),
             Format::Vtu,
             &format!("line 4: expected a linear cell (types 1 to 14), found {found}"),
         );
     }
     assert_error(
-        vtu("0 6", "2", "3"),
+        vtu(&POINTS, "0 6", "2", "3"),
         Format::Vtu,
         "line 4: expected corners of cell 0 among the 6 points, found `[0, 6]`",
     );

@@ -6,6 +6,8 @@ use exact_ccd_files::{Format, MeshFile, Polygons, UnstructuredGrid, parse_frame,
 use exact_ccd_mesh::{Frame, TetMesh};
 use proptest::prelude::*;
 
+use crate::loose::vtu;
+
 const TRIANGLE: [[f64; 3]; 3] = [[0.0, 0.5, -1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.25]];
 
 fn sample() -> String {
@@ -213,18 +215,8 @@ fn each_error_names_its_line() {
 
 /// A grid of three points, as text.
 fn cells(connectivity: &str, offsets: &str, types: &str) -> String {
-    let array = |name: &str, text: &str| {
-        format!("<DataArray type='Int64' Name='{name}' format='ascii'>{text}</DataArray>\n")
-    };
-    format!(
-        "<VTKFile type='UnstructuredGrid' byte_order='LittleEndian'><UnstructuredGrid><Piece>\n<Points>\n\
-         <DataArray type='Float64' format='ascii'>0 0 0 1 0 0 0 1 0</DataArray></Points>\n<Cells>\n\
-          {}{}{}</Cells>\n\
-         </Piece></UnstructuredGrid></VTKFile>",
-        array("connectivity", connectivity),
-        array("offsets", offsets),
-        array("types", types),
-    )
+    let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    vtu(&points, connectivity, offsets, types)
 }
 
 #[test]
