@@ -60,15 +60,15 @@ export class Frames {
 
   /** A point of the world, in units of the page. */
   toPage(point: Point): Point {
-    const { centre, scale } = this.page;
-    const along = (axis: 0 | 1 | 2): number => (point[axis] - centre[axis]) / scale;
+    const { center, scale } = this.page;
+    const along = (axis: 0 | 1 | 2): number => (point[axis] - center[axis]) / scale;
     return [along(0), along(1), along(2)];
   }
 
   /** The point of the world of a point in units of the page. */
   toWorld(point: Point): Point {
-    const { centre, scale } = this.page;
-    const along = (axis: 0 | 1 | 2): number => centre[axis] + scale * point[axis];
+    const { center, scale } = this.page;
+    const along = (axis: 0 | 1 | 2): number => center[axis] + scale * point[axis];
     return [along(0), along(1), along(2)];
   }
 }

@@ -101,8 +101,8 @@ export interface Page {
   faces: number;
   /** The edges of no face. */
   edges: number;
-  /** Positions of the mesh are centre + scale · (x, y, z). */
-  centre: Point;
+  /** Positions of the mesh are center + scale · (x, y, z). */
+  center: Point;
   scale: number;
   /** Empty, if the connected parts have no names. */
   bodies: Body[];

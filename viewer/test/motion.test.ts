@@ -14,7 +14,7 @@ const page = (count: number): Page => ({
   vertices: 1,
   faces: 0,
   edges: 0,
-  centre: [10, 20, 30],
+  center: [10, 20, 30],
   scale: 2,
   bodies: [],
   halfSpaces: [],

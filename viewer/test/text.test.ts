@@ -30,7 +30,7 @@ const page = (numbers: number[]): Page => ({
   vertices: 10,
   faces: 4,
   edges: 0,
-  centre: [0, 0, 0],
+  center: [0, 0, 0],
   scale: 1,
   bodies: [],
   halfSpaces: [],

@@ -23,7 +23,7 @@ type Family = fn(&mut Rng) -> [Four; 2];
 
 const FAMILIES: [(&str, Family); 4] = [
     ("points in a cube", in_cube),
-    ("a shell thrown through its centre", thrown),
+    ("a shell thrown through its center", thrown),
     ("a body turned inside out", inverted),
     ("imploding spheres", imploding),
 ];
@@ -187,10 +187,10 @@ fn in_cube(random: &mut Rng) -> [Four; 2] {
 
 /// Four points of the unit sphere near one point, as of primitives that are near each other.
 fn on_sphere(random: &mut Rng) -> Four {
-    let centre = point(random);
+    let center = point(random);
     [(); 4].map(|()| {
         let offset = point(random);
-        let near = [0, 1, 2].map(|axis: usize| centre[axis] + 0.1 * offset[axis]);
+        let near = [0, 1, 2].map(|axis: usize| center[axis] + 0.1 * offset[axis]);
         unit(near)
     })
 }
@@ -202,24 +202,24 @@ fn thrown(random: &mut Rng) -> [Four; 2] {
     [start, start.map(|x| x.map(|x| -k * x))]
 }
 
-/// x₁ = 2 c − x₀, through a centre c of which no coordinate is 0.
+/// x₁ = 2 c − x₀, through a center c of which no coordinate is 0.
 fn inverted(random: &mut Rng) -> [Four; 2] {
-    let centre = point(random);
-    let start = on_sphere(random).map(|x| [0, 1, 2].map(|axis: usize| centre[axis] + x[axis]));
+    let center = point(random);
+    let start = on_sphere(random).map(|x| [0, 1, 2].map(|axis: usize| center[axis] + x[axis]));
     [
         start,
-        start.map(|x| [0, 1, 2].map(|axis: usize| 2.0 * centre[axis] - x[axis])),
+        start.map(|x| [0, 1, 2].map(|axis: usize| 2.0 * center[axis] - x[axis])),
     ]
 }
 
-/// x₁ = c − k (x₀ − c): primitives of two spheres of one centre.
+/// x₁ = c − k (x₀ − c): primitives of two spheres of one center.
 fn imploding(random: &mut Rng) -> [Four; 2] {
-    let centre = point(random);
+    let center = point(random);
     let k = 0.1 + 10.0 * random.f64();
     let mut start = on_sphere(random);
     for x in &mut start[2..] {
         *x = x.map(|x| 0.9 * x);
     }
-    let at = |scale: f64| start.map(|x| [0, 1, 2].map(|axis: usize| centre[axis] + scale * x[axis]));
+    let at = |scale: f64| start.map(|x| [0, 1, 2].map(|axis: usize| center[axis] + scale * x[axis]));
     [at(1.0), at(-k)]
 }

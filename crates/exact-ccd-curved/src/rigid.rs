@@ -15,7 +15,7 @@ use crate::trajectory::{Position, Trajectory};
 /// exactly; the direction need not have length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidMotion {
-    centre: Point,
+    center: Point,
     /// The direction with length 1, up to 10 u.
     direction: Point,
     angle: f64,
@@ -43,20 +43,20 @@ pub enum RigidMotionError {
 }
 
 impl RigidMotion {
-    /// Rotation about the axis through `centre` along `direction`, by `angle` in radians, of any number
+    /// Rotation about the axis through `center` along `direction`, by `angle` in radians, of any number
     /// of turns; the axis moves by `displacement`.
     ///
     /// # Errors
     /// [`RigidMotionError`], if a number is not finite, or if the angle is not 0 and the
     /// direction is zero.
     pub fn new(
-        centre: Point,
+        center: Point,
         direction: Point,
         angle: f64,
         displacement: Point,
     ) -> Result<Self, RigidMotionError> {
         let quantities: [(_, &[f64]); 4] = [
-            ("centre", &centre),
+            ("center", &center),
             ("direction", &direction),
             ("angle", &[angle]),
             ("displacement", &displacement),
@@ -77,7 +77,7 @@ impl RigidMotion {
             scaled.map(|x| x / length(scaled))
         };
         Ok(Self {
-            centre,
+            center,
             direction,
             angle,
             displacement,
@@ -97,7 +97,7 @@ impl RigidMotion {
                 motion: *self,
             };
         }
-        let arm = [0, 1, 2].map(|axis: usize| start[axis] - self.centre[axis]);
+        let arm = [0, 1, 2].map(|axis: usize| start[axis] - self.center[axis]);
         let tangent = cross(self.direction, arm);
         RigidPoint {
             start,

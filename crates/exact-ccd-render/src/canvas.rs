@@ -34,14 +34,14 @@ impl Canvas {
         }
     }
 
-    /// The pixels along an axis whose centres are between two coordinates.
+    /// The pixels along an axis whose centers are between two coordinates.
     fn pixels(&self, axis: usize, low: f64, high: f64) -> Range<usize> {
         // The conversion rounds down and saturates.
         let first = (low + 0.5).max(0.0) as usize;
         first..((high + 0.5).max(0.0) as usize).min(self.size[axis])
     }
 
-    /// Fills the pixels whose centres are in a triangle.
+    /// Fills the pixels whose centers are in a triangle.
     pub(crate) fn triangle(&mut self, corners: [Point; 3], colour: Colour) {
         let [a, b, c] = corners;
         let turn =
@@ -121,8 +121,8 @@ impl Canvas {
         let steps = length.ceil().clamp(1.0, most.max(1.0));
         for step in 0..=steps as usize {
             let s = mix(from, to, step as f64 / steps);
-            let centre = [0, 1, 2].map(|axis: usize| mix(a[axis], b[axis], s));
-            self.ball(centre, mix(radii[0], radii[1], s), &colour);
+            let center = [0, 1, 2].map(|axis: usize| mix(a[axis], b[axis], s));
+            self.ball(center, mix(radii[0], radii[1], s), &colour);
         }
     }
 

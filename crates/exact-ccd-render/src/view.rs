@@ -8,7 +8,7 @@ use exact_ccd_mesh::{Aabb, Point};
 pub struct View {
     /// Unit vectors to the right, upwards and towards the viewer.
     pub(crate) axes: [Point; 3],
-    /// The coordinates of the centre of the picture along the axes.
+    /// The coordinates of the center of the picture along the axes.
     middle: Point,
     /// Pixels per unit of length.
     pub(crate) scale: f64,
@@ -81,10 +81,10 @@ impl Camera {
         }
     }
 
-    /// The smallest box around balls, given by their centres and radii, with sides along the directions of
+    /// The smallest box around balls, given by their centers and radii, with sides along the directions of
     /// the camera: its coordinates are those to the right, upwards and towards the viewer.
     pub fn extent(&self, balls: impl IntoIterator<Item = (Point, f64)>) -> Aabb {
-        let ball = |(centre, radius)| Aabb::of(along(&self.axes, centre)).inflated(radius);
+        let ball = |(center, radius)| Aabb::of(along(&self.axes, center)).inflated(radius);
         balls.into_iter().map(ball).fold(Aabb::EMPTY, |a, b| a.union(&b))
     }
 

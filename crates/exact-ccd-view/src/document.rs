@@ -35,7 +35,7 @@ pub(crate) struct Document<'a> {
     pub(crate) vertices: usize,
     pub(crate) faces: usize,
     pub(crate) edges: usize,
-    pub(crate) centre: Point,
+    pub(crate) center: Point,
     pub(crate) scale: f64,
     pub(crate) bodies: &'a [Body],
     pub(crate) half_spaces: &'a [ShownHalfSpace],

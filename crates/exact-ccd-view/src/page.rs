@@ -355,7 +355,7 @@ impl Page {
             vertices: self.first.len(),
             faces: self.mesh.faces().len(),
             edges: self.mesh.loose_edges().len(),
-            centre: self.units.centre,
+            center: self.units.center,
             scale: self.units.scale,
             frames: &self.frames,
             contacts: &self.contacts,

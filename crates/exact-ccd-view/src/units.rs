@@ -2,10 +2,10 @@
 
 use exact_ccd_mesh::{Aabb, Point};
 
-/// Positions are centre + scale · x, with x in single precision.
+/// Positions are center + scale · x, with x in single precision.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Units {
-    pub(crate) centre: Point,
+    pub(crate) center: Point,
     pub(crate) scale: f64,
 }
 
@@ -17,11 +17,11 @@ impl Units {
     /// before sums and differences.
     pub(crate) fn of(bounds: &Aabb) -> Self {
         let half = |axis: usize| (0.5 * bounds.lower[axis], 0.5 * bounds.upper[axis]);
-        let centre = [0, 1, 2].map(|axis| half(axis).0 + half(axis).1);
+        let center = [0, 1, 2].map(|axis| half(axis).0 + half(axis).1);
         let radius = (0..3).map(|axis| half(axis).1 - half(axis).0).fold(0.0, f64::max);
-        let is_box = radius.is_finite() && centre.iter().all(|x| x.is_finite());
+        let is_box = radius.is_finite() && center.iter().all(|x| x.is_finite());
         Self {
-            centre: if is_box { centre } else { [0.0; 3] },
+            center: if is_box { center } else { [0.0; 3] },
             scale: if is_box && radius > 0.0 { radius } else { 1.0 },
         }
     }
@@ -34,7 +34,7 @@ impl Units {
     /// A position in these units. Coordinates far outside of the box are moved to its surroundings.
     pub(crate) fn convert(&self, position: Point) -> [f32; 3] {
         [0, 1, 2].map(|axis| {
-            let offset = position[axis] - self.centre[axis];
+            let offset = position[axis] - self.center[axis];
             (offset / self.scale).clamp(-MOST, MOST) as f32
         })
     }

@@ -53,10 +53,10 @@ fn general<K: Kind<Points = Four>>(random: &mut Random) -> Query<K> {
 /// A mesh scaled through a point: all coordinates times −k, rounded.
 fn imploding<K: Kind<Points = Four>>(random: &mut Random) -> Query<K> {
     let k = 0.1 + 3.0 * random.number();
-    let centre = random.point(0.0);
+    let center = random.point(0.0);
     let start = [(); 4].map(|()| {
         let offset = random.point(0.0);
-        [0, 1, 2].map(|axis: usize| centre[axis] + 0.03 * offset[axis])
+        [0, 1, 2].map(|axis: usize| center[axis] + 0.03 * offset[axis])
     });
     Query::new(start, start.map(|point| point.map(|x| -k * x))).unwrap()
 }

@@ -63,7 +63,7 @@ fn times(query: &Query<EdgeEdge>) -> Vec<f64> {
 /// The edges at a time, the upper one in front.
 fn draw_edges(drawing: &mut Drawing, query: &Query<EdgeEdge>, t: f64, left: f64) {
     let view = View {
-        centre: [left, 95.0],
+        center: [left, 95.0],
         scale: 34.0,
         away: [0.3, 0.45],
     };

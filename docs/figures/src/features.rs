@@ -55,11 +55,11 @@ pub(crate) fn figure() -> Result<String, exact_ccd::NonFinite> {
     );
     drawing.text("small", see(right, [1.95, 1.8]), "edge a");
     drawing.text("small", see(right, [0.2, -0.1]), "edge b");
-    for (centre, title) in [
+    for (center, title) in [
         (left, "Vertex p over a face"),
         (right, "Middle of edge a over edge b"),
     ] {
-        drawing.text("bold middle", [centre[0], 40.0], title);
+        drawing.text("bold middle", [center[0], 40.0], title);
     }
     let legend = [
         ("pair", "two vertices"),
@@ -94,13 +94,13 @@ fn class(on: [bool; 3]) -> &'static str {
     ["cell-end", "side", "pair"][on.into_iter().filter(|on| *on).count().min(2)]
 }
 
-fn see(centre: Pixel, [x, y]: Place) -> Pixel {
-    [centre[0] + SCALE * x, centre[1] - SCALE * y]
+fn see(center: Pixel, [x, y]: Place) -> Pixel {
+    [center[0] + SCALE * x, center[1] - SCALE * y]
 }
 
 fn draw_cells(
     drawing: &mut Drawing,
-    centre: Pixel,
+    center: Pixel,
     class: impl Fn(Place) -> Result<&'static str, exact_ccd::NonFinite>,
 ) -> Result<(), exact_ccd::NonFinite> {
     let width = 2.0 * HALF / f64::from(CELLS);
@@ -112,7 +112,7 @@ fn draw_cells(
             let class = of_cell(first)?;
             if next == CELLS || of_cell(next)? != class {
                 let size = [SCALE * width * f64::from(next - first), SCALE * width];
-                draw_cell(drawing, class, see(centre, [at(first), at(row + 1)]), size);
+                draw_cell(drawing, class, see(center, [at(first), at(row + 1)]), size);
                 first = next;
             }
         }

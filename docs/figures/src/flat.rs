@@ -85,8 +85,8 @@ fn draw_shape(drawing: &mut Drawing, [left, top]: Pixel, shape: &Shape) {
 
 /// Draws the outline of the patch, the region that an odd number of triangles cover, and, in each
 /// region, the number of triangles that cover it.
-fn draw_pair(drawing: &mut Drawing, centre: Pixel, shape: &Shape, pair: Pair) {
-    let see = |[x, y]: Place| [centre[0] + 18.0 * x, centre[1] - 18.0 * y];
+fn draw_pair(drawing: &mut Drawing, center: Pixel, shape: &Shape, pair: Pair) {
+    let see = |[x, y]: Place| [center[0] + 18.0 * x, center[1] - 18.0 * y];
     let triangles = pair.map(|triangle| triangle.map(|corner| shape.corners[corner]));
     drawing.areas("odd", &triangles.map(|triangle| triangle.map(see)));
     for [a, b, c] in triangles {

@@ -20,7 +20,7 @@ pub(crate) fn figure() -> Result<String, Box<dyn Error>> {
     let impact = query.time_of_impact(CONTACT).ok_or("the vertex meets the face")?;
     let mut drawing = Drawing::new("exact-ccd", [96, 96]);
     let view = View {
-        centre: [46.0, 48.0],
+        center: [46.0, 48.0],
         scale: 12.0,
         away: [0.3, 0.2],
     };

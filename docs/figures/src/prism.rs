@@ -37,7 +37,7 @@ fn query([start, end]: [Point; 2]) -> Result<Query<VertexFace>, Box<dyn Error>> 
 /// Draws the face at both ends of the step and when p meets it, and the paths of both vertices.
 fn draw_motion(drawing: &mut Drawing) -> Result<(), Box<dyn Error>> {
     let view = View {
-        centre: [125.0, 165.0],
+        center: [125.0, 165.0],
         scale: 28.0,
         away: AWAY,
     };
@@ -101,7 +101,7 @@ fn draw_image(
     [left, length]: [f64; 2],
 ) -> Result<(), Box<dyn Error>> {
     let view = View {
-        centre: [left, 150.0],
+        center: [left, 150.0],
         scale: 27.0,
         away: AWAY,
     };

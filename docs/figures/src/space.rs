@@ -10,7 +10,7 @@ use crate::vectors::{cross, dot, minus};
 #[derive(Clone, Copy)]
 pub(crate) struct View {
     /// The pixel of the point 0.
-    pub(crate) centre: Pixel,
+    pub(crate) center: Pixel,
     /// Pixels per unit.
     pub(crate) scale: f64,
     /// The displacement of a unit of y, in units to the right and up.
@@ -21,8 +21,8 @@ impl View {
     pub(crate) fn see(&self, [x, y, z]: Point) -> Pixel {
         let [right, up] = [x + self.away[0] * y, z + self.away[1] * y];
         [
-            self.centre[0] + self.scale * right,
-            self.centre[1] - self.scale * up,
+            self.center[0] + self.scale * right,
+            self.center[1] - self.scale * up,
         ]
     }
 

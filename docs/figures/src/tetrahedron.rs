@@ -66,12 +66,12 @@ fn draw_panel(drawing: &mut Drawing, left: f64, (name, origin, pair, which): (&s
     for (top, cuts, patches, name) in rows {
         // All panels have the same tetrahedron and different origins.
         let fixed = View {
-            centre: [left + 128.0, top],
+            center: [left + 128.0, top],
             scale: 22.0,
             away: [0.2, 0.45],
         };
         let view = View {
-            centre: fixed.see(origin),
+            center: fixed.see(origin),
             ..fixed
         };
         view.draw_patches(drawing, cuts, &patches);

@@ -96,11 +96,11 @@ fn in_frames(hit: Hit, poses: [Pose; 2]) -> ShapeCastHit {
 
 /// The motion of a body from a time on, for a duration.
 fn rigid(motion: &NonlinearRigidMotion, start: Real, duration: Real) -> Result<RigidMotion, Failure> {
-    let centre = motion.start * motion.local_center + motion.linvel * start;
+    let center = motion.start * motion.local_center + motion.linvel * start;
     let angle = f64::from(motion.angvel.length()) * f64::from(duration);
     let displacement = exactly(motion.linvel).map(|speed| speed * f64::from(duration));
     Ok(RigidMotion::new(
-        exactly(centre),
+        exactly(center),
         exactly(motion.angvel),
         angle,
         displacement,

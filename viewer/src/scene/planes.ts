@@ -47,13 +47,13 @@ export class Planes {
     const half = HALF * radius;
     for (const plane of planes) {
       const { normal } = plane;
-      const centre = foot(plane, middle);
-      const corners = squareOf(centre, normal, half);
+      const center = foot(plane, middle);
+      const corners = squareOf(center, normal, half);
       const area = new Mesh(geometryOf([0, 1, 2, 0, 2, 3].map((i) => corners[i])), this.area);
       const [a, b] = axesOf(normal);
       const ends = Array.from({ length: 2 * LINES + 1 }, (_, i) => (half * (i - LINES)) / LINES).flatMap((x) =>
         [a, b].flatMap((axis, i) => {
-          const from = add(centre, times(x, axis));
+          const from = add(center, times(x, axis));
           const along = times(half, [b, a][i]);
           return [subtract(from, along), add(from, along)];
         }),

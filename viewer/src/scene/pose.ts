@@ -17,10 +17,10 @@ function distanceFor(radius: number, fraction: number): number {
 }
 
 /** A view of everything: from the front, the right and above. */
-export function overview(centre: Point, radius: number, up: Point): Pose {
+export function overview(center: Point, radius: number, up: Point): Pose {
   const right = unit(cross(Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], up), [0, 0, 1]);
   const towards = unit(add(add(times(0.55, cross(right, up)), times(-1, right)), times(0.6, up)), [0, 0, 1]);
-  return { target: centre, position: add(centre, times(distanceFor(radius, 0.8), towards)) };
+  return { target: center, position: add(center, times(distanceFor(radius, 0.8), towards)) };
 }
 
 /** The angle between the contact plane and the view of the camera. */
@@ -43,12 +43,12 @@ export function contactPose(
   point: Point,
   normal: Point | null,
   vertices: Point[],
-  centre: Point,
+  center: Point,
   radius: number,
   up: Point,
   fraction: number,
 ): Pose {
-  const outwards = unit(add(unit(subtract(point, centre), up), times(ABOVE, up)), up);
+  const outwards = unit(add(unit(subtract(point, center), up), times(ABOVE, up)), up);
   const n = unit(normal ?? outwards, up);
   const x = unit(cross(n, Math.abs(n[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
   const y = cross(n, x);

@@ -52,17 +52,17 @@ fn points(mut coordinate: impl FnMut() -> f64) -> Points {
 }
 
 /// A random number from −1 to 1.
-fn centred(random: &mut Rng) -> f64 {
+fn centered(random: &mut Rng) -> f64 {
     2.0 * random.f64() - 1.0
 }
 
 fn anywhere(random: &mut Rng) -> Points {
-    points(|| centred(random))
+    points(|| centered(random))
 }
 
 /// Displacements are small, as in a simulation.
 fn near(random: &mut Rng) -> Points {
-    let [t0, motion] = points(|| centred(random));
+    let [t0, motion] = points(|| centered(random));
     let end = |i: usize, axis: usize| t0[i][axis] + 0.25 * motion[i][axis];
     let t1 = [0, 1, 2, 3].map(|i| [0, 1, 2].map(|axis| end(i, axis)));
     [t0, t1]

@@ -25,12 +25,12 @@ fn errors_and_deviations_hold() {
         let (direction, length) = DIRECTIONS[case % DIRECTIONS.len()];
         let scale = 2.0_f64.powi(random.i32(-200..200));
         let number = |random: &mut fastrand::Rng| (random.f64() - 0.5) * 2.0_f64.powi(random.i32(-30..30));
-        let [centre, start, displacement] = [0; 3].map(|_| [0; 3].map(|_| number(&mut random)));
+        let [center, start, displacement] = [0; 3].map(|_| [0; 3].map(|_| number(&mut random)));
         let angle = (random.f64() - 0.5) * 2.0_f64.powi(random.i32(-40..12));
-        let motion = RigidMotion::new(centre, direction.map(|x| x * scale), angle, displacement).unwrap();
+        let motion = RigidMotion::new(center, direction.map(|x| x * scale), angle, displacement).unwrap();
 
         let axis = direction.map(|x| Fixed::from(x).over(length));
-        let arm = [0, 1, 2].map(|k: usize| Fixed::from(start[k]).minus(&Fixed::from(centre[k])));
+        let arm = [0, 1, 2].map(|k: usize| Fixed::from(start[k]).minus(&Fixed::from(center[k])));
         let tangent = cross(&axis, &arm);
         let radius = cross(&tangent, &axis);
         let curve = |time: Fixed| {

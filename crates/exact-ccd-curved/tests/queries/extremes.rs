@@ -89,12 +89,12 @@ fn the_limit_ends_the_search_with_the_part_that_is_certain() {
 
 #[test]
 fn a_rigid_motion_needs_finite_numbers_and_an_axis() {
-    let motion = |centre: f64, direction: f64, angle: f64, displacement: f64| {
-        RigidMotion::new([centre; 3], [direction; 3], angle, [displacement; 3])
+    let motion = |center: f64, direction: f64, angle: f64, displacement: f64| {
+        RigidMotion::new([center; 3], [direction; 3], angle, [displacement; 3])
     };
     for bad in [f64::NAN, f64::INFINITY] {
         for (quantity, motion) in [
-            ("centre", motion(bad, 1.0, 1.0, 1.0)),
+            ("center", motion(bad, 1.0, 1.0, 1.0)),
             ("direction", motion(1.0, bad, 1.0, 1.0)),
             ("angle", motion(1.0, 1.0, bad, 1.0)),
             ("displacement", motion(1.0, 1.0, 1.0, bad)),
@@ -146,11 +146,11 @@ fn no_number_causes_a_panic() {
         let mut point = || [pick(), pick(), pick()];
         let polynomial = Polynomial::new([point(), point(), point()]);
         let coefficients = Polynomial::from_coefficients([point(), point(), point(), point()]);
-        let (centre, axis, displacement, start) = (point(), point(), point(), point());
+        let (center, axis, displacement, start) = (point(), point(), point(), point());
         let rest = at_rest(point());
         let angle = pick();
         let mut points: Vec<&dyn Trajectory> = vec![&polynomial, &coefficients];
-        let motion = RigidMotion::new(centre, axis, angle, displacement).map(|motion| motion.point(start));
+        let motion = RigidMotion::new(center, axis, angle, displacement).map(|motion| motion.point(start));
         if let Ok(point) = &motion {
             points.push(point);
         }

@@ -7,7 +7,7 @@ use crate::{points, within};
 
 /// A body that turns about an axis, by its matrix (Rodrigues 1840).
 struct Body {
-    centre: Point,
+    center: Point,
     axis: Point,
     angle: f64,
     displacement: Point,
@@ -19,7 +19,7 @@ impl Body {
         let axis = vector(random, 1.0);
         let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
         Self {
-            centre: vector(random, 2.0),
+            center: vector(random, 2.0),
             axis: axis.map(|x| x / length),
             angle: (random.f64() - 0.5) * 2.0 * turns * std::f64::consts::TAU,
             displacement: vector(random, 3.0),
@@ -27,20 +27,20 @@ impl Body {
     }
 
     fn motion(&self) -> RigidMotion {
-        RigidMotion::new(self.centre, self.axis, self.angle, self.displacement).unwrap()
+        RigidMotion::new(self.center, self.axis, self.angle, self.displacement).unwrap()
     }
 
     fn place(&self, point: Point, time: f64) -> Point {
         let (sine, cosine) = (self.angle * time).sin_cos();
         let [x, y, z] = self.axis;
         let skew = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
-        let arm = [0, 1, 2].map(|k: usize| point[k] - self.centre[k]);
+        let arm = [0, 1, 2].map(|k: usize| point[k] - self.center[k]);
         [0, 1, 2].map(|row: usize| {
             let turned = (0..3).map(|k| {
                 let unit = if row == k { cosine } else { 0.0 };
                 (unit + sine * skew[row][k] + (1.0 - cosine) * self.axis[row] * self.axis[k]) * arm[k]
             });
-            self.centre[row] + turned.sum::<f64>() + time * self.displacement[row]
+            self.center[row] + turned.sum::<f64>() + time * self.displacement[row]
         })
     }
 }

@@ -50,8 +50,8 @@ macro_rules! straight_motion_is_one_exact_query {
                 // Without rotation the direction of the axis does not matter.
                 let mut index = 0..;
                 let rigid = start.map(|p| {
-                    let (centre, axis) = (point(&mut random), [0.0; 3]);
-                    RigidMotion::new(centre, axis, 0.0, moves[index.next().unwrap()])
+                    let (center, axis) = (point(&mut random), [0.0; 3]);
+                    RigidMotion::new(center, axis, 0.0, moves[index.next().unwrap()])
                         .unwrap()
                         .point(p)
                 });

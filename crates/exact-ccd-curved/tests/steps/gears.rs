@@ -42,20 +42,20 @@ struct Gears {
     ratio: f64,
 }
 
-const CENTRES: [Point; 2] = [[0.0; 3], [2.3, 0.0, 0.0]];
+const CENTERS: [Point; 2] = [[0.0; 3], [2.3, 0.0, 0.0]];
 
 impl Gears {
     fn new(angle: f64, ratio: f64) -> Self {
         let (mut positions, mut faces, mut trajectories, mut bodies) = (vec![], vec![], vec![], vec![]);
-        for (body, (centre, angle)) in CENTRES.into_iter().zip([angle, -ratio * angle]).enumerate() {
+        for (body, (center, angle)) in CENTERS.into_iter().zip([angle, -ratio * angle]).enumerate() {
             // A tooth of one between two of the other, which is thicker: the corners of teeth meet faces.
             let (phase, height) = [(0.0, 0.25), (0.5 + 0.5 * TEETH as f64, 0.5)][body];
             let gear = gear(phase, height);
-            let motion = RigidMotion::new(centre, [0.0, 0.0, 1.0], angle, [0.0; 3]).unwrap();
+            let motion = RigidMotion::new(center, [0.0, 0.0, 1.0], angle, [0.0; 3]).unwrap();
             let first = positions.len() as u32;
             faces.extend(gear.mesh.faces().iter().map(|face| face.map(|v| v + first)));
             for vertex in gear.positions {
-                let start = [0, 1, 2].map(|k: usize| vertex[k] + centre[k]);
+                let start = [0, 1, 2].map(|k: usize| vertex[k] + center[k]);
                 positions.push(start);
                 trajectories.push(motion.point(start));
                 bodies.push(body as u32);
@@ -94,17 +94,17 @@ impl Gears {
     fn intersect_at(&self, time: f64) -> Result<bool, IntersectionsError> {
         let place = |(trajectory, &body): (&exact_ccd_curved::RigidPoint, &u32)| {
             let start = trajectory.at(0.0).point;
-            let centre = CENTRES[body as usize];
+            let center = CENTERS[body as usize];
             let angle = if body == 0 {
                 self.angle
             } else {
                 -self.ratio * self.angle
             };
             let (sine, cosine) = (angle * time).sin_cos();
-            let (x, y) = (start[0] - centre[0], start[1] - centre[1]);
+            let (x, y) = (start[0] - center[0], start[1] - center[1]);
             [
-                centre[0] + cosine * x - sine * y,
-                centre[1] + sine * x + cosine * y,
+                center[0] + cosine * x - sine * y,
+                center[1] + sine * x + cosine * y,
                 start[2],
             ]
         };

@@ -40,9 +40,9 @@ fn the_free_part_is_farther_than_d_and_the_end_is_near() {
         let curves: Vec<[Point; 4]> = (0..count)
             .map(|vertex| {
                 // Four triangles, far enough apart at first.
-                let centre = [12.0 * f64::from(vertex as u32 / 3), 0.0, 0.0];
+                let center = [12.0 * f64::from(vertex as u32 / 3), 0.0, 0.0];
                 let offset = point(5.0);
-                let start = [0, 1, 2].map(|k: usize| centre[k] + offset[k]);
+                let start = [0, 1, 2].map(|k: usize| center[k] + offset[k]);
                 let moves = [[0.0; 3], point(8.0), point(8.0), point(8.0)];
                 moves.map(|v| [0, 1, 2].map(|k: usize| start[k] + v[k]))
             })

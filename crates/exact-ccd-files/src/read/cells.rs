@@ -105,7 +105,7 @@ impl Cells {
     /// cells, as [`Cells::into_frame`].
     ///
     /// Every face must be a side of a cell. Listed points are left out: Gmsh lists the points of
-    /// the geometry, such as the centres of arcs.
+    /// the geometry, such as the centers of arcs.
     pub(super) fn into_surface(mut self) -> Result<Assembled, ParseError> {
         if self.solids.is_empty() {
             return self.into_frame();

@@ -31,16 +31,16 @@ pub(crate) fn frames() -> Result<[(&'static str, Frame); 3], FrameError> {
 /// The number of squares along each side of the sheet.
 const SQUARES: u32 = 32;
 const SIDE: f64 = 3.0;
-/// The point of the sheet above the centre of the sphere. It is off the middle, so that one corner
+/// The point of the sheet above the center of the sphere. It is off the middle, so that one corner
 /// hangs lowest.
-const CENTRE: [f64; 2] = [1.4, 1.3];
+const CENTER: [f64; 2] = [1.4, 1.3];
 
 /// The vertices of the sheet, row by row.
 fn sheet(place: impl Fn(f64, f64) -> Point) -> Vec<Point> {
     let along = |i| SIDE * f64::from(i) / f64::from(SQUARES);
     (0..=SQUARES)
         .flat_map(|i| (0..=SQUARES).map(move |j| [along(i), along(j)]))
-        .map(|[x, y]| place(x - CENTRE[0], y - CENTRE[1]))
+        .map(|[x, y]| place(x - CENTER[0], y - CENTER[1]))
         .collect()
 }
 

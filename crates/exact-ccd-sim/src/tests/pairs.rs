@@ -32,18 +32,18 @@ fn random_scene(random: &mut Rng) -> Scene {
     let motion = scale * choose(&[0.0, 1e-15, 1e-3, 0.3, 3.0]);
     // Points on a grid have many contacts at corners and along edges.
     let grid = choose(&[0.0, 0.25, 0.5]);
-    let mut coordinate = |centre: f64| {
-        let x = centre + random.f64() - 0.5;
+    let mut coordinate = |center: f64| {
+        let x = center + random.f64() - 0.5;
         if grid > 0.0 { grid * (x / grid).round() } else { x }
     };
 
     let (mut start, mut end, mut faces) = (Vec::new(), Vec::new(), Vec::new());
     for piece in 0..PIECES as u32 {
         faces.extend([[0, 1, 2], [3, 2, 1]].map(|face| face.map(|corner| 4 * piece + corner)));
-        let centre = [0; 3].map(|_| 2.0 * coordinate(0.0));
+        let center = [0; 3].map(|_| 2.0 * coordinate(0.0));
         let drift = [0; 3].map(|_| coordinate(0.0));
         for _ in 0..4 {
-            let at = centre.map(&mut coordinate);
+            let at = center.map(&mut coordinate);
             let by = drift.map(|drift| drift + 0.2 * coordinate(0.0));
             start.push([0, 1, 2].map(|axis: usize| offset[axis] + scale * at[axis]));
             end.push([0, 1, 2].map(|axis: usize| offset[axis] + (scale * at[axis] + motion * by[axis])));

@@ -96,7 +96,7 @@ fn the_surface_has_no_interior_vertices() {
 }
 
 /// Rods bend where exactly two edges meet: three rods of a star are hinged, and fall together when held
-/// only at the centre.
+/// only at the center.
 #[test]
 fn more_than_two_edges_are_hinged() {
     let star = |rays: u32| {

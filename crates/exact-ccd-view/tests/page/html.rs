@@ -54,8 +54,8 @@ impl Html {
         }
         let json = self.json();
         let scale = json["scale"].as_f64().unwrap();
-        let centre = [0, 1, 2].map(|axis: usize| json["centre"][axis].as_f64().unwrap());
-        let place = |x: &[f32]| [0, 1, 2].map(|axis: usize| centre[axis] + scale * f64::from(x[axis]));
+        let center = [0, 1, 2].map(|axis: usize| json["center"][axis].as_f64().unwrap());
+        let place = |x: &[f32]| [0, 1, 2].map(|axis: usize| center[axis] + scale * f64::from(x[axis]));
         all.chunks(3).map(place).collect()
     }
 }

@@ -75,7 +75,7 @@ fn thrown<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
     let mut random = fastrand::Rng::with_seed(3);
     (0..count).map(move |index| {
         let mut point = || -> Point { from_fn(|_| 2.0 * random.f64() - 1.0) };
-        let (centre, middle) = (point(), point());
+        let (center, middle) = (point(), point());
         let k = libm::exp2(8.0 * point()[0] + 8.0);
         let mut start = K::Points::default();
         start.as_mut().fill_with(|| {
@@ -88,10 +88,10 @@ fn thrown<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
             for axis in 0..3 {
                 let x = direction[axis];
                 [x0[axis], x1[axis]] = match index % 4 {
-                    0 => [centre[axis] + x, centre[axis] - x],
+                    0 => [center[axis] + x, center[axis] - x],
                     1 => [x, -2.0 * x],
-                    2 => [centre[axis] + x, centre[axis] - k * x],
-                    _ => [centre[axis] + x, centre[axis] - (0.1 + centre[0].abs()) * x],
+                    2 => [center[axis] + x, center[axis] - k * x],
+                    _ => [center[axis] + x, center[axis] - (0.1 + center[0].abs()) * x],
                 };
             }
         }

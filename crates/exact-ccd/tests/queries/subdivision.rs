@@ -27,10 +27,10 @@ fn corners<K: Primitives>(points: &Points, cuboid: &Cuboid) -> [Point; 8] {
 }
 
 /// Returns true if all points are beyond a plane through the origin, across an axis or across the
-/// direction of their centre.
+/// direction of their center.
 fn are_beyond_a_plane(points: &[Point; 8]) -> bool {
-    let centre = combine([0.125; 8], *points);
-    let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], centre];
+    let center = combine([0.125; 8], *points);
+    let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], center];
     directions.iter().any(|&direction| {
         let heights = points.map(|point| dot(point, direction));
         heights.iter().all(|&height| height > MARGIN) || heights.iter().all(|&height| height < -MARGIN)

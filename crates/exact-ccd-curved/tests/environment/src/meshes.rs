@@ -24,16 +24,16 @@ pub struct Scene {
 pub type Contacts = Vec<(Pair, u64, u64)>;
 
 impl Scene {
-    /// Small triangles that move a little, by the function that makes a point near the centre of a triangle.
+    /// Small triangles that move a little, by the function that makes a point near the center of a triangle.
     fn new(name: &'static str, seed: u64, point: impl Fn(&mut Random, [f64; 2]) -> Point) -> Self {
         let mut random = Random(seed);
         let faces = (0..TRIANGLES as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
         let mut ends = [Vec::new(), Vec::new()];
         for _ in 0..TRIANGLES {
-            let centre = [random.number(), random.number()];
+            let center = [random.number(), random.number()];
             for _ in 0..3 {
-                ends[0].push(point(&mut random, centre));
-                ends[1].push(point(&mut random, centre));
+                ends[0].push(point(&mut random, center));
+                ends[1].push(point(&mut random, center));
             }
         }
         let mesh = TriangleMesh::new(3 * TRIANGLES, faces.collect()).expect("the faces are valid");

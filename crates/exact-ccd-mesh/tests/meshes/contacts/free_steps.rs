@@ -500,9 +500,9 @@ fn sizes_and_positions_have_the_bits_of_other_languages() {
     };
     let (mut x0, mut x1): (Vec<Point>, Vec<Point>) = Default::default();
     for _ in 0..60 {
-        let centre: Point = [0; 3].map(|_| 1.5 * next());
+        let center: Point = [0; 3].map(|_| 1.5 * next());
         for _ in 0..3 {
-            let start = centre.map(|coordinate| coordinate + 0.5 * next());
+            let start = center.map(|coordinate| coordinate + 0.5 * next());
             x0.push(start);
             x1.push(start.map(|coordinate| coordinate + (next() - 0.5)));
         }

@@ -24,17 +24,17 @@ impl Scene {
         let motion = scale * choose(&[0.0, 1e-15, 1e-3, 0.3, 3.0]);
         // On a grid, many pieces touch in corners and along edges.
         let grid = choose(&[0.0, 0.25, 0.5]);
-        let mut coordinate = |centre: f64| {
-            let x = centre + random.f64() - 0.5;
+        let mut coordinate = |center: f64| {
+            let x = center + random.f64() - 0.5;
             if grid > 0.0 { grid * (x / grid).round() } else { x }
         };
         let (mut x0, mut x1, mut faces) = (Vec::new(), Vec::new(), Vec::new());
         for piece in 0..PIECES as u32 {
             faces.extend([[0, 1, 2], [3, 2, 1]].map(|face| face.map(|corner| 4 * piece + corner)));
-            let centre = [0; 3].map(|_| 2.0 * coordinate(0.0));
+            let center = [0; 3].map(|_| 2.0 * coordinate(0.0));
             let drift = [0; 3].map(|_| coordinate(0.0));
             for _ in 0..4 {
-                let at = centre.map(&mut coordinate);
+                let at = center.map(&mut coordinate);
                 let by = drift.map(|drift| drift + 0.2 * coordinate(0.0));
                 x0.push([0, 1, 2].map(|axis: usize| offset[axis] + scale * at[axis]));
                 x1.push([0, 1, 2].map(|axis: usize| offset[axis] + (scale * at[axis] + motion * by[axis])));
