@@ -125,3 +125,36 @@ impl Mul<f64> for DoubleDouble {
         Self::normalized(product.high, product.low + self.low * other)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use dashu_ratio::RBig;
+    use dashu_ratio::ops::Abs;
+
+    use super::*;
+
+    #[test]
+    fn operations_are_exact_up_to_their_error() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let rational = |x: f64| RBig::try_from(x).expect("a finite number");
+        let exact = |x: DoubleDouble| rational(x.high) + rational(x.low);
+        for _ in 0..1000 {
+            let mut number = || {
+                let low = libm::ldexp(random.f64() - 0.5, -random.i32(0..80));
+                DoubleDouble::sum(random.f64() - 0.5, low)
+            };
+            let (a, b, c) = (number(), number(), number().high);
+            let (x, y, z) = (exact(a), exact(b), rational(c));
+            let sum = x.clone().abs() + y.clone().abs();
+            for (found, expected, most) in [
+                (a + b, &x + &y, sum.clone()),
+                (a - b, &x - &y, sum),
+                (a * b, &x * &y, (&x * &y).abs()),
+                (a * c, &x * &z, (&x * &z).abs()),
+            ] {
+                let error = (exact(found) - expected).abs();
+                assert!(error <= rational(ROUNDOFF) * most, "{a:?} {b:?} {c}");
+            }
+        }
+    }
+}

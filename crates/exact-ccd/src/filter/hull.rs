@@ -255,7 +255,7 @@ fn are_beyond(least: f64, value: impl Fn(usize) -> f64) -> bool {
 mod tests {
     use super::*;
     use crate::filter::gap::{Touching, Within};
-    use crate::kind::VertexVertex;
+    use crate::kind::{EdgeEdge, VertexFace, VertexVertex};
 
     /// Points that move in small integers: the distances from the planes x = ±y, y = ±z and z = ±x are exact
     /// apart from a factor of √2, and none is near the gap.
@@ -307,5 +307,82 @@ mod tests {
             }
         }
         assert!(proved.iter().all(|&count| count > 10), "{proved:?}");
+    }
+
+    fn proves<K: Kind>(hull: &Hull<f64>, direction: Point, gap: impl Gap<f64>) -> bool {
+        hull.is_beyond_axis(gap)
+            || hull.is_beyond_diagonal(gap)
+            || hull.is_beyond(direction, gap)
+            || hull.some_direction_separates::<K>(gap)
+    }
+
+    /// One corner is beyond the origin, or at it, and all others are far on the other side.
+    fn one_corner_prevents_proofs<K: Kind>() {
+        for &((i, j), _) in K::FEATURES.vertices {
+            for (end, axis) in (0..2).flat_map(|end| (0..3).map(move |axis| (end, axis))) {
+                for (sign, value) in [(1.0, -2.0), (-1.0, -2.0), (1.0, 0.0), (-1.0, 0.0)] {
+                    let mut points = [[[0.0; 3]; 4]; 2];
+                    for (time, now) in points.iter_mut().enumerate() {
+                        for (point, place) in now.iter_mut().enumerate() {
+                            let is_near = time == end && (point == i || point == j);
+                            place[axis] = sign
+                                * match (point < K::FIRST, is_near) {
+                                    (true, false) => 6.0,
+                                    (false, false) => -4.0,
+                                    (true, true) => 0.0,
+                                    (false, true) => -value,
+                                };
+                        }
+                    }
+                    let hull = Hull::new::<K>(&points);
+                    let mut direction = [0.0; 3];
+                    direction[axis] = 1.0;
+                    assert!(!proves::<K>(&hull, direction, Touching), "{points:?}");
+                    assert!(!proves::<K>(&hull, direction, Within(1.0)), "{points:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_separates_if_one_corner_is_beyond_the_origin() {
+        one_corner_prevents_proofs::<VertexFace>();
+        one_corner_prevents_proofs::<EdgeEdge>();
+    }
+
+    #[test]
+    fn each_axis_and_the_gap_have_a_range() {
+        for axis in 0..3 {
+            for far in [2.0 * LARGEST, -2.0 * LARGEST] {
+                let mut points = [[[0.0; 3]; 4]; 2];
+                points[1][0][axis] = far;
+                let hull = Hull::new::<EdgeEdge>(&points);
+                assert!(hull.is_out_of_range(Touching) && hull.is_out_of_range(Within(1.0)));
+            }
+        }
+        let near = Hull::new::<EdgeEdge>(&[[[0.0; 3]; 4]; 2]);
+        assert!(!near.is_out_of_range(Within(LARGEST)) && near.is_out_of_range(Within(2.0 * LARGEST)));
+    }
+
+    /// Corners next to the plane x = y, off it by about the roundings of their coordinates.
+    #[test]
+    fn diagonals_prove_nothing_by_roundings() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut proved = 0;
+        for _ in 0..20_000 {
+            let mut units = || random.i64(-(1 << 25)..=1 << 25);
+            let off = [[units(), units()], [units(), units()]];
+            let points: Points<f64> = [0, 1].map(|time: usize| {
+                let s = [0.03125, -0.03125][time];
+                let [x, y] = off[time].map(|n| libm::ldexp(n as f64, -80));
+                [[s, s, 0.0], [s, s, 0.0], [x, y, 0.0], [x, y, 0.0]]
+            });
+            if Hull::new::<VertexVertex>(&points).is_beyond_diagonal(Within(libm::ldexp(1.0, -300))) {
+                let [a, b] = off.map(|[x, y]| (y - x).signum());
+                assert!(a != 0 && a == b, "{off:?}");
+                proved += 1;
+            }
+        }
+        assert!(proved > 100, "{proved}");
     }
 }

@@ -5,7 +5,11 @@ use core::cmp::Ordering;
 
 use dashu_ratio::RBig;
 
+use super::coincident::coincidence;
+use super::coplanarity::Coplanarity;
 use super::fixed_width;
+use super::gap::Touching;
+use super::hull::Hull;
 use super::planar::Planar;
 use crate::exact::FirstContact;
 use crate::interval::Intervals;
@@ -221,4 +225,48 @@ fn planes<K: Kind>() {
 fn motion_in_a_plane_has_the_intervals_of_the_definition() {
     planes::<VertexFace>();
     planes::<EdgeEdge>();
+}
+
+/// Points of a query in one place or with one trajectory, or all of them on a line.
+fn coincidences<K: Kind>() {
+    let mut random = fastrand::Rng::with_seed(3);
+    let mut known = [0; 2];
+    for query in (0..3).flat_map(|flat| queries::<K>(2000, flat)) {
+        let mut points = *query.points();
+        for _ in 0..random.usize(0..3) {
+            let count = points[0].as_ref().len();
+            let [from, to] = [random.usize(0..count), random.usize(0..count)];
+            let ends = random.usize(0..3);
+            for (end, now) in points.iter_mut().enumerate() {
+                if ends == 2 || ends == end {
+                    now.as_mut()[to] = now.as_ref()[from];
+                }
+            }
+        }
+        let query = Query::<K>::new(points[0], points[1]).expect("finite coordinates");
+        let four = query.four();
+        if Hull::new::<K>(&four).is_beyond_axis(Touching) {
+            continue;
+        }
+        let Some(found) = coincidence(&query, &Coplanarity::new::<K>(&four).cubic) else {
+            continue;
+        };
+        let exact = intervals(&query);
+        assert_ne!(exact.count(), Some(0), "{query:?}");
+        if let Some(first) = found.first {
+            assert_eq!(Some(first), exact.iter().next().map(|one| one.start), "{query:?}");
+            known[0] += 1;
+        }
+        if let Some(found) = found.intervals() {
+            assert_eq!(found, exact, "{query:?}");
+            known[1] += 1;
+        }
+    }
+    assert!(known.iter().all(|&count| count > 20), "{known:?}");
+}
+
+#[test]
+fn coincidences_have_the_times_of_the_definition() {
+    coincidences::<VertexFace>();
+    coincidences::<EdgeEdge>();
 }

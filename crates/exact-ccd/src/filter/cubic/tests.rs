@@ -7,6 +7,7 @@ use dashu_int::IBig;
 
 use super::Cubic;
 use crate::exact::{Polynomial, roots};
+use crate::filter::roundoff::UNIT;
 
 /// Cubics with the Bernstein coefficients b₀ … b₃, all integers of this magnitude at most.
 fn all_cubics(most: i32) -> impl Iterator<Item = [f64; 4]> {
@@ -130,4 +131,44 @@ fn signs_until_a_time_are_those_of_the_values() {
         }
     }
     assert!(known > 1000, "{known}");
+}
+
+#[test]
+fn a_coefficient_is_beyond_its_bound_by_more_than_its_error() {
+    for place in 0..4 {
+        for sign in [1.0, -1.0] {
+            let is_beyond = |b: f64| {
+                let mut bernstein = [sign * 8.0; 4];
+                bernstein[place] = sign * b;
+                let magnitude = 1.0;
+                Cubic { bernstein, magnitude }.is_beyond([1.0; 4])
+            };
+            let units = |n: f64| 1.0 + n * UNIT;
+            let answers = [-8.0, 0.5, units(-16.0), 1.0, units(16.0), units(18.0)].map(is_beyond);
+            assert_eq!(answers, [false, false, false, false, false, true]);
+        }
+    }
+}
+
+#[test]
+fn monotone_cubics_are_strictly_monotone() {
+    let mut known = [0; 2];
+    for b in all_cubics(3) {
+        for [low, high] in [[0, 64], [16, 32]] {
+            if cubic(b).is_monotone(f64::from(low) / 64.0, f64::from(high) / 64.0) {
+                let values: Vec<f64> = (low..=high).map(|time| value(b, f64::from(time))).collect();
+                let rises = values.windows(2).all(|pair| pair[0] < pair[1]);
+                assert!(rises || values.windows(2).all(|pair| pair[0] > pair[1]), "{b:?}");
+                known[usize::from(rises)] += 1;
+            }
+        }
+    }
+    assert!(known.iter().all(|&count| count > 100), "{known:?}");
+}
+
+/// One root between the middle and a bend after it.
+#[test]
+fn a_root_before_a_bend_counts_once() {
+    let found = cubic([54.0, -36.0, 24.0, -17.0]).roots();
+    assert!(found.is_none_or(|roots| roots.len() == 1));
 }

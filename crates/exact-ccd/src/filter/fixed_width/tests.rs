@@ -362,3 +362,20 @@ fn signs_in_twice_the_precision_are_those_of_the_integers() {
     }
     assert!((5_000..9_500).contains(&certain), "{certain}");
 }
+
+/// In the first half of the step, the root 1/3 is at the place 2/3, and the step has a root at that time.
+#[test]
+fn a_place_in_a_window_is_not_taken_for_a_time() {
+    let cubic = product([[-1, 2], [-11, 9], [-2, 1]]);
+    let half = Dyadic::new(0.5).expect("a multiple of the unit");
+    let window = Window::new(Dyadic::START, half).expect("a window");
+    let root = Root {
+        low: 0.66,
+        high: 0.67,
+        near: 2.0 / 3.0,
+        slope: 1.0,
+        rising: true,
+    };
+    let time = ExactCubic::new(cubic).time(&Moment::Root(window, root));
+    assert_eq!(time, Some(quotient(1, 2)));
+}

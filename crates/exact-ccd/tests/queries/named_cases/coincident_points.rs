@@ -66,3 +66,35 @@ fn meet_or_part_in_general_position() {
     touches_at(&Query::<EdgeEdge>::new(place, edges).unwrap(), &[0.0]);
     touches_at(&Query::<EdgeEdge>::new(edges, place).unwrap(), &[1.0]);
 }
+
+/// The edges cross at t = 1/2, and two of their vertices are in one place at t = 1.
+#[test]
+fn meet_at_a_corner_after_a_crossing() {
+    let start = [
+        [-1.0, 0.0, 1.0],
+        [1.0, -1.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
+    let end = [
+        [-1.0, 0.0, -1.0],
+        [0.0, 1.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
+    let edges = Query::<EdgeEdge>::new(start, end).unwrap();
+    touches_at(&edges, &[0.5, 1.0]);
+}
+
+/// Two edges that cross in a plane shrink to a point.
+#[test]
+fn cross_until_they_are_a_point() {
+    let start = [
+        [-1.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
+    let edges = Query::<EdgeEdge>::new(start, [[0.0; 3]; 4]).unwrap();
+    touches_during(&edges, &[[0.0, 1.0]]);
+}
