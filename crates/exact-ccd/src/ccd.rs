@@ -149,3 +149,52 @@ impl Ccd for Exact {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec;
+    use alloc::vec::Vec;
+
+    use super::*;
+    use crate::kind::VertexVertex;
+
+    /// A method with the default functions.
+    struct Defaults;
+
+    impl<K: Kind> Decide<K> for Defaults {
+        fn collides(&self, query: &Query<K>) -> bool {
+            query.collides(CONTACT)
+        }
+    }
+
+    #[test]
+    fn queries_of_trajectories_have_the_answers_of_single_queries() {
+        // Two points that meet at t = 1/2, and one that stays away.
+        let x0 = [[0.0; 3], [1.0, 0.0, 0.0], [9.0, 0.0, 0.0]];
+        let x1 = [[0.0; 3], [-1.0, 0.0, 0.0], [9.0, 0.0, 0.0]];
+        let trajectories = Trajectories::new(&x0, &x1).expect("finite coordinates");
+        let answers = |method: &dyn Decide<VertexVertex>, queries: &[[u32; 2]]| {
+            let (mut found, mut times) = (Vec::new(), Vec::new());
+            method.collisions(&trajectories, queries, &mut |index| found.push(index))?;
+            method.times_of_impact(&trajectories, queries, &mut |index, t| times.push((index, t)))?;
+            Ok::<_, VertexOutOfRange>((found, times))
+        };
+        let queries = [[0, 2], [0, 1]];
+        assert_eq!(answers(&Defaults, &queries), Ok((vec![1], vec![(1, 0.0)])));
+        assert_eq!(answers(&Exact, &queries), Ok((vec![1], vec![(1, 0.5)])));
+        let query = |[a, b]: [usize; 2]| {
+            Query::<VertexVertex>::new([x0[a], x0[b]], [x1[a], x1[b]]).expect("finite coordinates")
+        };
+        for method in [&Defaults as &dyn Decide<VertexVertex>, &Exact] {
+            let error = answers(method, &[[0, 1], [0, 3]]).expect_err("there is no vertex 3");
+            assert_eq!((error.query, error.vertex, error.vertex_count), (1, 3, 3));
+            assert_eq!(
+                [[0, 2], [0, 1]].map(|pair| method.collides(&query(pair))),
+                [false, true]
+            );
+        }
+        assert_eq!(Decide::time_of_impact(&Exact, &query([0, 1])), Some(0.5));
+        let guarantees = Exact.guarantees();
+        assert!(!guarantees.false_negatives && !guarantees.false_positives);
+    }
+}

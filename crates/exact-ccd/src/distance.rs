@@ -130,28 +130,35 @@ impl TimeOutOfStep {
 mod tests {
     use alloc::vec::Vec;
 
-    use super::sum_rounded_up;
+    use super::{Separation, sum_rounded_up};
 
-    /// All sums of two numbers of half precision below 1/2, in units of the least of these, 2⁻²⁴. Larger
-    /// numbers add no differences of exponents that are not covered.
+    /// All sums of two numbers with two digits after the first one and exponents up to 99, in units of the least
+    /// number.
     #[test]
-    fn sums_are_rounded_up_for_all_numbers_of_half_precision_below_one_half() {
-        const INFINITY: usize = 0x7c00;
-        const HALF: usize = 14 << 10;
-        let values: Vec<u64> = (0..INFINITY as u64)
-            .map(|bits| match bits >> 10 {
-                0 => bits,
-                exponent => ((bits & 0x3ff) + 0x400) << (exponent - 1),
+    fn sums_are_rounded_up_for_all_numbers_of_three_digits() {
+        const EXPONENTS: u64 = 100;
+        let values: Vec<u128> = (0..(EXPONENTS + 3) << 2)
+            .map(|bits| match bits >> 2 {
+                0 => bits.into(),
+                exponent => u128::from((bits & 3) + 4) << (exponent - 1),
             })
             .collect();
-        for (a, &x) in values.iter().enumerate().take(HALF) {
+        for (a, &x) in values.iter().enumerate().take((EXPONENTS << 2) as usize) {
             let mut least = a;
             for (b, &y) in values.iter().enumerate().take(a + 1) {
                 while values[least] < x + y {
                     least += 1;
                 }
-                assert_eq!(sum_rounded_up::<10>(a as u64, b as u64), least as u64, "{a} {b}");
+                assert_eq!(sum_rounded_up::<2>(a as u64, b as u64), least as u64, "{a} {b}");
             }
         }
+    }
+
+    #[test]
+    fn a_sum_with_the_least_number_is_the_next_one() {
+        let [zero, least, one] =
+            [0.0, f64::from_bits(1), 1.0].map(|d| Separation::new(d).expect("a distance"));
+        assert_eq!(one.plus(zero).get(), 1.0);
+        assert_eq!(one.plus(least).get(), 1.0_f64.next_up());
     }
 }

@@ -77,3 +77,33 @@ fn in_step(time: f64) -> NonNegative {
     debug_assert!(time.is_some(), "a contact time is in [0, 1]");
     time.unwrap_or(NonNegative::ZERO)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_is_compared_with_any_number() {
+        let exact = [0.0, 0.5, 1.0_f64.next_down(), 1.0].map(ContactTime::exactly);
+        for time in exact.into_iter().chain([0.0, 0.5].map(ContactTime::just_above)) {
+            for t in [f64::NAN, f64::NEG_INFINITY, -1.0, -f64::from_bits(1)] {
+                assert!(!time.is_at_most(t) && !time.is_before(t), "{time:?} {t}");
+            }
+            for t in [1.0_f64.next_up(), 2.0, f64::MAX, f64::INFINITY] {
+                assert!(time.is_at_most(t) && time.is_before(t), "{time:?} {t}");
+            }
+            for t in [
+                -0.0,
+                0.0,
+                f64::from_bits(1),
+                0.5,
+                0.5_f64.next_up(),
+                1.0_f64.next_down(),
+                1.0,
+            ] {
+                assert_eq!(time.is_at_most(t), time.upper() <= t, "{time:?} {t}");
+                assert_eq!(time.is_before(t), time.lower() < t, "{time:?} {t}");
+            }
+        }
+    }
+}

@@ -226,6 +226,13 @@ fn power(k: i32) -> f64 {
     2f64.powi(k)
 }
 
+/// The derivative of the time at which a vertex falls through a face, in a unit of length.
+fn in_units(unit: f64) -> Result<(), NotDifferentiable> {
+    let at = |z: f64| [[0.25, 0.25, z], FACE[0], FACE[1], FACE[2]].map(|point| point.map(|x| x * unit));
+    let query = Query::<VertexFace>::new(at(1.0), at(-1.0)).unwrap();
+    query.time_gradient(CONTACT).map(|_| ())
+}
+
 #[test]
 fn derivatives_that_roundings_could_change_have_none() {
     // A vertex that moves nearly in the plane of the face.
@@ -235,6 +242,15 @@ fn derivatives_that_roundings_could_change_have_none() {
     };
     assert_eq!(grazing(power(-32)), Err(NotDifferentiable::Tangent));
     assert_eq!(grazing(power(-24)), Ok(()));
+    // The same in motion that is long compared with the face, and in small units.
+    let passing = |height: f64| {
+        let far = power(20);
+        let query = falling([0.25 - far, 0.25, height], [0.25 + far, 0.25, -height]);
+        query.time_gradient(CONTACT).map(|_| ())
+    };
+    assert_eq!(passing(power(-10)), Err(NotDifferentiable::Tangent));
+    assert_eq!(passing(1.0), Ok(()));
+    assert_eq!(in_units(power(-60)), Ok(()));
     // Two vertices near each other, in a large motion, in one frame and at t = 0.
     let apart = |gap: f64| {
         let query =
@@ -284,6 +300,11 @@ fn derivatives_that_roundings_could_change_have_none() {
 fn derivatives_beyond_the_largest_numbers_have_none() {
     let time = falling([0.25, 0.25, f64::MAX], [0.25, 0.25, -f64::MAX]).time_gradient(CONTACT);
     assert_eq!(time.map(|_| ()), Err(NotDifferentiable::Overflow));
+    // The derivatives are of the order of 2¹⁰⁴⁰.
+    assert_eq!(
+        in_units(f64::from_bits(1 << 34)),
+        Err(NotDifferentiable::Overflow)
+    );
     let [p, q] = [[f64::MAX, 0.0, 0.0], [-f64::MAX, 0.0, 0.0]];
     let query = Query::<VertexVertex>::new([p, q], [p, q]).unwrap();
     assert_eq!(

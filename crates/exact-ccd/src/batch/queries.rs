@@ -69,3 +69,42 @@ pub(super) fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K
     }
     Query::from_finite(points)
 }
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec;
+    use alloc::vec::Vec;
+
+    use super::*;
+    use crate::kind::VertexVertex;
+
+    fn pass_on<'a>(rows: &'a [Row], queries: &'a [[u32; 2]], passed: Passed<'a, VertexVertex>) {
+        let batch = Batch {
+            rows,
+            queries,
+            separations: Separations::default(),
+            until: 1.0,
+            passed,
+        };
+        batch.one_by_one();
+    }
+
+    #[test]
+    fn queries_are_passed_on_one_by_one() {
+        let row = |x0: f64, x1: f64| Row::new([x0, 0.0, 0.0], [x1, 0.0, 0.0]);
+        let rows = [row(0.0, 0.0), row(1.0, -1.0), row(9.0, 9.0)];
+        let queries = [[0, 1], [0, 2], [1, 0]];
+        let (mut found, mut unsettled) = (Vec::new(), Vec::new());
+        pass_on(
+            &rows,
+            &queries,
+            Passed::Colliding(&mut |index, _| found.push(index)),
+        );
+        pass_on(
+            &rows,
+            &queries,
+            Passed::Unsettled(&mut |index| unsettled.push(index)),
+        );
+        assert_eq!((found, unsettled), (vec![0, 2], vec![0, 1, 2]));
+    }
+}

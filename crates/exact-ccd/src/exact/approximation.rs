@@ -65,3 +65,31 @@ pub(super) fn shifted(x: &IBig, by: isize) -> IBig {
         x << by.unsigned_abs()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_known_holds_for_all_numbers_within_the_error() {
+        for middle in -40_i64..=40 {
+            for error in 0..8 {
+                let number = Approximation {
+                    middle: middle.into(),
+                    unit: 0,
+                    error: Some(error),
+                };
+                let off = 1_i64 << error;
+                match number.sign() {
+                    Some(Ordering::Greater) => assert!(middle - off >= 0),
+                    Some(Ordering::Less) => assert!(middle + off <= 0),
+                    sign => assert_eq!(sign, None),
+                }
+                assert!(middle.abs() + off <= 1 << number.bound());
+                for bits in 0..6 {
+                    assert!(!number.is_known_to(bits) || off << bits <= middle.abs());
+                }
+            }
+        }
+    }
+}

@@ -64,3 +64,20 @@ pub(super) fn rounded_down(m: &IBig, k: isize) -> (u64, bool) {
         _ => (LARGEST, false),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_rounded_down_to_the_largest_one_at_most() {
+        let largest = f64::MAX.to_bits();
+        let ones = (IBig::ONE << 53) - IBig::ONE;
+        assert_eq!(rounded_down(&ones, 971), (largest, true));
+        for exponent in [1024, 1025, 3000, 5000] {
+            assert_eq!(rounded_down(&IBig::ONE, exponent), (largest, false));
+        }
+        assert_eq!(rounded_down(&IBig::ONE, -1074), (1, true));
+        assert_eq!(rounded_down(&IBig::ONE, -1075), (0, false));
+    }
+}

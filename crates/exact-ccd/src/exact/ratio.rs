@@ -71,3 +71,38 @@ impl Narrowing {
         (!b.is_zero()).then(|| u64::try_from(a / b).ok())?
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec;
+
+    use dashu_int::IBig;
+
+    use super::*;
+    use crate::exact::instant::Instant;
+    use crate::exact::roots::roots;
+    use crate::exact::split::Split;
+
+    /// A polynomial that vanishes at the time is added to both numbers.
+    #[test]
+    fn ratios_do_not_depend_on_the_slope() {
+        for (m, bits) in [(1, None), ((1_u64 << 59) - 55, Some(59))] {
+            let denominator = bits.map_or(IBig::from(3), |bits: usize| IBig::ONE << bits);
+            let vanishing = Polynomial::new(vec![-IBig::from(m), denominator]);
+            for steepness in 0..130 {
+                for steep in [vanishing.shifted(steepness), -vanishing.shifted(steepness)] {
+                    for x in [0_u64, 1, 5, 7] {
+                        let instant = match bits {
+                            Some(bits) => Instant::At(Split::ratio(m.into(), -(bits as isize))),
+                            None => roots(vec![vanishing.clone()]).remove(0),
+                        };
+                        let [a, b] = [x, 7].map(|x| Polynomial::between(&x.into(), &x.into()));
+                        let expected = ((u128::from(x) << BITS) / 7) as f64 / (1_u64 << BITS) as f64;
+                        let found = Narrowing::new(instant).ratio(&(&a + &steep), &b);
+                        assert_eq!(found, expected, "{steepness} {x}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -180,5 +180,26 @@ mod tests {
             assert_eq!(sign, sign_in_integers(&points));
             assert_eq!(sign, factor.total_cmp(&0.0));
         }
+        for rotation in 0..3 {
+            let turned = |mut point: Point| {
+                point.rotate_right(rotation);
+                point
+            };
+            let [x, y, z] = [590, 500, -455].map(|exponent| libm::ldexp(1.0, exponent));
+            let b = turned([x, y, 0.0]);
+            let (c, d) = (turned([0.0, 1.375 * tiny, tiny]), turned([-z, tiny, tiny]));
+            assert_eq!(sign_of_volume(&[[0.0; 3], b, c, d]), Ordering::Greater);
+        }
+    }
+
+    /// All three products of two components of c and d underflow.
+    #[test]
+    fn signs_are_exact_where_all_products_underflow() {
+        let [r, s] = [-487, -100].map(|exponent| libm::ldexp(1.0, exponent));
+        for sign in [1.0, -1.0] {
+            let b = [1.375, -0.5625, -0.5625].map(|x| sign * s * x);
+            let points = [[0.0; 3], b, [r, -r, 0.0], [0.0, r, -r]];
+            assert_eq!(sign_of_volume(&points), sign.total_cmp(&0.0));
+        }
     }
 }

@@ -339,3 +339,34 @@ fn errors_of_arrays_name_query_and_coordinate() {
         assert_eq!(found, (0..bad).collect::<Vec<_>>());
     }
 }
+
+/// The differences of one corner, far away at both ends, are rounded across a plane at 45 degrees. Those of the
+/// others are small.
+#[test]
+fn a_far_corner_counts_whatever_the_others_are() {
+    let far = 2f64.powi(53);
+    for unit in [1.0, 2f64.powi(-60)] {
+        for first in 0..3 {
+            for axis in 0..3 {
+                let at = |x: f64| {
+                    let mut face = [[-x, x, 0.0], [-8.0, -8.0, 1.0], [-8.0, -8.0, -1.0]];
+                    face.rotate_right(first);
+                    [[1.25, 1.25, 0.0], face[0], face[1], face[2]].map(|mut point| {
+                        point.rotate_right(axis);
+                        point.map(|x| x * unit)
+                    })
+                };
+                let queries = [[at(far), at(-far)]];
+                let d = Separation::new(2.0 * unit).unwrap();
+                for instructions in Instructions::available() {
+                    let mut found = Vec::new();
+                    batch::Queries::<VertexFace>::new(&queries)
+                        .with_instructions(instructions)
+                        .collisions(d, |index, _| found.push(index))
+                        .unwrap();
+                    assert_eq!(found, [0], "{unit:e} {first} {axis} {instructions:?}");
+                }
+            }
+        }
+    }
+}

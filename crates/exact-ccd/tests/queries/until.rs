@@ -143,6 +143,12 @@ fn contact_exactly_at_the_last_time() {
     let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
     let falls_at = |[x, y]: [f64; 2]| vertex_against(face, [x, y, 1.0], [x, y, -1.0]);
     let inside = falls_at([0.25, 0.75]);
+    let collision = inside.collision(Separation::ZERO).unwrap();
+    let times = [0.0, 0.25, 0.5f64.next_down(), 0.5, 0.5f64.next_up(), 0.75, 1.0];
+    assert_eq!(
+        times.map(|time| collision.is_before(time)),
+        times.map(|time| time > 0.5)
+    );
     for (last, touches) in [(0.5f64.next_down(), false), (0.5, true)] {
         let until = Options::from(Separation::ZERO).until(last);
         assert_eq!(inside.collides(until), touches);

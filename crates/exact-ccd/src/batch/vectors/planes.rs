@@ -75,3 +75,33 @@ pub(super) fn transposed<S: Simd>(simd: S, rows: &[[&Row; 4]; LANES]) -> Points<
     }
     points
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::vectors::instructions::{Instructions, dispatch};
+    use crate::filter::Touching;
+    use crate::kind::VertexFace;
+
+    #[test]
+    fn cubics_are_those_of_the_lanes_in_range() {
+        let rows = |unit: f64| [0.0, 1.0, 2.0, 3.0].map(|x| Row::new([x * unit; 3], [x * unit; 3]));
+        let [near, far] = [rows(1.0), rows(libm::ldexp(1.0, 201))];
+        let level = Instructions::best().level();
+        for far_lanes in 0..1_u32 << LANES {
+            let is_far = |lane: usize| far_lanes >> lane & 1 != 0;
+            let of_lane = |lane| {
+                if is_far(lane) {
+                    far.each_ref()
+                } else {
+                    near.each_ref()
+                }
+            };
+            let eight = core::array::from_fn(of_lane);
+            let rest = dispatch!(level, simd => screen::<_, VertexFace, _>(simd, &eight, Touching));
+            for lane in 0..LANES {
+                assert_eq!(rest.cubic(lane).is_none(), is_far(lane), "{far_lanes:b} {lane}");
+            }
+        }
+    }
+}

@@ -1,9 +1,11 @@
 //! Roots next to an extremum, of any flatness.
 
+use alloc::sync::Arc;
 use alloc::vec;
 
 use dashu_int::IBig;
 
+use super::{Bracket, End};
 use crate::exact::polynomial::Polynomial;
 use crate::exact::roots::roots;
 use crate::exact::split::Split;
@@ -43,5 +45,23 @@ fn roots_next_to_an_extremum_are_found_at_any_distance() {
                 }
             }
         }
+    }
+}
+
+/// The bracket [1 + 2⁻⁵⁰, 3/2] has one root, and another one is just before each end. A coarse grid begins at 1.
+#[test]
+fn no_end_of_a_bracket_moves_outwards() {
+    let at = |digits: u64, bits: isize| Split::ratio(digits.into(), -bits);
+    let factor = |a: u64, bits: usize| Polynomial::new(vec![-IBig::from(a), IBig::ONE << bits]);
+    let polynomial = &factor((1 << 51) + 1, 51) * &factor((3 << 44) - 1, 45);
+    let ends = [at((1 << 50) + 1, 50), at(3, 1)].map(|time| End::of(&polynomial, &time));
+    let mut bracket = Bracket::new(Arc::new(polynomial), ends);
+    for _ in 0..40 {
+        let before = bracket.clone();
+        if bracket.narrow(32).is_err() {
+            return;
+        }
+        assert!(before.low() <= bracket.low() && bracket.high() <= before.high());
+        assert!(bracket.low() < bracket.high());
     }
 }

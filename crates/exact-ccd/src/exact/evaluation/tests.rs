@@ -119,3 +119,38 @@ fn an_expansion_has_the_values_of_its_polynomial() {
     }
     assert!(known > 10_000, "{known}");
 }
+
+/// Two roots with an extremum between them, and an interval from the extremum across one of them.
+#[test]
+fn an_interval_with_a_root_has_no_sign() {
+    let mut random = Random(4);
+    for _ in 0..5000 {
+        let a = (1 << 30) + random.below(1 << 30);
+        let bits = random.below(26);
+        let width = 1 + random.below(1 << bits);
+        let distance = 1 + random.below(width);
+        let factor = |root: u64| Polynomial::new([-IBig::from(root), IBig::ONE << 30].to_vec());
+        let polynomial = &factor(a - distance) * &factor(a + distance);
+        for ends in [[a, a + width], [a - width, a]] {
+            let [low, high] = ends.map(|a| Split::ratio(a.into(), -30));
+            let sign = polynomial.sign_between(&low, &high);
+            assert_eq!(sign, None, "{a} {width} {distance}");
+        }
+    }
+}
+
+#[test]
+fn errors_add_up_to_at_most_their_bound() {
+    let digits = (IBig::ONE << 200) - IBig::ONE;
+    let t = Split::ratio(digits.clone(), -200);
+    for length in 1..=64 {
+        let polynomial = Polynomial::new((0..length).map(|_| digits.clone()).collect());
+        for precision in [8, 20, 60] {
+            let (found, exact) = (polynomial.values(&t, &t, precision), polynomial.plain_value(&t));
+            let unit = found.unit.min(exact.unit);
+            let off = (found.in_units(unit) - exact.in_units(unit)).bit_len() as isize;
+            let bound = found.error.unwrap_or_default() as isize + found.unit - unit;
+            assert!(off <= bound, "{length} {precision}");
+        }
+    }
+}

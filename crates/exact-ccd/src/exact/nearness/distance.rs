@@ -69,3 +69,53 @@ impl Quotient {
         (floor, is_equal && is_exact)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::to_integers;
+
+    /// f ≤ √(n / d) < g for adjacent f64 f < g, and f² d = n exactly if the root is f.
+    #[test]
+    fn roots_are_rounded_down() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut exact = 0;
+        for _ in 0..2000 {
+            let mut integer = || {
+                let digits = random.usize(1..300);
+                let digits = (0..digits / 32).fold(IBig::ONE, |sum, _| (sum << 32) + random.u32(..));
+                digits << random.usize(..3) * 20
+            };
+            let (numerator, denominator) = (integer(), integer());
+            let numerator = if random.bool() {
+                &numerator * &numerator * &denominator
+            } else {
+                numerator
+            };
+            let quotient = Quotient {
+                numerator: numerator.clone(),
+                denominator: denominator.clone(),
+            };
+            let (bits, is_exact) = quotient.root(0);
+            let [low, high] = [bits, bits + 1].map(|bits| {
+                let ([_, x], unit) = to_integers([0.0, f64::from_bits(bits)]);
+                (&x * &x * &denominator, 2 * unit.unwrap_or(0))
+            });
+            let compare = |(m, k): &(IBig, i32)| {
+                let shift = k.unsigned_abs() as usize;
+                if *k < 0 {
+                    m.cmp(&(&numerator << shift))
+                } else {
+                    (m << shift).cmp(&numerator)
+                }
+            };
+            assert!(
+                compare(&low).is_le() && compare(&high).is_gt(),
+                "{numerator} {denominator}"
+            );
+            assert_eq!(compare(&low).is_eq(), is_exact, "{numerator} {denominator}");
+            exact += usize::from(is_exact);
+        }
+        assert!(exact > 100, "{exact}");
+    }
+}

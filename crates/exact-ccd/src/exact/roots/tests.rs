@@ -82,3 +82,70 @@ fn signs_next_to_a_root_of_few_digits_are_known() {
         }
     }
 }
+
+#[test]
+fn a_common_divisor_has_the_common_roots() {
+    let (t, u) = ([0, 1], [-1, 0]);
+    let all: [&[[i64; 2]]; 8] = [
+        &[],
+        &[t],
+        &[u],
+        &[t, u],
+        &[[1, 1]],
+        &[t, [1, 1]],
+        &[[1, 1], u],
+        &[t, [1, 1], [3, 1], u],
+    ];
+    let small = |c: [i64; 3]| Polynomial::new(c.map(IBig::from).to_vec());
+    for ratios in all {
+        let common = product(ratios);
+        let times = roots(vec![common.clone()]);
+        let is_common = |divisor: Polynomial| {
+            assert!(!divisor.is_zero(), "{ratios:?}");
+            let found = roots(vec![divisor]);
+            assert_eq!(found.len(), times.len(), "{ratios:?}");
+            let mut found = found.into_iter();
+            assert!(found.all(|mut time| time.narrow_to_sign(&common).is_eq()));
+        };
+        let zero = Polynomial::new(vec![IBig::ZERO; 3]);
+        is_common(common.clone().gcd(zero.clone()));
+        is_common(zero.gcd(common.clone()));
+        for [a, b] in [
+            [product(&[[1, 2]]), product(&[[1, 3]])],
+            [small([1, -1, 1]), small([1, 0, 1])],
+        ] {
+            is_common((&common * &a).gcd(&common * &b));
+        }
+    }
+    // 2 τ³ − 3 τ² + 1, the derivative of which has the root 0.
+    assert_eq!(roots(vec![product(&[[1, 1], [1, 1], [-1, 2]])]).len(), 1);
+}
+
+#[test]
+fn roots_on_both_sides_of_a_bisection_are_two() {
+    let one = 3_i64 << 40;
+    for offsets in [[-1, 1], [1, -1]] {
+        let polynomials = offsets.map(|offset| product(&[[one + offset, one]])).to_vec();
+        assert_eq!(roots(polynomials).len(), 2);
+    }
+}
+
+#[test]
+fn the_sign_before_a_root_is_that_at_its_lower_bound() {
+    let all: [&[[i64; 2]]; 4] = [
+        &[[1, 3]],
+        &[[1, 3], [1, 3]],
+        &[[1, 3], [1, 3], [5, 7]],
+        &[[1, 3], [5, 7]],
+    ];
+    for ratios in all {
+        let polynomial = product(ratios);
+        for root in roots(vec![polynomial.clone()]) {
+            for other in [polynomial.clone(), -polynomial.clone(), polynomial.squared()] {
+                let sign = root.sign_before(&other);
+                let is_right = |sign| sign == other.sign_at(root.bounds().0);
+                assert!(sign.is_none_or(is_right), "{ratios:?}");
+            }
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Faces without area, edges without length, motion at a constant distance.
 
-use exact_ccd::{EdgeEdge, Point, Query};
+use exact_ccd::{EdgeEdge, Point, Query, VertexEdge};
 
 use super::{FACE, is_within, vertex_against};
 
@@ -61,4 +61,14 @@ fn edges_without_length() {
     let query = Query::<EdgeEdge>::new(at(-12.0), at(12.0)).unwrap();
     is_within(&query, 5.0, &[[0.5, 0.5]]);
     is_within(&query, 13.0, &[[0.0, 1.0]]);
+}
+
+/// The edge is a point at one end of the step.
+#[test]
+fn an_edge_along_an_axis_that_grows_from_a_point() {
+    let (p, a, b) = ([0.0, 0.0, 10.0], [0.0; 3], [1.0, 0.0, 0.0]);
+    for [start, end] in [[a, b], [b, a]] {
+        let query = Query::<VertexEdge>::new([p, a, start], [p, a, end]).unwrap();
+        is_within(&query, 1.0, &[]);
+    }
 }

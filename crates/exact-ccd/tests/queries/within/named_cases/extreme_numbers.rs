@@ -42,6 +42,16 @@ fn a_distance_can_be_too_large_for_an_f64() {
     };
     assert_eq!(query.distance_at(0.5).unwrap(), expected);
     is_within(&query, f64::MAX, &[]);
+
+    let [p, q] = [[f64::MAX, 0.0, 0.0], [-f64::MAX, 0.0, 0.0]];
+    let twice = Query::<VertexVertex>::new([p, q], [p, q]).unwrap();
+    assert_eq!(twice.distance_at(0.5).unwrap(), expected);
+    let once = Query::<VertexVertex>::new([p, [0.0; 3]], [p, [0.0; 3]]).unwrap();
+    let expected = DistanceBounds {
+        lower: f64::MAX,
+        upper: f64::MAX,
+    };
+    assert_eq!(once.distance_at(0.5).unwrap(), expected);
 }
 
 /// The normal of the face is so short that its square underflows.
