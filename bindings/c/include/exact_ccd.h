@@ -387,6 +387,18 @@ enum exact_ccd_status_t exact_ccd_detector_free_step(struct exact_ccd_detector_t
                                                      double *size,
                                                      double *positions);
 
+/// `exact_ccd_detector_free_step`, and the earliest contact of the full step: `contact` is written only if
+/// `collides` is true. Both may be null.
+enum exact_ccd_status_t exact_ccd_detector_free_step_contact(struct exact_ccd_detector_t *detector,
+                                                             const double *x0,
+                                                             const double *x1,
+                                                             size_t vertex_count,
+                                                             double keep,
+                                                             double *size,
+                                                             double *positions,
+                                                             bool *collides,
+                                                             struct exact_ccd_contact_t *contact);
+
 /// A size for each vertex, such that the motion of all vertices is certified to be free of contact: the
 /// sizes, from 0 to 1, are written to `sizes`, and the positions at the end to `positions`.
 ///
@@ -632,6 +644,19 @@ enum exact_ccd_status_t exact_ccd_worlds_free_step(const struct exact_ccd_detect
                                                    double keep,
                                                    double *sizes,
                                                    double *positions);
+
+/// `exact_ccd_worlds_free_step`, and the earliest contact of the full step of each world: `collides` and
+/// `contacts` as in `exact_ccd_worlds_collision`. Both may be null.
+enum exact_ccd_status_t exact_ccd_worlds_free_step_contact(const struct exact_ccd_detector_t *detector,
+                                                           const double *x0,
+                                                           const double *x1,
+                                                           size_t vertex_count,
+                                                           size_t world_count,
+                                                           double keep,
+                                                           double *sizes,
+                                                           double *positions,
+                                                           bool *collides,
+                                                           struct exact_ccd_contact_t *contacts);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -374,6 +374,8 @@ public:
     struct FreeStep {
         double size;
         std::vector<Point> positions;
+        /// The earliest contact of the full step; none if the full step is free.
+        std::optional<Contact> contact;
     };
 
     /// A step for every vertex, certified to be free of contact but for the pairs `blocked`.
@@ -520,14 +522,21 @@ public:
     FreeStep free_step(Points x0, Points x1, double keep = 0.9)
     {
         detail::check_counts(x0, x1);
-        FreeStep step{0, std::vector<Point>(x0.size())};
-        check(exact_ccd_detector_free_step(handle(),
-                                           x0.data(),
-                                           x1.data(),
-                                           x0.size(),
-                                           keep,
-                                           &step.size,
-                                           reinterpret_cast<double*>(step.positions.data())));
+        FreeStep step{0, std::vector<Point>(x0.size()), std::nullopt};
+        bool is_found = false;
+        Contact contact{};
+        check(exact_ccd_detector_free_step_contact(handle(),
+                                                   x0.data(),
+                                                   x1.data(),
+                                                   x0.size(),
+                                                   keep,
+                                                   &step.size,
+                                                   reinterpret_cast<double*>(step.positions.data()),
+                                                   &is_found,
+                                                   &contact));
+        if (is_found) {
+            step.contact = contact;
+        }
         return step;
     }
 

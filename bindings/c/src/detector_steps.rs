@@ -1,8 +1,11 @@
 //! Certified steps: one size for the mesh, or one for each vertex.
 
+use core::ptr;
+
 use exact_ccd::Point;
 
 use crate::border::call;
+use crate::contact::Contact;
 use crate::detector::{Detector, with_ends};
 use crate::error::Status;
 use crate::lists::Pairs;
@@ -30,17 +33,60 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
     size: *mut f64,
     positions: *mut f64,
 ) -> Status {
+    let (collides, contact) = (ptr::null_mut(), ptr::null_mut());
+    // SAFETY: the caller's promise.
+    unsafe {
+        exact_ccd_detector_free_step_contact(
+            detector,
+            x0,
+            x1,
+            vertex_count,
+            keep,
+            size,
+            positions,
+            collides,
+            contact,
+        )
+    }
+}
+
+/// `exact_ccd_detector_free_step`, and the earliest contact of the full step: `contact` is written only if
+/// `collides` is true. Both may be null.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_free_step_contact(
+    detector: *mut Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    keep: f64,
+    size: *mut f64,
+    positions: *mut f64,
+    collides: *mut bool,
+    contact: *mut Contact,
+) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise. The result is written after
         // the last use of the positions, which may be the same memory.
         unsafe {
             let (detector, [x0, x1]) = with_ends(detector, x0, x1, vertex_count)?;
             let size = Out::new("size", size)?;
+            let collides = Out::optional("collides", collides)?;
+            let contact = Out::optional("contact", contact)?;
             let options = detector.free_step_options(keep);
             let step = detector.run(|detector| Ok(detector.free_step(x0, x1, &options)?))?;
+            let mesh = detector.inner.mesh();
+            let earliest = step
+                .contact
+                .map(|earliest| Contact::of(mesh, [x0, x1], &earliest));
             let places = places("positions", positions.cast::<Point>(), vertex_count)?;
             fill(places, step.positions);
             size.write(step.size);
+            if let Some(collides) = collides {
+                collides.write(earliest.is_some());
+            }
+            if let (Some(contact), Some(earliest)) = (contact, earliest) {
+                contact.write(earliest);
+            }
         }
         Ok(())
     })

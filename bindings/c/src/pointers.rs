@@ -89,10 +89,33 @@ pub(crate) unsafe fn places<'a, T>(
     Ok(unsafe { slice::from_raw_parts_mut(pointer.cast(), count) })
 }
 
+/// No places for null.
+///
+/// # Safety
+/// As for [`places`].
+pub(crate) unsafe fn optional_places<'a, T>(
+    name: &str,
+    pointer: *mut T,
+    count: usize,
+) -> Result<&'a mut [MaybeUninit<T>], Error> {
+    let count = if pointer.is_null() { 0 } else { count };
+    // SAFETY: the caller's promise.
+    unsafe { places(name, pointer, count) }
+}
+
 /// Writes values to the places of results, as many as there are of both.
 pub(crate) fn fill<T>(places: &mut [MaybeUninit<T>], values: impl IntoIterator<Item = T>) {
     for (place, value) in places.iter_mut().zip(values) {
         place.write(value);
+    }
+}
+
+/// Writes the values that exist to their places.
+pub(crate) fn fill_some<T>(places: &mut [MaybeUninit<T>], values: impl IntoIterator<Item = Option<T>>) {
+    for (place, value) in places.iter_mut().zip(values) {
+        if let Some(value) = value {
+            place.write(value);
+        }
     }
 }
 

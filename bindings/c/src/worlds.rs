@@ -1,5 +1,6 @@
 //! Steps of many worlds, which have one mesh and positions of their own.
 
+use std::ptr;
 use std::sync::{Mutex, PoisonError};
 
 use exact_ccd::Point;
@@ -10,7 +11,7 @@ use crate::contact::Contact;
 use crate::detector::Detector;
 use crate::error::{Error, Status};
 use crate::lists::Contacts;
-use crate::pointers::{Out, ends, fill, places, reference};
+use crate::pointers::{Out, ends, fill, fill_some, optional_places, places, reference};
 
 /// A detector, and the positions of worlds: as many for each as there are vertices.
 struct Worlds<'a> {
@@ -123,11 +124,7 @@ pub unsafe extern "C" fn exact_ccd_worlds_collision(
             Ok(earliest.map(|earliest| Contact::of(detector.mesh(), [x0, x1], &earliest)))
         })?;
         fill(collides, found.iter().map(Option::is_some));
-        for (place, contact) in contacts.iter_mut().zip(found) {
-            if let Some(contact) = contact {
-                place.write(contact);
-            }
-        }
+        fill_some(contacts, found);
         Ok(())
     })
 }
@@ -178,17 +175,60 @@ pub unsafe extern "C" fn exact_ccd_worlds_free_step(
     sizes: *mut f64,
     positions: *mut f64,
 ) -> Status {
+    let (collides, contacts) = (ptr::null_mut(), ptr::null_mut());
+    // SAFETY: the caller's promise.
+    unsafe {
+        exact_ccd_worlds_free_step_contact(
+            detector,
+            x0,
+            x1,
+            vertex_count,
+            world_count,
+            keep,
+            sizes,
+            positions,
+            collides,
+            contacts,
+        )
+    }
+}
+
+/// `exact_ccd_worlds_free_step`, and the earliest contact of the full step of each world: `collides` and
+/// `contacts` as in `exact_ccd_worlds_collision`. Both may be null.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_worlds_free_step_contact(
+    detector: *const Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    world_count: usize,
+    keep: f64,
+    sizes: *mut f64,
+    positions: *mut f64,
+    collides: *mut bool,
+    contacts: *mut Contact,
+) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise. The results are written after
         // the last use of the positions, which may be the same memory.
         unsafe {
             let worlds = Worlds::new(detector, x0, x1, vertex_count, world_count)?;
             let options = worlds.detector.free_step_options(keep);
-            let steps = worlds.each(|detector, x0, x1| Ok(detector.free_step(x0, x1, &options)?))?;
+            let steps = worlds.each(|detector, x0, x1| {
+                let step = detector.free_step(x0, x1, &options)?;
+                let earliest = step
+                    .contact
+                    .map(|one| Contact::of(detector.mesh(), [x0, x1], &one));
+                Ok((step.size, step.positions, earliest))
+            })?;
             let points = places("positions", positions.cast::<Point>(), vertex_count * world_count)?;
             let sizes = places("sizes", sizes, world_count)?;
-            fill(sizes, steps.iter().map(|step| step.size));
-            fill(points, steps.into_iter().flat_map(|step| step.positions));
+            let collides = optional_places("collides", collides, world_count)?;
+            let contacts = optional_places("contacts", contacts, world_count)?;
+            fill(sizes, steps.iter().map(|(size, ..)| *size));
+            fill(collides, steps.iter().map(|(.., earliest)| earliest.is_some()));
+            fill_some(contacts, steps.iter().map(|(.., earliest)| *earliest));
+            fill(points, steps.into_iter().flat_map(|(_, positions, _)| positions));
         }
         Ok(())
     })

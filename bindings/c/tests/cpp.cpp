@@ -132,6 +132,7 @@ void meshes()
     CHECK(detector.collisions(x0, x1).size() == 1 && detector.collisions(x0, x1, 0.25).empty());
     const auto step = detector.free_step(x0, x1);
     CHECK(step.size == 0.45 && !detector.collides(x0, step.positions));
+    CHECK(step.contact && step.contact->impact.time == 0.5 && !detector.free_step(x0, x0).contact);
     const auto steps = detector.free_steps(x0, x1);
     CHECK(steps.sizes[3] < 0.5 && steps.blocked.empty() && steps.rounds > 1);
     CHECK(!detector.collides(x0, steps.positions));

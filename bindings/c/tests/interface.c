@@ -522,6 +522,18 @@ static void meshes(void)
     double size = -1, positions[18];
     OK(exact_ccd_detector_free_step(detector, x0, x1, 6, 0.5, &size, positions));
     CHECK(size == 0.25 && positions[3 * 3 + 2] == 0.5);
+    exact_ccd_contact_t stop;
+    OK(exact_ccd_detector_free_step_contact(detector, x0, x1, 6, 0.5, &size, positions, &collides, &stop));
+    CHECK(collides && size == 0.25 && stop.first == contact.first && stop.impact.time == 0.5);
+    stop.impact.time = 7;
+    OK(exact_ccd_detector_free_step_contact(detector, x0, x0, 6, 0.5, &size, positions, &collides, &stop));
+    CHECK(!collides && size == 1 && stop.impact.time == 7);
+    // The result may be in the place of an argument, which the contact has been computed from.
+    double end[18];
+    memcpy(end, x1, sizeof end);
+    OK(exact_ccd_detector_free_step_contact(detector, x0, end, 6, 0.5, &size, end, NULL, &stop));
+    CHECK(end[3 * 3 + 2] == 0.5 && stop.impact.points[0][2] == 0);
+    OK(exact_ccd_detector_free_step(detector, x0, x1, 6, 0.5, &size, positions));
     OK(exact_ccd_detector_collides(detector, x0, positions, 6, 1, &collides));
     CHECK(!collides);
     fails(exact_ccd_detector_free_step(detector, x0, x1, 6, 2, &size, positions),
@@ -634,8 +646,11 @@ static void worlds(void)
     CHECK(collides[0] && collides[1] && collides[2]);
     OK(exact_ccd_detector_set_min_distance(detector, 0));
     // The results may be in the place of the arguments.
-    OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, x1));
-    CHECK(memcmp(x1, ends, sizeof ends) == 0);
+    contacts[0].impact.time = 7;
+    contacts[1].impact.time = 7;
+    OK(exact_ccd_worlds_free_step_contact(detector, x0, x1, 4, COUNT, 0.5, sizes, x1, collides, contacts));
+    CHECK(memcmp(x1, ends, sizeof ends) == 0 && !collides[0] && collides[1] && collides[2]);
+    CHECK(contacts[0].impact.time == 7 && contacts[1].impact.time == 0.5 && contacts[2].impact.time == 0.25);
 
     OK(exact_ccd_worlds_collides(detector, NULL, NULL, 4, 0, 1, NULL));
     x1[12 + 2] = NAN;

@@ -8,10 +8,11 @@ use exact_ccd_c::{
     AuditResult, Contact, Contacts, Detector, Mesh, Pairs, exact_ccd_audit_examine, exact_ccd_audit_free,
     exact_ccd_audit_new, exact_ccd_contacts_data, exact_ccd_contacts_free, exact_ccd_detector_collides,
     exact_ccd_detector_collision, exact_ccd_detector_collisions, exact_ccd_detector_free,
-    exact_ccd_detector_free_step, exact_ccd_detector_free_steps, exact_ccd_detector_has_intersections,
-    exact_ccd_detector_new, exact_ccd_detector_set_groups, exact_ccd_detector_set_inner_distance,
-    exact_ccd_detector_set_min_distance, exact_ccd_detector_set_thickness, exact_ccd_mesh_free,
-    exact_ccd_mesh_new, exact_ccd_pairs_data, exact_ccd_pairs_free,
+    exact_ccd_detector_free_step_contact, exact_ccd_detector_free_steps,
+    exact_ccd_detector_has_intersections, exact_ccd_detector_new, exact_ccd_detector_set_groups,
+    exact_ccd_detector_set_inner_distance, exact_ccd_detector_set_min_distance,
+    exact_ccd_detector_set_thickness, exact_ccd_mesh_free, exact_ccd_mesh_new, exact_ccd_pairs_data,
+    exact_ccd_pairs_free,
 };
 
 use super::{input, succeeds};
@@ -103,8 +104,8 @@ unsafe fn set(
 unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64> {
     let vertices = x0.len() / 3;
     let (from, to) = (x0.as_ptr(), x1.as_ptr());
-    let (mut collides, mut is_found, mut size, mut rounds) = (false, false, -1.0, 99);
-    let mut contact = Contact::default();
+    let (mut collides, mut is_found, mut stops, mut size, mut rounds) = (false, false, false, -1.0, 99);
+    let (mut contact, mut stop) = (Contact::default(), Contact::default());
     let mut list: *mut Contacts = ptr::null_mut();
     let mut blocked: *mut Pairs = ptr::null_mut();
     let (mut positions, mut sizes, mut ends) =
@@ -123,7 +124,7 @@ unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64
                 &raw mut contact,
             ),
             exact_ccd_detector_collisions(detector, from, to, vertices, 1.0, &raw mut list),
-            exact_ccd_detector_free_step(
+            exact_ccd_detector_free_step_contact(
                 detector,
                 from,
                 to,
@@ -131,6 +132,8 @@ unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64
                 0.5,
                 &raw mut size,
                 positions.as_mut_ptr(),
+                &raw mut stops,
+                &raw mut stop,
             ),
             exact_ccd_detector_free_steps(
                 detector,
@@ -148,7 +151,7 @@ unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64
         ];
         assert_eq!(statuses, [statuses[0]; 5]);
         if !succeeds(statuses[0]) {
-            assert!(!collides && !is_found && size == -1.0 && list.is_null());
+            assert!(!collides && !is_found && !stops && size == -1.0 && list.is_null());
             assert!(sizes.iter().all(|&size| size == -1.0) && rounds == 99 && blocked.is_null());
             return None;
         }
@@ -158,7 +161,8 @@ unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64
             &raw mut data,
             &raw mut count
         )));
-        assert_eq!([is_found, count > 0], [collides; 2]);
+        assert_eq!([is_found, stops, count > 0], [collides; 3]);
+        assert_eq!(stop, contact);
         if is_found {
             assert_eq!((*data).impact.time, contact.impact.time);
         }
