@@ -9,6 +9,7 @@
 #ifndef EXACT_CCD_HPP
 #define EXACT_CCD_HPP
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -342,13 +343,15 @@ inline void check_version()
 /// The connectivity of a mesh.
 class Mesh {
 public:
-    Mesh(std::size_t vertex_count, Faces faces, Edges edges = {})
+    Mesh(std::size_t vertex_count, Faces faces, Edges edges = {}) : vertex_count_(vertex_count)
     {
         exact_ccd_mesh_t* mesh = nullptr;
         check(exact_ccd_mesh_new(
             vertex_count, faces.data(), faces.size(), edges.data(), edges.size(), &mesh));
         handle_.reset(mesh);
     }
+
+    std::size_t vertex_count() const noexcept { return vertex_count_; }
 
     /// The edges of the faces, then those of no face: contacts name edges by their index here.
     std::vector<std::array<std::uint32_t, 2>> edges() const
@@ -365,48 +368,12 @@ public:
 
 private:
     detail::Handle<exact_ccd_mesh_t, exact_ccd_mesh_free> handle_;
+    std::size_t vertex_count_;
 };
 
-/// Contact in successive steps of one mesh. Not for several threads at the same time.
-class Detector {
+/// The settings of a `Detector` and of `Worlds`.
+class Searcher {
 public:
-    /// A step that is certified to be free of contact.
-    struct FreeStep {
-        double size;
-        std::vector<Point> positions;
-        /// The earliest contact of the full step; none if the full step is free.
-        std::optional<Contact> contact;
-    };
-
-    /// A step for every vertex, certified to be free of contact but for the pairs `blocked`.
-    struct FreeSteps {
-        std::vector<double> sizes;
-        std::vector<Point> positions;
-        /// The number of searches for contact.
-        std::size_t rounds;
-        std::vector<Pair> blocked;
-    };
-
-    /// The contacts of a step, the earliest first. For each vertex, the index of the first one of a pair to which
-    /// it belongs, and its time; the number of contacts, and infinity, for a vertex without contact.
-    struct FirstContacts {
-        std::vector<Contact> contacts;
-        std::vector<std::size_t> first;
-        std::vector<double> times;
-    };
-
-    /// An edge and a face, by their indices, that meet at rest.
-    struct Intersection {
-        std::uint32_t edge, face;
-    };
-
-    explicit Detector(const Mesh& mesh)
-    {
-        exact_ccd_detector_t* detector = nullptr;
-        check(exact_ccd_detector_new(mesh.handle(), &detector));
-        handle_.reset(detector);
-    }
-
     void set_min_distance(double min_distance)
     {
         check(exact_ccd_detector_set_min_distance(handle(), min_distance));
@@ -462,13 +429,66 @@ public:
         check(exact_ccd_detector_set_pair_can_collide(handle(), can_collide, data));
     }
 
+    /// With the check of the start, an answer about a step throws an Error with EXACT_CCD_STATUS_CROSSING if an
+    /// edge passes through a face at `x0`. Without it, which is the default, such a mesh may be free of contact.
+    void set_start_check(bool is_on) { check(exact_ccd_detector_set_start_check(handle(), is_on)); }
+
+    exact_ccd_detector_t* handle() const noexcept { return handle_.get(); }
+
+protected:
+    explicit Searcher(const Mesh& mesh)
+    {
+        exact_ccd_detector_t* detector = nullptr;
+        check(exact_ccd_detector_new(mesh.handle(), &detector));
+        handle_.reset(detector);
+    }
+
+private:
+    detail::Handle<exact_ccd_detector_t, exact_ccd_detector_free> handle_;
+};
+
+/// Contact in successive steps of one mesh. Not for several threads at the same time.
+class Detector : public Searcher {
+public:
+    /// A step that is certified to be free of contact.
+    struct FreeStep {
+        double size;
+        std::vector<Point> positions;
+        /// The earliest contact of the full step; none if the full step is free.
+        std::optional<Contact> contact;
+    };
+
+    /// A step for every vertex, certified to be free of contact but for the pairs `blocked`.
+    struct FreeSteps {
+        std::vector<double> sizes;
+        std::vector<Point> positions;
+        /// The number of searches for contact.
+        std::size_t rounds;
+        std::vector<Pair> blocked;
+    };
+
+    /// The contacts of a step, the earliest first. For each vertex, the index of the first one of a pair to which
+    /// it belongs, and its time; the number of contacts, and infinity, for a vertex without contact.
+    struct FirstContacts {
+        std::vector<Contact> contacts;
+        std::vector<std::size_t> first;
+        std::vector<double> times;
+    };
+
+    /// An edge and a face, by their indices, that meet at rest.
+    struct Intersection {
+        std::uint32_t edge, face;
+    };
+
+    explicit Detector(const Mesh& mesh) : Searcher(mesh) {}
+
     /// The first edge and face that can collide, have no common vertex and meet at rest.
     std::optional<Intersection> intersection(Points x) const
     {
         bool is_found = false;
         Intersection found{};
         check(exact_ccd_detector_has_intersections(
-            handle_.get(), x.data(), x.size(), &is_found, &found.edge, &found.face));
+            handle(), x.data(), x.size(), &is_found, &found.edge, &found.face));
         return is_found ? std::optional(found) : std::nullopt;
     }
 
@@ -476,13 +496,9 @@ public:
     bool has_intersections(Points x) const
     {
         bool answer = false;
-        check(exact_ccd_detector_has_intersections(handle_.get(), x.data(), x.size(), &answer, nullptr, nullptr));
+        check(exact_ccd_detector_has_intersections(handle(), x.data(), x.size(), &answer, nullptr, nullptr));
         return answer;
     }
-
-    /// With the check of the start, an answer about a step throws an Error with EXACT_CCD_STATUS_CROSSING if an
-    /// edge passes through a face at `x0`. Without it, which is the default, such a mesh may be free of contact.
-    void set_start_check(bool is_on) { check(exact_ccd_detector_set_start_check(handle(), is_on)); }
 
     /// True if any two primitives touch. `until`, from 0 to 1, is the last time that counts; the exact time is
     /// compared. A mesh that is pierced at `x0` may be free of contact: see `set_start_check`, and docs/pairs.md
@@ -600,11 +616,107 @@ public:
         check(exact_ccd_detector_clearances(handle(), x.data(), x.size(), cut_off, clearances.data()));
         return clearances;
     }
+};
 
-    exact_ccd_detector_t* handle() const noexcept { return handle_.get(); }
+/// Contact in steps of many worlds, which have one mesh. `x0` and `x1` have the positions of the first world, then
+/// those of the next, and so on. The answers are those of a `Detector` for each world; the worlds are decided in
+/// parallel. The methods that are `const` may be called by several threads at the same time.
+class Worlds : public Searcher {
+public:
+    /// Steps that are certified to be free of contact, of all worlds.
+    struct FreeSteps {
+        std::vector<double> sizes;
+        std::vector<Point> positions;
+        /// The earliest contact of each full step; none if it is free.
+        std::vector<std::optional<Contact>> contacts;
+    };
+
+    explicit Worlds(const Mesh& mesh) : Searcher(mesh), vertex_count_(mesh.vertex_count()) {}
+
+    /// As `Detector::collides`, for each world.
+    std::vector<bool> collides(Points x0, Points x1, double until = 1) const
+    {
+        const std::size_t count = world_count(x0, x1);
+        const auto answers = std::make_unique<bool[]>(count);
+        check(exact_ccd_worlds_collides(
+            handle(), x0.data(), x1.data(), vertex_count_, count, until, answers.get()));
+        return std::vector<bool>(answers.get(), answers.get() + count);
+    }
+
+    /// The earliest contact of each world; none if its primitives do not collide.
+    std::vector<std::optional<Contact>> collision(Points x0, Points x1, double until = 1) const
+    {
+        const std::size_t count = world_count(x0, x1);
+        const auto is_found = std::make_unique<bool[]>(count);
+        std::vector<Contact> contacts(count);
+        check(exact_ccd_worlds_collision(
+            handle(), x0.data(), x1.data(), vertex_count_, count, until, is_found.get(), contacts.data()));
+        return found(is_found.get(), contacts);
+    }
+
+    /// All contacts of each world, the earliest first.
+    std::vector<std::vector<Contact>> collisions(Points x0, Points x1, double until = 1) const
+    {
+        std::vector<std::size_t> counts(world_count(x0, x1));
+        exact_ccd_contacts_t* list = nullptr;
+        check(exact_ccd_worlds_collisions(
+            handle(), x0.data(), x1.data(), vertex_count_, counts.size(), until, counts.data(), &list));
+        const auto all = detail::copy<Contact>(list, exact_ccd_contacts_data, exact_ccd_contacts_free);
+        std::vector<std::vector<Contact>> contacts;
+        const Contact* first = all.data();
+        for (const std::size_t count : counts) {
+            contacts.emplace_back(first, first + count);
+            first += count;
+        }
+        return contacts;
+    }
+
+    /// As `Detector::free_step`, with a size for each world.
+    FreeSteps free_step(Points x0, Points x1, double keep = 0.9) const
+    {
+        const std::size_t count = world_count(x0, x1);
+        FreeSteps steps{std::vector<double>(count), std::vector<Point>(x0.size()), {}};
+        const auto is_found = std::make_unique<bool[]>(count);
+        std::vector<Contact> contacts(count);
+        check(exact_ccd_worlds_free_step_contact(handle(),
+                                                 x0.data(),
+                                                 x1.data(),
+                                                 vertex_count_,
+                                                 count,
+                                                 keep,
+                                                 steps.sizes.data(),
+                                                 reinterpret_cast<double*>(steps.positions.data()),
+                                                 is_found.get(),
+                                                 contacts.data()));
+        steps.contacts = found(is_found.get(), contacts);
+        return steps;
+    }
 
 private:
-    detail::Handle<exact_ccd_detector_t, exact_ccd_detector_free> handle_;
+    std::size_t world_count(Points x0, Points x1) const
+    {
+        detail::check_counts(x0, x1);
+        const std::size_t count = x0.size() / std::max<std::size_t>(vertex_count_, 1);
+        if (count * vertex_count_ != x0.size()) {
+            throw std::invalid_argument("exact_ccd: " + std::to_string(x0.size())
+                                        + " positions, expected a multiple of the number of vertices: "
+                                        + std::to_string(vertex_count_));
+        }
+        return count;
+    }
+
+    static std::vector<std::optional<Contact>> found(const bool* is_found, const std::vector<Contact>& contacts)
+    {
+        std::vector<std::optional<Contact>> found(contacts.size());
+        for (std::size_t world = 0; world < found.size(); ++world) {
+            if (is_found[world]) {
+                found[world] = contacts[world];
+            }
+        }
+        return found;
+    }
+
+    std::size_t vertex_count_;
 };
 
 /// Examines the frames of a mesh one after the other.
