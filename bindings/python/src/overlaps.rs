@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use exact_ccd::{Point, Separation};
-use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, PairCollector, TooManyPrimitives, check_positions};
+use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, PairCollector, check_positions};
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -35,9 +35,12 @@ pub(crate) fn overlaps<'py>(
         let inflation = Separation::new(inflation).map_err(refused)?.get();
         check_positions(x0.len(), x0).map_err(refused)?;
         check_positions(x0.len(), x1).map_err(refused)?;
+        a.check(x0.len())?;
+        b.check(x0.len())?;
+        let origin = a.place(x0);
         let boxes = |primitives: &Primitives<'_>| {
-            primitives.check(x0.len())?;
-            primitives.boxes(x0, x1, inflation).map_err(refused)
+            let around = primitives.boxes(x0, x1, inflation);
+            Boxes::relative_to(&around, &[origin]).map_err(refused)
         };
         let collector = PairCollector::default();
         let apart = |pair: &[u32; 2]| {
@@ -81,13 +84,18 @@ impl<'a> Primitives<'a> {
         &self.vertices[self.size * index as usize..][..self.size]
     }
 
+    /// The place of a vertex in the middle of the array.
+    fn place(&self, x: &[Point]) -> Point {
+        let vertex = self.vertices.get(self.vertices.len() / 2);
+        vertex.map_or([0.0; 3], |&vertex| x[vertex as usize])
+    }
+
     /// The boxes around the paths, enlarged on every side.
-    fn boxes(&self, x0: &[Point], x1: &[Point], inflation: f64) -> Result<Boxes<1>, TooManyPrimitives> {
+    fn boxes(&self, x0: &[Point], x1: &[Point], inflation: f64) -> Vec<[Aabb; 1]> {
         let around = |vertices: &[u32]| {
             let ends = vertices.iter().flat_map(|&v| [x0[v as usize], x1[v as usize]]);
             [ends.collect::<Aabb>().inflated(inflation)]
         };
-        let boxes: Vec<_> = self.vertices.par_chunks(self.size).map(around).collect();
-        Boxes::new(&boxes)
+        self.vertices.par_chunks(self.size).map(around).collect()
     }
 }

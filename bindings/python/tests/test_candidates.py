@@ -30,6 +30,20 @@ def test_boxes_that_meet_when_enlarged_are_candidates() -> None:
             candidates.build(mesh, x, inflation_radius=wrong)
 
 
+def test_candidates_do_not_depend_on_the_distance_to_the_origin() -> None:
+    """Edges of a millimetre, at a place where numbers of single precision are 64 m apart."""
+    x = np.zeros((400, 2))
+    x[:, 0] = np.arange(400) * 2.0**-10
+    mesh = SimpleNamespace(
+        num_vertices=400, edges=np.arange(400).reshape(-1, 2), faces=np.empty((0, 3), int)
+    )
+    near, far = ipc.Candidates(), ipc.Candidates()
+    near.build(mesh, x, inflation_radius=2.0**-10)
+    far.build(mesh, x + 2.0**29, inflation_radius=2.0**-10)
+    assert 0 < len(near) < 2000
+    assert len(far) == len(near)
+
+
 @pytest.mark.parametrize("units", [1, 2, 3, 4, 5, 6, 7, 8, 9])
 def test_the_smallest_distances(units: int) -> None:
     """Half of a distance may be no float64."""

@@ -37,9 +37,20 @@ impl<const T: usize> Boxes<T> {
     /// Boxes at t = 0 and at t = 1, or boxes at rest (T = 1). Their indices are those in the slice. A side
     /// that is not a number counts as unbounded.
     ///
+    /// Coordinates are relative to 0: far from there, boxes that do not meet may meet after rounding.
+    ///
     /// # Errors
     /// [`TooManyPrimitives`], if indices of 32 bits do not suffice.
     pub fn new(boxes: &[[Aabb; T]]) -> Result<Self, TooManyPrimitives> {
+        Self::relative_to(boxes, &[[0.0; 3]; T])
+    }
+
+    /// [`new`](Self::new), with coordinates relative to an origin at each time: a place near the boxes. Only
+    /// boxes with the same origins can be compared. A coordinate of an origin that is not finite counts as 0.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn relative_to(boxes: &[[Aabb; T]], origins: &[Point; T]) -> Result<Self, TooManyPrimitives> {
         const { assert!(T == 1 || T == 2, "boxes rest, or move from one place to another") };
         check_primitive_count(boxes.len())?;
         let ids = order((0..boxes.len() as u32).collect(), |id| {
@@ -47,7 +58,8 @@ impl<const T: usize> Boxes<T> {
         });
         let mut all = Self::of(Arc::new(Members::new(ids, |_| [])));
         let places = |id: u32| boxes[id as usize].each_ref().map(Aabb::without_nan);
-        all.replace(|_| true, |id| MovingBox::new(&places(id), &[[0.0; 3]; T]));
+        let origins = origins.map(finite);
+        all.replace(|_| true, |id| MovingBox::new(&places(id), &origins));
         Ok(all)
     }
 
@@ -151,6 +163,10 @@ fn fill<const T: usize, I>(
 
 /// The center of a box at the start; the origin for the empty box, which has none.
 fn center<const T: usize>(places: &[Aabb; T]) -> Point {
-    let center = places.first().map_or([0.0; 3], Aabb::center);
-    center.map(|x| if x.is_finite() { x } else { 0.0 })
+    finite(places.first().map_or([0.0; 3], Aabb::center))
+}
+
+/// The point, with 0 in place of coordinates that are not finite.
+fn finite(point: Point) -> Point {
+    point.map(|x| if x.is_finite() { x } else { 0.0 })
 }

@@ -33,6 +33,12 @@ fn pairs<const T: usize>(a: &[[Aabb; T]], b: &[[Aabb; T]]) -> Vec<[u32; 2]> {
         .collect()
 }
 
+/// Those of two boxes of one slice.
+fn pairs_once<const T: usize>(boxes: &[[Aabb; T]]) -> Vec<[u32; 2]> {
+    let all = pairs(boxes, boxes).into_iter();
+    all.filter(|[i, j]| i < j).collect()
+}
+
 fn sorted(
     find: impl Fn(&(dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)) -> ControlFlow<()>,
 ) -> Vec<[u32; 2]> {
@@ -75,8 +81,7 @@ fn assert_finds_all<const T: usize>(broad_phase: &impl BoxPairs<T>, a: &[[Aabb; 
     assert_eq!(found, pairs(&rounded_a, &rounded_b));
     // Rounding loses no pair.
     assert!(pairs(a, b).iter().all(|pair| found.binary_search(pair).is_ok()));
-    let once = pairs(&rounded_a, &rounded_a).into_iter().filter(|[i, j]| i < j);
-    assert_eq!(within(broad_phase, &coarse_a), once.collect::<Vec<_>>());
+    assert_eq!(within(broad_phase, &coarse_a), pairs_once(&rounded_a));
 }
 
 fn assert_all_find_all(a: &[Moving], b: &[Moving]) {
@@ -165,6 +170,27 @@ fn boxes_that_touch_in_a_face_an_edge_a_corner() {
     let others = Boxes::new(&[touching[0], touching[1], apart, touching[2]].map(|at| [at])).unwrap();
     for found in [between(&Bvh, &unit, &others), between(&AllPairs, &unit, &others)] {
         assert_eq!(found, [[0, 0], [0, 1], [0, 3]]);
+    }
+}
+
+/// Of boxes that are smaller than the units of single precision at their place.
+#[test]
+fn boxes_relative_to_an_origin_near_them_meet_as_near_zero() {
+    let row = |first: f64| (0..100).map(move |i| first + 0.375 * f64::from(i));
+    let boxes = |first: f64, second: f64| -> Vec<Moving> {
+        let cubes = row(first).zip(row(second));
+        let cube = |x: f64| around([x; 3], [x + 0.5; 3]);
+        cubes.map(|(x0, x1)| [cube(x0), cube(x1)]).collect()
+    };
+    let far = boxes(1e9, -1e12);
+    let near = Boxes::relative_to(&far, &[[1e9; 3], [-1e12; 3]]).unwrap();
+    assert_eq!(by_index(&near), boxes(0.0, 0.0));
+    assert_eq!(within(&Bvh, &near), pairs_once(&far));
+    assert!(within(&Bvh, &Boxes::new(&far).unwrap()).len() > 1000);
+    // Any origin loses no pair.
+    for origin in [f64::NAN, f64::INFINITY, f64::MAX] {
+        let found = within(&Bvh, &Boxes::relative_to(&far, &[[origin; 3]; 2]).unwrap());
+        assert!(pairs_once(&far).iter().all(|pair| found.contains(pair)));
     }
 }
 
