@@ -376,6 +376,9 @@ enum exact_ccd_status_t exact_ccd_detector_set_start_check(struct exact_ccd_dete
 /// start, or within the smallest `double` of it. `positions` has room for `vertex_count` points, and
 /// may be `x0` or `x1`.
 ///
+/// `collides` is true if the full step has a contact, the earliest of which is written to `contact`; else
+/// `contact` is not written. Both may be null.
+///
 /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
 /// size is 1: without `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs
 /// that are compared.
@@ -385,19 +388,9 @@ enum exact_ccd_status_t exact_ccd_detector_free_step(struct exact_ccd_detector_t
                                                      size_t vertex_count,
                                                      double keep,
                                                      double *size,
-                                                     double *positions);
-
-/// `exact_ccd_detector_free_step`, and the earliest contact of the full step: `contact` is written only if
-/// `collides` is true. Both may be null.
-enum exact_ccd_status_t exact_ccd_detector_free_step_contact(struct exact_ccd_detector_t *detector,
-                                                             const double *x0,
-                                                             const double *x1,
-                                                             size_t vertex_count,
-                                                             double keep,
-                                                             double *size,
-                                                             double *positions,
-                                                             bool *collides,
-                                                             struct exact_ccd_contact_t *contact);
+                                                     double *positions,
+                                                     bool *collides,
+                                                     struct exact_ccd_contact_t *contact);
 
 /// A size for each vertex, such that the motion of all vertices is certified to be free of contact: the
 /// sizes, from 0 to 1, are written to `sizes`, and the positions at the end to `positions`.
@@ -634,7 +627,8 @@ enum exact_ccd_status_t exact_ccd_worlds_collisions(const struct exact_ccd_detec
                                                     struct exact_ccd_contacts_t **contacts);
 
 /// `exact_ccd_detector_free_step` for each world: `sizes` has room for `world_count` numbers, and
-/// `positions` for the points of all worlds. `positions` may be `x0` or `x1`. Other arguments as in
+/// `positions` for the points of all worlds. `positions` may be `x0` or `x1`. `collides` and `contacts` are
+/// about the full steps, as in `exact_ccd_worlds_collision`; both may be null. Other arguments as in
 /// `exact_ccd_worlds_collides`.
 enum exact_ccd_status_t exact_ccd_worlds_free_step(const struct exact_ccd_detector_t *detector,
                                                    const double *x0,
@@ -643,20 +637,9 @@ enum exact_ccd_status_t exact_ccd_worlds_free_step(const struct exact_ccd_detect
                                                    size_t world_count,
                                                    double keep,
                                                    double *sizes,
-                                                   double *positions);
-
-/// `exact_ccd_worlds_free_step`, and the earliest contact of the full step of each world: `collides` and
-/// `contacts` as in `exact_ccd_worlds_collision`. Both may be null.
-enum exact_ccd_status_t exact_ccd_worlds_free_step_contact(const struct exact_ccd_detector_t *detector,
-                                                           const double *x0,
-                                                           const double *x1,
-                                                           size_t vertex_count,
-                                                           size_t world_count,
-                                                           double keep,
-                                                           double *sizes,
-                                                           double *positions,
-                                                           bool *collides,
-                                                           struct exact_ccd_contact_t *contacts);
+                                                   double *positions,
+                                                   bool *collides,
+                                                   struct exact_ccd_contact_t *contacts);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -541,15 +541,15 @@ public:
         FreeStep step{0, std::vector<Point>(x0.size()), std::nullopt};
         bool is_found = false;
         Contact contact{};
-        check(exact_ccd_detector_free_step_contact(handle(),
-                                                   x0.data(),
-                                                   x1.data(),
-                                                   x0.size(),
-                                                   keep,
-                                                   &step.size,
-                                                   reinterpret_cast<double*>(step.positions.data()),
-                                                   &is_found,
-                                                   &contact));
+        check(exact_ccd_detector_free_step(handle(),
+                                           x0.data(),
+                                           x1.data(),
+                                           x0.size(),
+                                           keep,
+                                           &step.size,
+                                           reinterpret_cast<double*>(step.positions.data()),
+                                           &is_found,
+                                           &contact));
         if (is_found) {
             step.contact = contact;
         }
@@ -678,16 +678,16 @@ public:
         FreeSteps steps{std::vector<double>(count), std::vector<Point>(x0.size()), {}};
         const auto is_found = std::make_unique<bool[]>(count);
         std::vector<Contact> contacts(count);
-        check(exact_ccd_worlds_free_step_contact(handle(),
-                                                 x0.data(),
-                                                 x1.data(),
-                                                 vertex_count_,
-                                                 count,
-                                                 keep,
-                                                 steps.sizes.data(),
-                                                 reinterpret_cast<double*>(steps.positions.data()),
-                                                 is_found.get(),
-                                                 contacts.data()));
+        check(exact_ccd_worlds_free_step(handle(),
+                                         x0.data(),
+                                         x1.data(),
+                                         vertex_count_,
+                                         count,
+                                         keep,
+                                         steps.sizes.data(),
+                                         reinterpret_cast<double*>(steps.positions.data()),
+                                         is_found.get(),
+                                         contacts.data()));
         steps.contacts = found(is_found.get(), contacts);
         return steps;
     }

@@ -1,7 +1,5 @@
 //! Certified steps: one size for the mesh, or one for each vertex.
 
-use core::ptr;
-
 use exact_ccd::Point;
 
 use crate::border::call;
@@ -20,40 +18,14 @@ use crate::pointers::{Out, array, fill, places};
 /// start, or within the smallest `double` of it. `positions` has room for `vertex_count` points, and
 /// may be `x0` or `x1`.
 ///
+/// `collides` is true if the full step has a contact, the earliest of which is written to `contact`; else
+/// `contact` is not written. Both may be null.
+///
 /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
 /// size is 1: without `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs
 /// that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_free_step(
-    detector: *mut Detector,
-    x0: *const f64,
-    x1: *const f64,
-    vertex_count: usize,
-    keep: f64,
-    size: *mut f64,
-    positions: *mut f64,
-) -> Status {
-    let (collides, contact) = (ptr::null_mut(), ptr::null_mut());
-    // SAFETY: the caller's promise.
-    unsafe {
-        exact_ccd_detector_free_step_contact(
-            detector,
-            x0,
-            x1,
-            vertex_count,
-            keep,
-            size,
-            positions,
-            collides,
-            contact,
-        )
-    }
-}
-
-/// `exact_ccd_detector_free_step`, and the earliest contact of the full step: `contact` is written only if
-/// `collides` is true. Both may be null.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_detector_free_step_contact(
     detector: *mut Detector,
     x0: *const f64,
     x1: *const f64,

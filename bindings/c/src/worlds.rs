@@ -1,6 +1,5 @@
 //! Steps of many worlds, which have one mesh and positions of their own.
 
-use std::ptr;
 use std::sync::{Mutex, PoisonError};
 
 use exact_ccd::Point;
@@ -162,41 +161,11 @@ pub unsafe extern "C" fn exact_ccd_worlds_collisions(
 }
 
 /// `exact_ccd_detector_free_step` for each world: `sizes` has room for `world_count` numbers, and
-/// `positions` for the points of all worlds. `positions` may be `x0` or `x1`. Other arguments as in
+/// `positions` for the points of all worlds. `positions` may be `x0` or `x1`. `collides` and `contacts` are
+/// about the full steps, as in `exact_ccd_worlds_collision`; both may be null. Other arguments as in
 /// `exact_ccd_worlds_collides`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_worlds_free_step(
-    detector: *const Detector,
-    x0: *const f64,
-    x1: *const f64,
-    vertex_count: usize,
-    world_count: usize,
-    keep: f64,
-    sizes: *mut f64,
-    positions: *mut f64,
-) -> Status {
-    let (collides, contacts) = (ptr::null_mut(), ptr::null_mut());
-    // SAFETY: the caller's promise.
-    unsafe {
-        exact_ccd_worlds_free_step_contact(
-            detector,
-            x0,
-            x1,
-            vertex_count,
-            world_count,
-            keep,
-            sizes,
-            positions,
-            collides,
-            contacts,
-        )
-    }
-}
-
-/// `exact_ccd_worlds_free_step`, and the earliest contact of the full step of each world: `collides` and
-/// `contacts` as in `exact_ccd_worlds_collision`. Both may be null.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_worlds_free_step_contact(
     detector: *const Detector,
     x0: *const f64,
     x1: *const f64,

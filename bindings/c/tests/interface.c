@@ -300,7 +300,7 @@ static void smallest_times(void)
     exact_ccd_contacts_t* contacts = NULL;
     OK(exact_ccd_mesh_new(4, face, 1, NULL, 0, &mesh));
     OK(exact_ccd_detector_new(mesh, &detector));
-    OK(exact_ccd_detector_free_step(detector, x0, x1, 4, 0.9, &size, positions));
+    OK(exact_ccd_detector_free_step(detector, x0, x1, 4, 0.9, &size, positions, NULL, NULL));
     CHECK(size == 0);
     bool collides = true;
     OK(exact_ccd_detector_collides(detector, x0, x0, 4, 1, &collides));
@@ -437,7 +437,7 @@ static void start_check(const exact_ccd_mesh_t* mesh, const double* apart, const
     OK(exact_ccd_detector_new(mesh, &detector));
     OK(exact_ccd_detector_collides(detector, crossing, crossing, 6, 1, &collides));
     CHECK(!collides);
-    OK(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions));
+    OK(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions, NULL, NULL));
     CHECK(size == 1);
 
     uint32_t edge = 99, face = 99;
@@ -445,7 +445,9 @@ static void start_check(const exact_ccd_mesh_t* mesh, const double* apart, const
     OK(exact_ccd_detector_set_start_check(detector, true));
     size = -1;
     fails(exact_ccd_detector_collides(detector, crossing, crossing, 6, 1, &collides), status, "passes through face");
-    fails(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions), status, "face");
+    fails(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions, NULL, NULL),
+          status,
+          "face");
     fails(exact_ccd_detector_collision(detector, crossing, apart, 6, 1, &collides, &contact), status, "edge");
     fails(exact_ccd_detector_collisions(detector, crossing, apart, 6, 1, &contacts), status, "edge");
     CHECK(size == -1 && contacts == NULL);
@@ -520,23 +522,24 @@ static void meshes(void)
     exact_ccd_contacts_free(contacts);
 
     double size = -1, positions[18];
-    OK(exact_ccd_detector_free_step(detector, x0, x1, 6, 0.5, &size, positions));
+    OK(exact_ccd_detector_free_step(detector, x0, x1, 6, 0.5, &size, positions, NULL, NULL));
     CHECK(size == 0.25 && positions[3 * 3 + 2] == 0.5);
     exact_ccd_contact_t stop;
-    OK(exact_ccd_detector_free_step_contact(detector, x0, x1, 6, 0.5, &size, positions, &collides, &stop));
+    OK(exact_ccd_detector_free_step(detector, x0, x1, 6, 0.5, &size, positions, &collides, &stop));
     CHECK(collides && size == 0.25 && stop.first == contact.first && stop.impact.time == 0.5);
     stop.impact.time = 7;
-    OK(exact_ccd_detector_free_step_contact(detector, x0, x0, 6, 0.5, &size, positions, &collides, &stop));
+    OK(exact_ccd_detector_free_step(detector, x0, x0, 6, 0.5, &size, positions, &collides, &stop));
     CHECK(!collides && size == 1 && stop.impact.time == 7);
     // The result may be in the place of an argument, which the contact has been computed from.
     double end[18];
     memcpy(end, x1, sizeof end);
-    OK(exact_ccd_detector_free_step_contact(detector, x0, end, 6, 0.5, &size, end, NULL, &stop));
+    OK(exact_ccd_detector_free_step(detector, x0, end, 6, 0.5, &size, end, NULL, &stop));
     CHECK(end[3 * 3 + 2] == 0.5 && stop.impact.points[0][2] == 0);
-    OK(exact_ccd_detector_free_step(detector, x0, x1, 6, 0.5, &size, positions));
+    OK(exact_ccd_detector_free_step(detector, x0, x1, 6, 0.5, &size, positions, &collides, NULL));
+    CHECK(collides);
     OK(exact_ccd_detector_collides(detector, x0, positions, 6, 1, &collides));
     CHECK(!collides);
-    fails(exact_ccd_detector_free_step(detector, x0, x1, 6, 2, &size, positions),
+    fails(exact_ccd_detector_free_step(detector, x0, x1, 6, 2, &size, positions, NULL, NULL),
           EXACT_CCD_STATUS_INVALID_ARGUMENT,
           "2");
     fails(exact_ccd_detector_collides(detector, x0, x1, 5, 1, &collides), EXACT_CCD_STATUS_INVALID_POSITIONS, "5");
@@ -636,7 +639,7 @@ static void worlds(void)
     exact_ccd_contacts_free(list);
 
     double sizes[COUNT], ends[12 * COUNT];
-    OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, ends));
+    OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, ends, NULL, NULL));
     CHECK(sizes[0] == 1 && sizes[1] == 0.25 && sizes[2] == 0.125);
     CHECK(ends[2] == 0.5 && ends[14] == 0.5 && ends[26] == 0.5);
     OK(exact_ccd_worlds_collides(detector, x0, ends, 4, COUNT, 1, collides));
@@ -648,7 +651,7 @@ static void worlds(void)
     // The results may be in the place of the arguments.
     contacts[0].impact.time = 7;
     contacts[1].impact.time = 7;
-    OK(exact_ccd_worlds_free_step_contact(detector, x0, x1, 4, COUNT, 0.5, sizes, x1, collides, contacts));
+    OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, x1, collides, contacts));
     CHECK(memcmp(x1, ends, sizeof ends) == 0 && !collides[0] && collides[1] && collides[2]);
     CHECK(contacts[0].impact.time == 7 && contacts[1].impact.time == 0.5 && contacts[2].impact.time == 0.25);
 

@@ -8,11 +8,10 @@ use exact_ccd_c::{
     AuditResult, Contact, Contacts, Detector, Mesh, Pairs, exact_ccd_audit_examine, exact_ccd_audit_free,
     exact_ccd_audit_new, exact_ccd_contacts_data, exact_ccd_contacts_free, exact_ccd_detector_collides,
     exact_ccd_detector_collision, exact_ccd_detector_collisions, exact_ccd_detector_free,
-    exact_ccd_detector_free_step_contact, exact_ccd_detector_free_steps,
-    exact_ccd_detector_has_intersections, exact_ccd_detector_new, exact_ccd_detector_set_groups,
-    exact_ccd_detector_set_inner_distance, exact_ccd_detector_set_min_distance,
-    exact_ccd_detector_set_thickness, exact_ccd_mesh_free, exact_ccd_mesh_new, exact_ccd_pairs_data,
-    exact_ccd_pairs_free,
+    exact_ccd_detector_free_step, exact_ccd_detector_free_steps, exact_ccd_detector_has_intersections,
+    exact_ccd_detector_new, exact_ccd_detector_set_groups, exact_ccd_detector_set_inner_distance,
+    exact_ccd_detector_set_min_distance, exact_ccd_detector_set_thickness, exact_ccd_mesh_free,
+    exact_ccd_mesh_new, exact_ccd_pairs_data, exact_ccd_pairs_free,
 };
 
 use super::{input, succeeds};
@@ -124,7 +123,7 @@ unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64
                 &raw mut contact,
             ),
             exact_ccd_detector_collisions(detector, from, to, vertices, 1.0, &raw mut list),
-            exact_ccd_detector_free_step_contact(
+            exact_ccd_detector_free_step(
                 detector,
                 from,
                 to,
