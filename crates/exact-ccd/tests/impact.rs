@@ -124,6 +124,7 @@ fn dot(a: Point, b: Point) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
+/// The numbers of two answers, each of which has that accuracy.
 fn close(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(x, y)| (x - y).abs() <= 2.0 * ACCURACY)
 }
@@ -486,5 +487,51 @@ fn within_a_distance_at_a_time_that_is_a_number() {
         assert_eq!((impact.time.lower(), impact.time.is_exact()), (0.5, true));
         assert!(close(&impact.parameters, &[0.25, 0.25]), "{impact:?}");
         assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
+    }
+}
+
+/// Parameters and normals that change so fast that an f64 next to the time does not determine them: by the time
+/// since the contact.
+#[test]
+fn impacts_that_change_fast_are_accurate() {
+    type Motion<'a> = &'a dyn Fn(f64) -> [Point; 4];
+    let power = |exponent: i32| 2f64.powi(exponent);
+    for index in 1..60_u32 {
+        let (t, v) = (0.5 + f64::from(index) / 123.0, 1.0 + f64::from(index) / 97.0);
+        let sliding = |s: f64| {
+            let (z, y, turn) = (-v * s, power(18) * s - power(-11), power(-10) - 2.0 * s);
+            [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, y, 0.0], [1.0, y + turn, 0.0]]
+        };
+        let turning = |s: f64| {
+            let (z, y) = (2.0 * v * s, 0.5 * power(-26));
+            [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, -y, 0.0], [1.0, y, s]]
+        };
+        let turning_in_plane = |s: f64| {
+            let fast = power(26) * s;
+            let vertex = [0.5, (0.1 * v + 0.5) * fast, 0.0];
+            [vertex, [0.0; 3], [1.0, fast, 0.0], [0.0, 1.0, 0.0]]
+        };
+        let sliding_in_plane = |s: f64| {
+            let vertex = [0.5 + 5.5e6 * s, v * s, 0.0];
+            [vertex, [0.0; 3], [1.0, 0.0, 0.0], [0.5, 1.0, 0.0]]
+        };
+        for (exponent, rotation) in [(0, 0), (40, 1), (-40, 2)] {
+            let ends = |at: Motion<'_>| {
+                [at(-t), at(1.0 - t)].map(|now| {
+                    now.map(|mut point| {
+                        point.rotate_right(rotation);
+                        point.map(|x| x * power(exponent))
+                    })
+                })
+            };
+            for motion in [&sliding as Motion<'_>, &turning] {
+                let [start, end] = ends(motion);
+                check(&Query::<EdgeEdge>::new(start, end).unwrap(), EDGE_EDGE).unwrap();
+            }
+            for motion in [&turning_in_plane as Motion<'_>, &sliding_in_plane] {
+                let [start, end] = ends(motion);
+                check(&Query::<VertexFace>::new(start, end).unwrap(), VERTEX_FACE).unwrap();
+            }
+        }
     }
 }

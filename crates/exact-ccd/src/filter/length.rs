@@ -170,6 +170,9 @@ mod tests {
                 <i128 as Length>::times(a, b).widened(),
             ];
             assert!(areas == [Volume::from(a * b); 2], "{lengths:?}");
+            assert_eq!(lengths.map(Length::value), lengths.map(|x| x as f64));
+            assert_eq!([a, b, c].map(Length::value), lengths.map(|x| x as f64));
+            assert_eq!(<i128 as Length>::minus(a, b), a - b);
         }
     }
 

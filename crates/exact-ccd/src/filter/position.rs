@@ -145,3 +145,17 @@ impl<'a, K: Kind> NearRoot<'a, K> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sign_is_certain_beyond_its_error() {
+        let sign = |value, error| Estimate { value, error }.sign();
+        assert_eq!(sign(0.5, 1.0), None);
+        assert_eq!(sign(0.0, 1.0), None);
+        assert_eq!(sign(0.0, 0.0), Some(Ordering::Equal));
+        assert_eq!(sign(-2.0, 1.0), Some(Ordering::Less));
+    }
+}

@@ -142,8 +142,9 @@ mod tests {
                 nearest
             };
             for width in [0.0, 1e-3] {
-                // A slope that is a hundredth of the true one leads away from the root.
-                for (offset, factor) in [(0.0, 1.0), (1e-4, 1.0), (-1e-9, 1.0), (1e-4, 0.01)] {
+                // A slope that is a hundredth of the true one leads away from the root, one that is too large
+                // leads nowhere.
+                for (offset, factor) in [(0.0, 1.0), (1e-4, 1.0), (-1e-9, 1.0), (1e-4, 0.01), (-1e-4, 1e30)] {
                     let root = Root {
                         low: nearest - width,
                         high: nearest + width,

@@ -7,10 +7,12 @@ use dashu_ratio::RBig;
 
 use super::coincident::coincidence;
 use super::coplanarity::Coplanarity;
+use super::cubic::Root;
 use super::fixed_width;
 use super::gap::Touching;
 use super::hull::Hull;
 use super::planar::Planar;
+use super::position::{self, Position};
 use crate::exact::FirstContact;
 use crate::interval::Intervals;
 use crate::kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
@@ -269,4 +271,25 @@ fn coincidences<K: Kind>() {
 fn coincidences_have_the_times_of_the_definition() {
     coincidences::<VertexFace>();
     coincidences::<EdgeEdge>();
+}
+
+/// Points at rest in a plane across an axis.
+fn positions<K: Kind>() {
+    let mut known = [0; 2];
+    for moving in queries::<K>(4000, 1) {
+        let [start, _] = *moving.points();
+        let query = Query::<K>::new(start, start).expect("finite coordinates");
+        if let Some(found) = position::at(&query, &Root::exactly(0.5, Ordering::Less)) {
+            let touches = FirstContact::of(&query).is_some();
+            assert_eq!(found == Position::Inside, touches, "{query:?}");
+            known[usize::from(touches)] += 1;
+        }
+    }
+    assert!(known.iter().all(|&count| count > 20), "{known:?}");
+}
+
+#[test]
+fn positions_in_a_plane_are_those_of_the_definition() {
+    positions::<VertexFace>();
+    positions::<EdgeEdge>();
 }

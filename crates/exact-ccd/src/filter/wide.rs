@@ -288,4 +288,13 @@ mod tests {
             assert_ne!(product.sign() == Ordering::Equal, product.bit_len() > 0);
         }
     }
+
+    #[test]
+    fn integers_of_many_words_are_not_short() {
+        for rest in [1, 2, u64::MAX - 1] {
+            let [x, three] = [Wide([5, rest, rest, rest]), Wide::<4>::from(3)];
+            assert_eq!((x * three).words(), (x + x + x).words());
+            assert_eq!((three * x).words(), (x + x + x).words());
+        }
+    }
 }

@@ -12,7 +12,7 @@ use super::gappa::exponent;
 use super::{Precise, Script, Symbol};
 use crate::filter::coplanarity::{Coplanarity, Expansion};
 use crate::filter::cubic::{Cubic, Root};
-use crate::filter::double_double::ROUNDOFF;
+use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
 use crate::filter::gap::{Touching, Within};
 use crate::filter::hull::{Hull, diagonal_limit};
 use crate::filter::moment::{self, Moment};
@@ -329,6 +329,7 @@ fn cubics_in_twice_the_precision() {
     }
     check::<VertexFace>();
     check::<EdgeEdge>();
+    assert!(PreciseCubic::new([DoubleDouble::default(); 4], 0.0).error >= UNDERFLOW);
 }
 
 #[test]
@@ -381,4 +382,44 @@ fn absolute_errors() {
         ..volume
     };
     twice.check();
+}
+
+/// Differences and their products are within the errors of their estimates at all times of a bracket.
+#[test]
+fn estimates_hold_in_all_of_a_bracket() {
+    let mut random = fastrand::Rng::with_seed(1);
+    let bracket = Root {
+        low: 0.25,
+        high: 0.75,
+        near: 0.5,
+        slope: 1.0,
+        rising: true,
+    };
+    let edges = [(1, 0), (3, 2)];
+    for exponent in [0, 20, -20, -700] {
+        let unit = libm::ldexp(1.0, exponent);
+        for _ in 0..2000 {
+            // Many are zero, at one end of the step or at both.
+            let mut number = || unit * f64::from(random.i32(-2..=2) * random.i32(0..=1));
+            let points = [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| number())));
+            let query = Query::<EdgeEdge>::from_finite(points);
+            let near = NearRoot::new(&query, &bracket);
+            let [a, b] = edges.map(|difference| near.vector(difference));
+            for t in [0.25, 0.5, 0.75] {
+                // Without rounding.
+                let [x, y] = edges.map(|(i, j): (usize, usize)| {
+                    let d = |end: usize, axis: usize| points[end][i][axis] - points[end][j][axis];
+                    [0, 1, 2].map(|axis: usize| interpolate(d(0, axis), d(1, axis), t))
+                });
+                let product = cross(x, y);
+                for axis in 0..3 {
+                    let found = near.component(&a, axis);
+                    assert!((x[axis] - found.value).abs() <= found.error && found.error >= UNDERFLOW);
+                    let found = near.cross_along(axis, &a, &b);
+                    assert!((product[axis] - found.value).abs() <= found.error);
+                    assert!(found.error == 0.0 || found.error >= UNDERFLOW);
+                }
+            }
+        }
+    }
 }
