@@ -48,7 +48,7 @@ fn roots_next_to_an_extremum_are_found_at_any_distance() {
     }
 }
 
-/// The bracket [1 + 2⁻⁵⁰, 3/2] has one root, and another one is just before each end. A coarse grid begins at 1.
+/// The bracket [1 + 2⁻⁵⁰, 3/2] has one root, and another root is just before it. A coarse grid begins at 1.
 #[test]
 fn no_end_of_a_bracket_moves_outwards() {
     let at = |digits: u64, bits: isize| Split::ratio(digits.into(), -bits);

@@ -91,7 +91,8 @@ fn scalar_products_of_vectors_with_errors() {
         dot(a, b)
     };
     assert_eq!(symbol.roundings, 3);
-    let [a0, b0] = [vectors[0], vectors[1]].map(|[x, y, _]| [x, y].map(Symbol::exactly));
+    assert_eq!(minor([3.0, 5.0], [-3.0, 7.0]), 36.0);
+    let [a0, b0] = [[3.0, 5.0], [-3.0, 7.0]].map(|pair| pair.map(Symbol::exactly));
     let symbol = minor(a0, b0);
     assert_eq!(symbol.roundings, 2);
     let [p, q] = [a0, b0].map(|pair| pair.map(|x| [x.value, 0.0]));
@@ -107,13 +108,13 @@ fn scalar_products_of_vectors_with_errors() {
     let [value, error] = product(&a, &b);
     assert_eq!(value, dot(vectors[0], vectors[1]));
     assert_bound(error, 2.0 * a.extent() * b.extent(), 3);
-    // The rounding of a difference: that of 1 + u is u.
-    let [one, small] = [1.0, -UNIT].map(|x| Near {
+    // The rounding of a difference: that of 2 + 2 u is 2 u.
+    let [two, small] = [2.0, -2.0 * UNIT].map(|x| Near {
         value: [x, 0.0, 0.0],
         error: 0.0,
     });
-    let difference = one.minus(&small);
-    assert_eq!((difference.value[0], difference.error), (1.0, UNIT));
+    let difference = two.minus(&small);
+    assert_eq!((difference.value[0], difference.error), (2.0, 2.0 * UNIT));
 }
 
 /// The ends of what a number can be.
@@ -360,10 +361,13 @@ fn distances_in_twice_the_precision() {
     let extent = 3.5;
     let slack = Precise::<true>::difference(0.0, 0.0);
     let Precise(least) = least_of(dot(g, x), dot(h, y), slack);
-    assert_eq!(least.roundings, 5);
+    assert_eq!((least.roundings, least.value), (5, 0.625));
     assert!(least.permanent <= extent);
     let Precise(limit) = threshold(0.5, g, h);
-    assert_eq!((limit.roundings, limit.permanent), (7, limit.value));
+    assert_eq!(
+        (limit.roundings, limit.permanent, limit.value),
+        (7, 1.3125, 1.3125)
+    );
     let constants = [OF_SUM, OF_THRESHOLD, OF_SQUARE].map(|constant| constant / ROUNDOFF);
     assert_eq!(
         constants,
