@@ -84,7 +84,7 @@ mod tests {
             let mut integer = || {
                 let digits = random.usize(1..300);
                 let digits = (0..digits / 32).fold(IBig::ONE, |sum, _| (sum << 32) + random.u32(..));
-                digits << random.usize(..3) * 20
+                digits << (random.usize(..3) * 20)
             };
             let (numerator, denominator) = (integer(), integer());
             let numerator = if random.bool() {

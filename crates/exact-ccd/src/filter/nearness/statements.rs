@@ -247,7 +247,7 @@ fn impacts_next_to_ends_are_those_of_the_definition() {
     });
 }
 
-/// Two vertices at rest at the distance (1 + k ε) d, exactly, next to what the bounds of twice the precision prove.
+/// Two vertices at rest at the distance (1 + k ε) d, exactly, next to what twice the precision proves.
 #[test]
 fn proofs_at_a_time_need_their_slack() {
     let p = [0.25, 0.5, 0.5];
