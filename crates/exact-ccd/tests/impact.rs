@@ -490,8 +490,8 @@ fn within_a_distance_at_a_time_that_is_a_number() {
     }
 }
 
-/// Parameters and normals that change so fast that an f64 next to the time does not determine them. The points
-/// are functions of the time since the contact.
+/// Parameters and normals that change fast: an f64 next to the time does not determine them. The points are
+/// functions of the time since the contact.
 #[test]
 fn impacts_that_change_fast_are_accurate() {
     type Motion<'a> = &'a dyn Fn(f64) -> [Point; 4];
