@@ -132,8 +132,8 @@ mod tests {
 
     use super::{Separation, sum_rounded_up};
 
-    /// All sums of two numbers with two digits after the first one and exponents up to 99, in units of the least
-    /// number.
+    /// All sums of two numbers with two digits after the first one and exponents up to 99, in units of the
+    /// least number.
     #[test]
     fn sums_are_rounded_up_for_all_numbers_of_three_digits() {
         const EXPONENTS: u64 = 100;
