@@ -93,12 +93,6 @@ impl Maker {
         }
     }
 
-    /// The number of pairs that needed a proof so far, and the number of those without one.
-    #[must_use]
-    pub fn counts(&self) -> [usize; 2] {
-        [self.uncertified.pairs, self.uncertified.missing]
-    }
-
     /// The number of steps that have been added.
     #[must_use]
     pub fn steps(&self) -> usize {

@@ -33,7 +33,6 @@ pub(crate) struct Certificate<'a> {
     /// True if an edge pierces a face at the start, or primitives touch in the first frame: there is
     /// nothing to prove.
     is_broken: bool,
-    steps: usize,
 }
 
 impl CertificateOption {
@@ -96,7 +95,9 @@ impl Certificate<'_> {
             Violation::Contact { contact, .. } => Some(contact),
             Violation::Intersection { .. } => None,
         });
-        self.add(&frame.mesh, [before, &frame.positions], self.steps == 0, contact)
+        let making = self.making.as_ref();
+        let is_first = making.is_some_and(|(_, maker)| maker.steps() == 0);
+        self.add(&frame.mesh, [before, &frame.positions], is_first, contact)
     }
 
     fn add(
@@ -106,7 +107,6 @@ impl Certificate<'_> {
         rest: bool,
         contact: Option<&Contact>,
     ) -> Result<(), Failure> {
-        self.steps += 1;
         match &mut self.making {
             Some((_, maker)) if !self.is_broken => maker
                 .add_step(mesh, positions, rest, contact)
@@ -120,7 +120,7 @@ impl Certificate<'_> {
         let Some((place, maker)) = self.making else {
             return Ok(None);
         };
-        let failed = if !self.is_broken && self.steps == 0 {
+        let failed = if !self.is_broken && maker.steps() == 0 {
             "no certificate: a single frame has no step; name the next one, or the same file twice".to_owned()
         } else if self.is_broken {
             "no certificate: the mesh passes through itself or touches itself in the first frame, so that nothing can \

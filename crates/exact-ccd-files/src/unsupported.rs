@@ -60,8 +60,7 @@ impl Unsupported {
     }
 
     /// The unsupported format that belongs to the extension of a path.
-    #[must_use]
-    pub fn of_path(path: &Path) -> Option<Self> {
+    pub(crate) fn of_path(path: &Path) -> Option<Self> {
         Self::of_extension(&extension(path)?)
     }
 
@@ -71,15 +70,8 @@ impl Unsupported {
         Some(*format)
     }
 
-    /// The name of the format.
-    #[must_use]
-    pub fn name(&self) -> &'static str {
-        self.name
-    }
-
     /// The export to use instead.
-    #[must_use]
-    pub fn instead(&self) -> &'static str {
+    pub(crate) fn instead(self) -> &'static str {
         self.instead
     }
 }

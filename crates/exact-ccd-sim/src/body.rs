@@ -212,8 +212,7 @@ impl Body {
 
 impl SolidProperties {
     /// The elastic moduli.
-    #[must_use]
-    pub fn moduli(&self) -> ElasticModuli {
+    pub(crate) fn moduli(&self) -> ElasticModuli {
         let Self { young, poisson, .. } = *self;
         ElasticModuli { young, poisson }
     }
@@ -221,8 +220,7 @@ impl SolidProperties {
 
 impl ShellProperties {
     /// The elastic moduli.
-    #[must_use]
-    pub fn moduli(&self) -> ElasticModuli {
+    pub(crate) fn moduli(&self) -> ElasticModuli {
         let Self { young, poisson, .. } = *self;
         ElasticModuli { young, poisson }
     }

@@ -75,7 +75,7 @@ pub use body::{
     SolidProperties,
 };
 pub use checkpoint::Checkpoint;
-pub use elasticity::{ElasticModuli, SolidMaterial};
+pub use elasticity::SolidMaterial;
 pub use filter::StepFilter;
 pub use half_space::{HalfSpace, Plane};
 pub use integrator::Integrator;

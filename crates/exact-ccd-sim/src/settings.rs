@@ -62,8 +62,7 @@ const STATIC: f64 = 0.1;
 
 impl Settings {
     /// The tolerance of Newton's method in m/s, for a scene of this [size](crate::System::size), in m.
-    #[must_use]
-    pub fn newton_tolerance(&self, size: f64) -> f64 {
+    pub(crate) fn newton_tolerance(&self, size: f64) -> f64 {
         let tolerance = self.tolerance.meters(size);
         if self.friction.acts() {
             tolerance.min(STATIC * self.friction.static_velocity.meters(size))
@@ -230,8 +229,7 @@ pub struct FrictionPair {
 
 impl Friction {
     /// Returns true if the coefficient of a pair is positive.
-    #[must_use]
-    pub fn acts(&self) -> bool {
+    pub(crate) fn acts(&self) -> bool {
         self.coefficient > 0.0 || self.pairs.iter().any(|pair| pair.coefficient > 0.0)
     }
 }

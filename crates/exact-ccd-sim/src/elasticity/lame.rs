@@ -1,16 +1,14 @@
 //! The moduli of isotropic linear elasticity.
 
-use serde::{Deserialize, Serialize};
-
 use crate::range::{OutOfRange, check, check_positive};
 
 /// Young's modulus and Poisson's ratio.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ElasticModuli {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ElasticModuli {
     /// Young's modulus E in Pa.
-    pub young: f64,
+    pub(crate) young: f64,
     /// Poisson's ratio ν.
-    pub poisson: f64,
+    pub(crate) poisson: f64,
 }
 
 impl ElasticModuli {
@@ -18,7 +16,7 @@ impl ElasticModuli {
     ///
     /// # Errors
     /// [`OutOfRange`] names the modulus that is out of range.
-    pub fn check(&self) -> Result<(), OutOfRange> {
+    pub(crate) fn check(&self) -> Result<(), OutOfRange> {
         check_positive("young", self.young)?;
         let poisson = self.poisson;
         check(
@@ -30,26 +28,22 @@ impl ElasticModuli {
     }
 
     /// The shear modulus μ in Pa.
-    #[must_use]
-    pub fn shear(&self) -> f64 {
+    pub(crate) fn shear(&self) -> f64 {
         0.5 * self.young / (1.0 + self.poisson)
     }
 
     /// Lamé's first parameter λ in Pa.
-    #[must_use]
-    pub fn lambda(&self) -> f64 {
+    pub(crate) fn lambda(&self) -> f64 {
         self.young * self.poisson / ((1.0 + self.poisson) * (1.0 - 2.0 * self.poisson))
     }
 
     /// λ under plane stress, as in a thin plate: E ν / (1 − ν²), in Pa.
-    #[must_use]
-    pub fn plane_lambda(&self) -> f64 {
+    pub(crate) fn plane_lambda(&self) -> f64 {
         self.young * self.poisson / (1.0 - self.poisson * self.poisson)
     }
 
     /// The flexural rigidity of a plate of thickness h: E h³ / (12 (1 − ν²)), in N m.
-    #[must_use]
-    pub fn flexural_rigidity(&self, thickness: f64) -> f64 {
+    pub(crate) fn flexural_rigidity(&self, thickness: f64) -> f64 {
         self.young * thickness.powi(3) / (12.0 * (1.0 - self.poisson * self.poisson))
     }
 }

@@ -27,7 +27,7 @@ pub(crate) use bend::Bend;
 pub(crate) use chain::Chain;
 #[cfg(test)]
 pub(crate) use hinge::Hinge;
-pub use lame::ElasticModuli;
+pub(crate) use lame::ElasticModuli;
 pub(crate) use membrane::Membrane;
 pub(crate) use saint_venant_kirchhoff::SaintVenantKirchhoff;
 pub use solid_material::SolidMaterial;

@@ -21,8 +21,7 @@ impl Designation {
     }
 
     /// The half space at a place in the list of half spaces. An empty name is none.
-    #[must_use]
-    pub fn of_half_space(place: usize, name: impl Into<Box<str>>) -> Self {
+    pub(crate) fn of_half_space(place: usize, name: impl Into<Box<str>>) -> Self {
         let name = name.into();
         let is_body = false;
         Self { is_body, place, name }

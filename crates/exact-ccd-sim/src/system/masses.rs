@@ -27,14 +27,12 @@ impl System {
 
     /// The mass of all free vertices, in kg. If no vertex is free, the mass of all vertices; if no vertex has
     /// mass, 1 kg.
-    #[must_use]
-    pub fn free_mass(&self) -> f64 {
+    pub(crate) fn free_mass(&self) -> f64 {
         self.counted_masses().iter().sum()
     }
 
     /// The mean mass of the vertices that [`System::free_mass`] sums, in kg.
-    #[must_use]
-    pub fn mean_mass(&self) -> f64 {
+    pub(crate) fn mean_mass(&self) -> f64 {
         self.free_mass() / self.counted_masses().len() as f64
     }
 

@@ -105,8 +105,7 @@ impl System {
     }
 
     /// Returns true if a body has an offset.
-    #[must_use]
-    pub fn is_thick(&self) -> bool {
+    pub(crate) fn is_thick(&self) -> bool {
         self.geometry.offsets.iter().any(|&offset| offset > 0.0)
     }
 

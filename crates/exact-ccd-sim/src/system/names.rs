@@ -18,8 +18,7 @@ impl System {
     }
 
     /// The body or half space with this place in [`System::names`], in messages.
-    #[must_use]
-    pub fn designation(&self, place: usize) -> Designation {
+    pub(crate) fn designation(&self, place: usize) -> Designation {
         match place.checked_sub(self.bodies.ranges.len()) {
             None => self.bodies.designation(place),
             Some(place) => self.geometry.half_space_designation(place),
