@@ -25,13 +25,8 @@ fn parse(text: &str) -> Result<HalfSpace, String> {
         return Err("expected six numbers: a point of the boundary, then the outward normal".to_owned());
     };
     let half_space = HalfSpace::new([x, y, z], [nx, ny, nz]);
-    match half_space.check(0) {
-        Ok(()) => Ok(half_space),
-        Err(error) => Err(format!(
-            "the {} is {:?}, expected {}",
-            error.what, error.value, error.expected
-        )),
-    }
+    half_space.check().map_err(|error| error.to_string())?;
+    Ok(half_space)
 }
 
 /// Half spaces, and the vertices that must stay apart from them.

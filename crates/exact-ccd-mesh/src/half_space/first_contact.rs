@@ -197,7 +197,7 @@ mod tests {
             let half_space = HalfSpace::new([number(), number(), number()], normal);
             let d = Separation::new(number().abs()).expect("a magnitude is not negative");
             let x1 = [number(), number(), number()];
-            if half_space.check(0).is_err() {
+            if half_space.check().is_err() {
                 continue;
             }
             let motion = [[0.0; 3], x1];

@@ -32,10 +32,8 @@ pub struct HalfSpace {
 
 /// A half space with a point that is not finite, or without a normal.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the half space {half_space} has the {what} {value:?}, expected {expected}")]
+#[error("the {what} is {value:?}, expected {expected}")]
 pub struct HalfSpaceError {
-    /// The number of the half space, from 0.
-    pub half_space: usize,
     /// `point` or `normal`.
     pub what: &'static str,
     /// Its value.
@@ -62,11 +60,10 @@ impl HalfSpace {
     /// Checks that the point is finite and that the normal has a direction.
     ///
     /// # Errors
-    /// [`HalfSpaceError`] has the number `half_space`.
-    pub fn check(&self, half_space: usize) -> Result<(), HalfSpaceError> {
+    /// [`HalfSpaceError`] names the one that is wrong.
+    pub fn check(&self) -> Result<(), HalfSpaceError> {
         let Self { point, normal, .. } = *self;
         let error = |what, value, expected| HalfSpaceError {
-            half_space,
             what,
             value,
             expected,

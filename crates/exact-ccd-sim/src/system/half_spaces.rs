@@ -15,7 +15,7 @@ impl System {
     pub fn with_half_spaces(mut self, half_spaces: Vec<HalfSpace>) -> Result<Self, SystemError> {
         self.geometry.half_spaces = half_spaces;
         for (number, half_space) in self.geometry.half_spaces.iter().enumerate() {
-            half_space.check(number).map_err(|error| SystemError::HalfSpace {
+            half_space.check().map_err(|error| SystemError::HalfSpace {
                 half_space: self.geometry.half_space_designation(number),
                 source: OutOfRange {
                     field: error.what,
