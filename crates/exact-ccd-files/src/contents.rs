@@ -30,7 +30,7 @@ pub struct Contents {
     pub faces: usize,
     /// Rods: edges of no face.
     pub loose_edges: usize,
-    /// Points: vertices of no face and no edge.
+    /// Points: vertices without an edge.
     pub loose_vertices: usize,
     /// Connected components: vertices that faces and edges connect, and every point.
     pub components: usize,
@@ -45,19 +45,12 @@ impl Contents {
     #[must_use]
     pub fn of(frame: &Frame) -> Self {
         let mesh = &frame.mesh;
-        let mut is_loose = vec![true; mesh.vertex_count()];
-        let used = mesh
-            .faces()
-            .as_flattened()
-            .iter()
-            .chain(mesh.edges().as_flattened());
-        used.for_each(|&vertex| is_loose[vertex as usize] = false);
         Self {
             vertices: mesh.vertex_count(),
             edges: mesh.edges().len(),
             faces: mesh.faces().len(),
             loose_edges: mesh.loose_edges().len(),
-            loose_vertices: is_loose.into_iter().filter(|&is_loose| is_loose).count(),
+            loose_vertices: mesh.loose_vertices().count(),
             components: mesh.component_count(),
             polygons: 0,
             solids: 0,

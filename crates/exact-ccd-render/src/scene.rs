@@ -141,7 +141,7 @@ struct Parts {
 impl Parts {
     fn new(mesh: &TriangleMesh) -> Self {
         // Memory is proportional to the faces and edges, and all indices are below the count.
-        let (mesh, vertices) = mesh.without_loose_vertices();
+        let (mesh, vertices) = mesh.without_unused_vertices();
         let components = mesh.components();
         let mut numbers = HashMap::new();
         let first_corners = mesh.faces().iter().map(|face| face[0]);

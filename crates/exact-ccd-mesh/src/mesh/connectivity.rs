@@ -126,13 +126,13 @@ impl TriangleMesh {
     /// use exact_ccd_mesh::TriangleMesh;
     ///
     /// let mesh = TriangleMesh::new(9, vec![[7, 4, 2]])?;
-    /// let (compact, vertices) = mesh.without_loose_vertices();
+    /// let (compact, vertices) = mesh.without_unused_vertices();
     /// assert_eq!((compact.vertex_count(), compact.faces()), (3, &[[2, 1, 0]][..]));
     /// assert_eq!(vertices, [2, 4, 7]);
     /// # Ok::<(), exact_ccd_mesh::MeshError>(())
     /// ```
     #[must_use]
-    pub fn without_loose_vertices(&self) -> (Self, Vec<u32>) {
+    pub fn without_unused_vertices(&self) -> (Self, Vec<u32>) {
         let vertices = self.used_vertices();
         // Memory is proportional to the faces and edges: a table of all vertices could exceed any
         // memory.

@@ -72,13 +72,13 @@ impl Frame {
         check_positions(self.mesh.vertex_count(), &self.positions)
     }
 
-    /// The frame without its loose vertices, and the index here of each remaining vertex, in
-    /// increasing order.
+    /// The frame without the vertices of no face and no edge, and the index here of each remaining
+    /// vertex, in increasing order.
     ///
-    /// See [`TriangleMesh::without_loose_vertices`]: rods stay, points do not.
+    /// See [`TriangleMesh::without_unused_vertices`]: rods stay, points do not.
     #[must_use]
-    pub fn without_loose_vertices(&self) -> (Self, Vec<u32>) {
-        let (mesh, vertices) = self.mesh.without_loose_vertices();
+    pub fn without_unused_vertices(&self) -> (Self, Vec<u32>) {
+        let (mesh, vertices) = self.mesh.without_unused_vertices();
         let positions = vertices
             .iter()
             .filter_map(|&vertex| self.positions.get(vertex as usize).copied());

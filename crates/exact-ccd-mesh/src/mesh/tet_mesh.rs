@@ -101,7 +101,7 @@ impl TetMesh {
         let frame = Frame::new(self.positions.clone(), self.surface.clone());
         frame
             .expect("positions and faces of a `TetMesh` are valid")
-            .without_loose_vertices()
+            .without_unused_vertices()
     }
 }
 

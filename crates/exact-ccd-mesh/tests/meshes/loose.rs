@@ -43,9 +43,9 @@ proptest! {
     }
 
     #[test]
-    fn without_loose_vertices_it_is_the_same_mesh(faces in faces(), edges in edges()) {
+    fn without_unused_vertices_it_is_the_same_mesh(faces in faces(), edges in edges()) {
         let mesh = mesh(&faces, &edges);
-        let (compact, vertices) = mesh.without_loose_vertices();
+        let (compact, vertices) = mesh.without_unused_vertices();
         prop_assert_eq!(compact.vertex_count(), vertices.len());
         let is_used = |vertex: &u32| {
             compact.faces().as_flattened().contains(vertex) || compact.edges().as_flattened().contains(vertex)
@@ -86,7 +86,7 @@ fn meshes_of_very_many_vertices_take_no_memory() {
     let (most, last) = (u32::MAX as usize, u32::MAX - 1);
     let mesh = TriangleMesh::with_edges(most, vec![[0, 2, last]], &[[7, 2]]).unwrap();
     assert_eq!(mesh.loose_vertices().take(4).collect::<Vec<_>>(), [1, 3, 4, 5]);
-    let (compact, vertices) = mesh.without_loose_vertices();
+    let (compact, vertices) = mesh.without_unused_vertices();
     assert_eq!(vertices, [0, 2, 7, last]);
     assert_eq!(
         (compact.faces(), compact.loose_edges()),
