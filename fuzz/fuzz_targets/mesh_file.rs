@@ -3,7 +3,7 @@
 #![no_main]
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd_files::{Format, Group, parse_frame, parse_tet_groups, write_ply};
+use exact_ccd_files::{Format, Group, parse_frame, parse_tet_mesh, write_ply};
 use exact_ccd_fuzz::file;
 use exact_ccd_mesh::Frame;
 use libfuzzer_sys::fuzz_target;
@@ -250,7 +250,7 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
         // No text begins with this byte.
         file.insert(0, 0x93);
     }
-    match parse_tet_groups(&file) {
+    match parse_tet_mesh(&file) {
         Ok((mesh, groups)) => {
             let [vertices, cells] = [mesh.positions().len(), mesh.tetrahedra().len()];
             groups

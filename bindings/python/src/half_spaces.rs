@@ -20,8 +20,14 @@ impl HalfSpaces {
         let half_space = |(number, &[x, y, z, nx, ny, nz]): (usize, &[f64; 6])| {
             let half_space = HalfSpace::new([x, y, z], [nx, ny, nz]);
             half_space.check().map_err(|error| {
-                let HalfSpaceError { what, value, expected } = error;
-                refused(format_args!("the half space {number} has the {what} {value:?}, expected {expected}"))
+                let HalfSpaceError {
+                    what,
+                    value,
+                    expected,
+                } = error;
+                refused(format_args!(
+                    "the half space {number} has the {what} {value:?}, expected {expected}"
+                ))
             })?;
             Ok(half_space)
         };

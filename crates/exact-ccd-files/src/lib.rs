@@ -17,8 +17,7 @@
 //! |---|---|---|---|
 //! | a mesh at one time, [`Frame`] | [`read_frame`] | [`parse_frame`] | [`write_ply`], `write_obj`, `write_vtu` |
 //! | a mesh in motion, [`Motion`] | [`read_motion`] | | |
-//! | a body of tetrahedra, [`TetMesh`] | [`read_tet_mesh`] | [`parse_tet_mesh`] | [`write_vtu`] |
-//! | the same with its groups, [`Group`] | [`read_tet_groups`] | [`parse_tet_groups`] | |
+//! | tetrahedra, [`TetMesh`], and their [`Group`]s | [`read_tet_mesh`] | [`parse_tet_mesh`] | [`write_vtu`] |
 //! | tetrahedra, triangles, lines and points, [`UnstructuredGrid`] | | | [`write_vtu`] |
 //! | a frame, and its contents in numbers, [`MeshFile`] | [`MeshFile::read`] | [`MeshFile::parse`] | |
 //! | points with data, [`PointArray`] | | | [`write_vtp`] |
@@ -65,8 +64,7 @@ pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;
 pub use read::{
     Budget, FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame,
-    parse_tet_groups, parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_groups,
-    read_tet_mesh,
+    parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_mesh,
 };
 pub use unsupported::Unsupported;
 pub use write::{

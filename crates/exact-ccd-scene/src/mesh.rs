@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use exact_ccd_files::{Format, Group, MeshFile, Polygons, read_tet_groups};
+use exact_ccd_files::{Format, Group, MeshFile, Polygons, read_tet_mesh};
 use exact_ccd_mesh::{Point, TetMesh};
 
 use super::description::Shape;
@@ -23,7 +23,7 @@ impl Mesh {
     /// Reads the mesh in a file.
     pub(super) fn read(path: &Path) -> Result<Self, String> {
         if Format::of_path(path) == Some(Format::Msh) {
-            let (mesh, groups) = read_tet_groups(path).map_err(|error| error.to_string())?;
+            let (mesh, groups) = read_tet_mesh(path).map_err(|error| error.to_string())?;
             return Ok(Self {
                 points: mesh.positions().to_vec(),
                 faces: mesh.surface().to_vec(),

@@ -51,7 +51,7 @@ fn the_surface_is_the_one_in_the_file() {
         let Some(mut expected) = listed_surface(&file) else {
             continue;
         };
-        let mesh = read_tet_mesh(&file).unwrap();
+        let (mesh, _) = read_tet_mesh(&file).unwrap();
         let mut surface: Vec<_> = mesh.surface().iter().copied().map(turned).collect();
         surface.sort_unstable();
         expected.sort_unstable();
@@ -65,7 +65,7 @@ fn the_surface_is_the_one_in_the_file() {
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn the_surface_encloses_the_tetrahedra_and_does_not_intersect_itself() {
     for file in meshes() {
-        let mesh = read_tet_mesh(&file).unwrap();
+        let (mesh, _) = read_tet_mesh(&file).unwrap();
         let at = |vertex: u32| mesh.positions()[vertex as usize];
         let from = |origin: u32| move |vertex: u32| [0, 1, 2].map(|k| at(vertex)[k] - at(origin)[k]);
         let tetrahedra = mesh

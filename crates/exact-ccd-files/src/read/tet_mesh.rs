@@ -1,4 +1,4 @@
-//! Meshes of tetrahedra from Gmsh files.
+//! Meshes of tetrahedra from Gmsh files, with their groups.
 
 use std::path::Path;
 
@@ -10,14 +10,18 @@ use super::group::Group;
 use super::msh;
 use crate::error::{ParseError, ReadError};
 
-/// Reads the tetrahedra in a Gmsh file, `.msh`, version 2.2 or 4.1, text or binary.
+/// Reads the tetrahedra in a Gmsh file, `.msh`, version 2.2 or 4.1, text or binary; and its physical groups,
+/// by increasing dimension and tag.
 ///
 /// Vertices and tetrahedra keep their order in the file and are counted from 0, whatever their
 /// tags. Triangles are allowed if they are faces of tetrahedra. Points and lines are skipped.
 ///
+/// An element belongs to the group of its first tag in version 2.2, and to those of its entity in version
+/// 4.1. Groups without elements are left out. In a partitioned mesh of version 4.1, elements belong to none.
+///
 /// # Errors
 /// [`ReadError`] names the file, the place in it, and what was expected there.
-pub fn read_tet_mesh(path: impl AsRef<Path>) -> Result<TetMesh, ReadError> {
+pub fn read_tet_mesh(path: impl AsRef<Path>) -> Result<(TetMesh, Vec<Group>), ReadError> {
     parse_file(path.as_ref(), u64::MAX, tet_mesh)
 }
 
@@ -25,35 +29,11 @@ pub fn read_tet_mesh(path: impl AsRef<Path>) -> Result<TetMesh, ReadError> {
 ///
 /// # Errors
 /// [`ParseError`] names the place and what was expected there.
-pub fn parse_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
+pub fn parse_tet_mesh(bytes: &[u8]) -> Result<(TetMesh, Vec<Group>), ParseError> {
     parse_bytes(bytes, u64::MAX, tet_mesh)
 }
 
-/// Reads the tetrahedra in a Gmsh file as [`read_tet_mesh`], and its physical groups, by increasing dimension
-/// and tag.
-///
-/// An element belongs to the group of its first tag in version 2.2, and to those of its entity in version
-/// 4.1. Groups without elements are left out. In a partitioned mesh of version 4.1, elements belong to none.
-///
-/// # Errors
-/// As [`read_tet_mesh`].
-pub fn read_tet_groups(path: impl AsRef<Path>) -> Result<(TetMesh, Vec<Group>), ReadError> {
-    parse_file(path.as_ref(), u64::MAX, tet_groups)
-}
-
-/// Parses the contents of a Gmsh file, with the same result as [`read_tet_groups`].
-///
-/// # Errors
-/// As [`parse_tet_mesh`].
-pub fn parse_tet_groups(bytes: &[u8]) -> Result<(TetMesh, Vec<Group>), ParseError> {
-    parse_bytes(bytes, u64::MAX, tet_groups)
-}
-
-fn tet_mesh(bytes: &[u8], budget: &Budget) -> Result<TetMesh, ParseError> {
-    msh::read(bytes, budget)?.into_tet_mesh()
-}
-
-fn tet_groups(bytes: &[u8], budget: &Budget) -> Result<(TetMesh, Vec<Group>), ParseError> {
+fn tet_mesh(bytes: &[u8], budget: &Budget) -> Result<(TetMesh, Vec<Group>), ParseError> {
     let mut cells = msh::read(bytes, budget)?;
     let groups = std::mem::take(&mut cells.groups);
     Ok((cells.into_tet_mesh()?, groups))

@@ -1,6 +1,6 @@
 //! Physical groups.
 
-use exact_ccd_files::{Format, Group, MeshFile, PhysicalTag, Polygons, parse_tet_groups, parse_tet_mesh};
+use exact_ccd_files::{Format, Group, MeshFile, PhysicalTag, Polygons, parse_tet_mesh};
 
 use super::writer::{Contents, Encoding, all, v4};
 
@@ -34,8 +34,7 @@ fn file_v2() -> String {
 #[test]
 fn tags_of_version_2_are_the_first_of_each_element() {
     let file = file_v2();
-    let (mesh, groups) = parse_tet_groups(file.as_bytes()).unwrap();
-    assert_eq!(mesh, parse_tet_mesh(file.as_bytes()).unwrap());
+    let (_, groups) = parse_tet_mesh(file.as_bytes()).unwrap();
     let expected = [
         group(0, 7, "", &[3], &[]),
         group(2, 5, "the base", &[0, 1, 2], &[]),
@@ -45,7 +44,7 @@ fn tags_of_version_2_are_the_first_of_each_element() {
     assert_eq!(groups, expected);
     let error = |from: &str, to: &str| {
         let file = file.replacen(from, to, 1);
-        parse_tet_groups(file.as_bytes()).unwrap_err().to_string()
+        parse_tet_mesh(file.as_bytes()).unwrap_err().to_string()
     };
     let expected = "expected a dimension, a tag and a name in quotes, found ";
     for line in [
@@ -83,7 +82,7 @@ fn tags_of_version_4_are_those_of_the_entities() {
          $Entities\n{entities}$EndEntities\n$Nodes\n{nodes}{NODES}$EndNodes\n\
          $Elements\n{elements}$EndElements\n"
     );
-    let (_, groups) = parse_tet_groups(file.as_bytes()).unwrap();
+    let (_, groups) = parse_tet_mesh(file.as_bytes()).unwrap();
     let expected = [
         group(2, 5, "", &[0, 1, 2], &[]),
         group(3, 7, "", &[0, 1, 2, 3], &[0]),
@@ -133,13 +132,13 @@ fn tags_of_version_4_are_those_of_the_entities() {
         ),
     ] {
         assert!(file.contains(from), "{from}");
-        let error = parse_tet_groups(file.replacen(from, to, 1).as_bytes());
+        let error = parse_tet_mesh(file.replacen(from, to, 1).as_bytes());
         let error = error.unwrap_err().to_string();
         assert!(error.starts_with(message), "{error}");
     }
     let (start, rest) = file.split_once("$Entities").unwrap();
     let (entities, rest) = rest.split_once("$Nodes").unwrap();
-    let error = parse_tet_groups(format!("{start}$Nodes{rest}$Entities{entities}").as_bytes());
+    let error = parse_tet_mesh(format!("{start}$Nodes{rest}$Entities{entities}").as_bytes());
     assert_eq!(
         error.unwrap_err().to_string(),
         "line 31: expected `$Entities` before the elements, found `$Entities`"
@@ -153,7 +152,7 @@ fn all_encodings_have_the_same_groups() {
     let mut contents = Contents::new(&positions, &[[0, 1, 2]], &[[0, 1, 2, 3]]);
     contents.physical = [99; 4].map(|tag| vec![tag]);
     for (name, file) in all(&contents) {
-        let (_, groups) = parse_tet_groups(&file).unwrap();
+        let (_, groups) = parse_tet_mesh(&file).unwrap();
         let expected = [
             group(0, 99, "", &[0], &[]),
             group(1, 99, "", &[0], &[]),
@@ -189,7 +188,7 @@ fn groups_are_bounded_by_the_size_of_the_file() {
     let tetrahedra = [[0, 1, 2, 3]; 5000];
     let mut contents = Contents::new(&positions, &[], &tetrahedra);
     contents.physical[3] = (1..=20_000).collect();
-    let error = parse_tet_groups(&v4(&contents, Encoding::Little))
+    let error = parse_tet_mesh(&v4(&contents, Encoding::Little))
         .unwrap_err()
         .to_string();
     assert!(error.contains("the data expand to more than "), "{error}");

@@ -31,7 +31,7 @@ fn all_versions_and_encodings_give_the_same_tetrahedra() {
         for tag in [|vertex| vertex + 1, |vertex| 1000 - 7 * vertex] {
             let contents = Contents::tagged(&positions, &triangles, &tetrahedra, tag);
             for (name, bytes) in all(&contents) {
-                let mesh = parse_tet_mesh(&bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
+                let (mesh, _) = parse_tet_mesh(&bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
                 assert_eq!(mesh, expected, "{name}");
                 assert_eq!(bits(mesh.positions()), bits(&positions), "{name}");
                 let frame = parse_frame(&bytes, Format::Msh).unwrap();
@@ -53,7 +53,10 @@ fn triangles_without_tetrahedra_are_a_frame_as_they_are() {
 #[test]
 fn a_file_without_elements_is_valid() {
     for (name, bytes) in all(&Contents::default()) {
-        assert!(parse_tet_mesh(&bytes).unwrap().tetrahedra().is_empty(), "{name}");
+        assert!(
+            parse_tet_mesh(&bytes).unwrap().0.tetrahedra().is_empty(),
+            "{name}"
+        );
     }
 }
 
@@ -73,7 +76,7 @@ proptest! {
         for (name, bytes) in all(&contents) {
             match &mesh {
                 Ok(mesh) => {
-                    let read = parse_tet_mesh(&bytes).unwrap();
+                    let (read, _) = parse_tet_mesh(&bytes).unwrap();
                     prop_assert_eq!(&read, mesh, "{}", &name);
                     prop_assert_eq!(bits(read.positions()), bits(&positions), "{}", &name);
                 }
