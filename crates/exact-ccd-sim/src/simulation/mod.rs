@@ -131,7 +131,7 @@ impl Simulation {
             .map_err(|(pair, source)| SimulationError::FrictionPair { pair, source })?;
         Ok(Self {
             coefficients,
-            fingerprint: system.fingerprint(),
+            fingerprint: Fingerprint::of(&system),
             system,
             settings,
             filter,

@@ -4,7 +4,7 @@ use super::{Simulation, SimulationError};
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
 use crate::settings::Settings;
-use crate::system::System;
+use crate::system::{Fingerprint, System};
 
 impl Checkpoint {
     /// The simulation in the state of the checkpoint, with a filter that has the name in its settings.
@@ -29,7 +29,7 @@ impl Checkpoint {
         if !self.system.is_current() {
             return Err(SimulationError::OtherVersion);
         }
-        match self.system.difference(&system.fingerprint()) {
+        match self.system.difference(&Fingerprint::of(&system)) {
             None => Simulation::resume_with(system, settings, self.state, filter),
             Some(what) => Err(SimulationError::OtherSystem { what }),
         }

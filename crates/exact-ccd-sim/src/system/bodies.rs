@@ -5,7 +5,7 @@ use std::ops::Range;
 use exact_ccd_mesh::{Aabb, Point};
 use nalgebra::Vector3;
 
-use super::designation::Designation;
+use super::{Designation, System};
 use crate::body::{Body, BodyKind};
 use crate::digest::Hash;
 
@@ -27,7 +27,7 @@ impl Bodies {
         Self {
             names: bodies.iter().map(|body| body.name.clone()).collect(),
             kinds: bodies.iter().map(|body| body.kind.name()).collect(),
-            ranges: ranges(bodies),
+            ranges: System::ranges(bodies),
             materials: Hash::of(&materials),
         }
     }
@@ -55,17 +55,6 @@ impl Bodies {
             .iter()
             .map(move |range| diagonal(points(range).copied()))
     }
-}
-
-/// The range of vertices of each body, in the order of the bodies.
-pub(super) fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
-    let mut end = 0;
-    let range = |body: &Body| {
-        let start = end;
-        end += body.vertex_count() as u32;
-        start..end
-    };
-    bodies.iter().map(range).collect()
 }
 
 /// The diagonal of the bounding box of points. 0 without points.

@@ -42,7 +42,9 @@ pub struct Fingerprint {
 }
 
 impl Fingerprint {
-    fn of(system: &System) -> Self {
+    /// The fingerprint of a system. The run time is proportional to the size of the system.
+    #[must_use]
+    pub fn of(system: &System) -> Self {
         Self {
             version: VERSION,
             positions: Hash::of(&system.start),
@@ -77,14 +79,6 @@ impl Fingerprint {
         ];
         let different = parts.into_iter().find(|(_, a, b)| a != b);
         different.map(|(name, ..)| name)
-    }
-}
-
-impl System {
-    /// The fingerprint of the system. The run time is proportional to the size of the system.
-    #[must_use]
-    pub fn fingerprint(&self) -> Fingerprint {
-        Fingerprint::of(self)
     }
 }
 

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use super::bodies::ranges;
 use super::{Designation, System};
 use crate::body::Body;
 use crate::contact::Collision;
@@ -14,7 +13,13 @@ impl System {
     /// its nodes.
     #[must_use]
     pub fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
-        ranges(bodies)
+        let mut end = 0;
+        let range = |body: &Body| {
+            let start = end;
+            end += body.vertex_count() as u32;
+            start..end
+        };
+        bodies.iter().map(range).collect()
     }
 
     /// The body or half space with this place in [`System::names`], in messages.
