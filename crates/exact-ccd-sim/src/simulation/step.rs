@@ -105,43 +105,37 @@ impl Simulation {
     }
 
     /// Takes one time step in parts of equal duration. If `convergent`, ends after a part that does not
-    /// converge, within the time step unless that is the last part. An error leaves the state unchanged.
+    /// converge, within the time step unless that is the last part. After an error, the state is that after
+    /// the parts before.
     fn substeps(
         &mut self,
         parts: usize,
         convergent: bool,
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<Statistics, SimulationError> {
-        let start = self.state.clone();
+        let step = self.state.step;
         let mut sum: Option<Statistics> = None;
         for part in 1..=parts {
             // BDF2 needs equal time steps: parts are steps of implicit Euler.
             if parts > 1 {
                 self.state.earlier = None;
             }
-            let times = Times::new(start.step, self.settings.time_step, [part, parts]);
-            match self.advance(times, convergent, visit) {
-                Ok(statistics) => {
-                    let ends_early = convergent && !statistics.converged && part < parts;
-                    let statistics = match sum {
-                        None => statistics,
-                        Some(before) => before.followed_by(statistics),
-                    };
-                    if ends_early {
-                        return Ok(statistics);
-                    }
-                    sum = Some(statistics);
-                }
-                Err(error) => {
-                    self.state = start;
-                    return Err(error);
-                }
+            let times = Times::new(step, self.settings.time_step, [part, parts]);
+            let statistics = self.advance(times, convergent, visit)?;
+            let ends_early = convergent && !statistics.converged && part < parts;
+            let statistics = match sum {
+                None => statistics,
+                Some(before) => before.followed_by(statistics),
+            };
+            if ends_early {
+                return Ok(statistics);
             }
+            sum = Some(statistics);
         }
         if parts > 1 {
             self.state.earlier = None;
         }
-        self.state.step = start.step + 1;
+        self.state.step = step + 1;
         Ok(sum.unwrap_or_default())
     }
 
