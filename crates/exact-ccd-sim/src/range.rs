@@ -23,7 +23,7 @@ pub(crate) const POSITIVE: &str = "a positive number";
 pub(crate) const NOT_NEGATIVE: &str = "a number not below 0";
 
 /// The range of vectors.
-pub(crate) const FINITE: &str = "finite numbers";
+const FINITE: &str = "finite numbers";
 
 /// Checks that a value is in its range.
 pub(crate) fn check(

@@ -1,6 +1,6 @@
 //! Errors of a simulation.
 
-use exact_ccd_mesh::Point;
+use exact_ccd_mesh::{MotionError, Point};
 
 use super::primitive::BodyPrimitive;
 use crate::range::OutOfRange;
@@ -42,6 +42,9 @@ pub enum SimulationError {
     /// A number of the state is out of range.
     #[error("the state is invalid: {0}")]
     InState(OutOfRange),
+    /// The surface of the system has too many primitives.
+    #[error(transparent)]
+    Surface(#[from] MotionError),
     /// The checkpoint has another value of a setting.
     #[error(
         "the checkpoint has `{what}` = {there}, expected {here} as in the settings: \

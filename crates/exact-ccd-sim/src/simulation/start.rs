@@ -1,12 +1,11 @@
 //! The check that a simulation starts without intersections.
 
 use exact_ccd::Options;
-use exact_ccd_mesh::{Audit, Point, Step, TriangleMesh, Violation};
+use exact_ccd_mesh::{Audit, MotionError, Point, Step, StepError, TriangleMesh, Violation};
 
 use super::error::SimulationError;
 use super::primitive::{BodyPrimitive, Primitive};
 use crate::contact::Barrier;
-use crate::range::{FINITE, OutOfRange};
 use crate::settings::Formulation;
 use crate::state::State;
 use crate::system::System;
@@ -23,17 +22,11 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
             near: state.positions[vertex as usize],
         });
     }
-    let not_finite = || {
-        SimulationError::InState(OutOfRange {
-            field: "positions",
-            found: "not finite".to_owned(),
-            expected: FINITE.to_owned(),
-        })
-    };
     // The frame has no vertices in the interior of solids, which touch nothing.
-    let frame = system.surface_frame(&state.positions).map_err(|_| not_finite())?;
+    let frame = system.surface_frame(&state.positions).map_err(StepError::Start);
+    let frame = frame.map_err(MotionError::from)?;
     let mesh = frame.mesh.clone();
-    let violation = Audit::default().examine(frame).map_err(|_| not_finite())?;
+    let violation = Audit::default().examine(frame)?;
     if let Some(violation) = violation {
         let primitives = primitives(system, &mesh, &violation);
         let near = at(state, primitives[0]);
@@ -41,7 +34,7 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
         return Err(SimulationError::Start { primitives, near });
     }
     let positions = &state.positions;
-    let step = Step::new(&system.geometry.mesh, positions, positions).map_err(|_| not_finite())?;
+    let step = Step::new(&system.geometry.mesh, positions, positions).map_err(MotionError::from)?;
     let near = system.geometry.near(step, &Barrier::new(0.0));
     let Some(contact) = near.collision(step, Options::within(system.geometry.min_distance.clone())) else {
         return Ok(());
