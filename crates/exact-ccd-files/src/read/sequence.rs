@@ -25,18 +25,21 @@ use crate::format::{Format, extension};
 /// }
 /// # Ok::<(), exact_ccd_files::ReadError>(())
 /// ```
+#[derive(Debug)]
 pub struct FrameSequence {
     path: PathBuf,
     options: ReadOptions,
     source: Source,
 }
 
+#[derive(Debug)]
 enum Source {
     Files(Vec<(Option<f64>, PathBuf)>),
     Arrays(Box<Recording>),
 }
 
 /// Positions of all frames, and the first frame, with the mesh that all share.
+#[derive(Debug)]
 struct Recording {
     arrays: Arrays,
     first: MeshFile,

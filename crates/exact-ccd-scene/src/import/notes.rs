@@ -1,13 +1,13 @@
 //! Notes on entries without effect, and the errors after which an import goes on.
 
 use std::cell::RefCell;
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use super::fault::{Fault, Place};
 
 /// An entry of a file that is ignored.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}, {place}: {message}", file.display())]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Note {
     /// The file.
     pub file: PathBuf,
@@ -15,6 +15,12 @@ pub struct Note {
     pub place: Place,
     /// The reason.
     pub message: String,
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, {}: {}", self.file.display(), self.place, self.message)
+    }
 }
 
 /// The notes and errors of the file that is being imported, to which all of its readers add.

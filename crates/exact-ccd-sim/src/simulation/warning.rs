@@ -1,5 +1,7 @@
 //! Warnings about a simulation that is valid, but unlikely to be intended.
 
+use std::fmt;
+
 use super::Simulation;
 use crate::system::Designation;
 
@@ -7,14 +9,10 @@ use crate::system::Designation;
 const COARSE: f64 = 0.1;
 
 /// A property of a simulation that is valid, but unlikely to be intended.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
     /// The contact distance is large for a body, which rests visibly apart from others.
-    #[error(
-        "the contact distance, {distance:.3e} m, is more than a tenth of the size of {body}, {size:.3e} m: \
-         surfaces stay visibly apart; set a smaller `contact-distance`"
-    )]
     ContactDistance {
         /// The contact distance, in m.
         distance: f64,
@@ -25,11 +23,6 @@ pub enum Warning {
     },
     /// Two bodies, two parts of one, or a body and a half space are within the contact distance. At the
     /// start, the barrier then pushes them apart in the first time steps.
-    #[error(
-        "{} start {gap:.3e} m apart, less than the contact distance, {distance:.3e} m: the barrier pushes them \
-         apart; set a smaller `contact-distance`, or place them farther apart",
-        Designation::both(bodies)
-    )]
     Near {
         /// The two bodies, or a body and a half space. Twice the same for parts of one body.
         bodies: [Designation; 2],
@@ -38,6 +31,28 @@ pub enum Warning {
         /// The contact distance, in m.
         distance: f64,
     },
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ContactDistance { distance, body, size } => write!(
+                f,
+                "the contact distance, {distance:.3e} m, is more than a tenth of the size of {body}, {size:.3e} m: \
+                 surfaces stay visibly apart; set a smaller `contact-distance`"
+            ),
+            Self::Near {
+                bodies,
+                gap,
+                distance,
+            } => write!(
+                f,
+                "{} start {gap:.3e} m apart, less than the contact distance, {distance:.3e} m: the barrier pushes \
+                 them apart; set a smaller `contact-distance`, or place them farther apart",
+                Designation::both(bodies)
+            ),
+        }
+    }
 }
 
 impl Simulation {

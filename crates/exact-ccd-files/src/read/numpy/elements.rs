@@ -5,6 +5,7 @@ use super::roles::Form;
 use crate::error::{Fault, ParseError, Place, quoted};
 
 /// Elements of one role.
+#[derive(Debug)]
 pub(super) struct Elements {
     /// The number of vertices of each element and the vertices, or those of all elements after each other.
     vertices: Vec<i64>,

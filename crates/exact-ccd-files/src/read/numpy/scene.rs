@@ -12,6 +12,7 @@ use super::roles::{Form, Roles};
 use crate::error::{Fault, ParseError, Place};
 
 /// The positions of all frames, and the elements that all frames share.
+#[derive(Debug)]
 pub(in super::super) struct Arrays {
     positions: Array,
     pub(in super::super) frame_count: usize,
