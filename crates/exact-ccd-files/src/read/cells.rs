@@ -74,7 +74,7 @@ impl Cells {
 
     /// All vertices, faces and lines. Every vertex in none of them is a point. For files without
     /// cells with volume.
-    pub(super) fn into_frame(self) -> Result<Assembled, ParseError> {
+    fn into_frame(self) -> Result<Assembled, ParseError> {
         let ids = FileIds {
             vertices: (0..self.positions.len()).map(|vertex| vertex as u32).collect(),
             faces: (0..self.faces.triangles.len())

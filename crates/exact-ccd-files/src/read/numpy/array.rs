@@ -1,7 +1,5 @@
 //! Arrays of numbers of any shape.
 
-use std::fmt;
-
 use super::super::budget::Budget;
 use super::super::scalar::{ByteOrder, Scalar};
 use super::header::Header;
@@ -84,12 +82,4 @@ fn with_last_index_fastest(data: &[u8], shape: &[usize], size: usize) -> Vec<u8>
         }
     }
     moved
-}
-
-/// The type and the shape, as `<f4 (2, 10, 3)`.
-impl fmt::Display for Header {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let shape: Vec<String> = self.shape.iter().map(usize::to_string).collect();
-        write!(f, "{} ({})", self.descr, shape.join(", "))
-    }
 }

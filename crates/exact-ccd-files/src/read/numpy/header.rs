@@ -2,6 +2,8 @@
 //!
 //! numpy documentation, *A simple file format for NumPy arrays* (`numpy.lib.format`).
 
+use std::fmt;
+
 use super::super::budget::Budget;
 use super::super::scalar::{ByteOrder, Scalar};
 use super::super::tokens::Tokens;
@@ -73,6 +75,14 @@ impl Header {
     pub(super) fn data_length(&self) -> Option<usize> {
         let product = |length: usize, &count: &usize| length.checked_mul(count);
         self.shape.iter().try_fold(self.scalar.size(), product)
+    }
+}
+
+/// The type and the shape, as `<f4 (2, 10, 3)`.
+impl fmt::Display for Header {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shape: Vec<String> = self.shape.iter().map(usize::to_string).collect();
+        write!(f, "{} ({})", self.descr, shape.join(", "))
     }
 }
 

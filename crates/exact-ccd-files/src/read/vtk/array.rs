@@ -39,9 +39,9 @@ impl<'a> Encoding<'a> {
         let unexpected =
             |expected: &str, found: &str| Err(file.fault(root, expected, quoted(found.as_bytes())));
         let compression = match root.attribute("compressor") {
-            None | Some("") => Compression::None,
-            Some("vtkZLibDataCompressor") => Compression::Zlib,
-            Some("vtkLZ4DataCompressor") => Compression::Lz4,
+            None | Some("") => None,
+            Some("vtkZLibDataCompressor") => Some(Compression::Zlib),
+            Some("vtkLZ4DataCompressor") => Some(Compression::Lz4),
             Some(found @ "vtkLZMADataCompressor") => {
                 let expected = "data compressed by zlib, by LZ4 or not (save the file again: in ParaView with \
                                 the compressor ZLib or LZ4, in VTK with SetCompressorTypeToZLib(), in pyvista \

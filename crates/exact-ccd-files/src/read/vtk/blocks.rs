@@ -8,9 +8,8 @@ use super::stream::Stream;
 use crate::error::Fault;
 
 /// The compression of the arrays of a file.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub(super) enum Compression {
-    None,
     Zlib,
     Lz4,
 }
@@ -21,7 +20,7 @@ pub(super) struct Layout {
     pub(super) order: ByteOrder,
     /// The type of the numbers of a header.
     pub(super) word: Scalar,
-    pub(super) compression: Compression,
+    pub(super) compression: Option<Compression>,
 }
 
 /// The work for a compressed block besides its bytes, in steps: the decompressor has tables to set up. Usual
@@ -32,11 +31,11 @@ impl Layout {
     /// The data of the array at the beginning of a stream.
     pub(super) fn data(&self, stream: &mut Stream, budget: &Budget) -> Result<Vec<u8>, Fault> {
         let [first] = self.words(stream, budget)?;
-        if self.compression == Compression::None {
+        let Some(compression) = self.compression else {
             // Several arrays may be the same part of the appended data.
             budget.take(first)?;
             return stream.take(first, budget);
-        }
+        };
         // The number of blocks, their size, and that of the last one if it is shorter.
         let [size, last] = self.words(stream, budget)?;
         let header = stream.take(first.saturating_mul(self.word.size() as u64), budget)?;
@@ -49,18 +48,26 @@ impl Layout {
             let expanded = if is_short { last } else { size };
             let bytes = stream.take(length.unsigned_abs(), budget)?;
             budget.work(BLOCK + bytes.len() as u64)?;
-            data.append(&mut self.expand(&bytes, expanded, budget)?);
+            data.append(&mut compression.expand(&bytes, expanded, budget)?);
         }
         Ok(data)
     }
 
+    /// The next numbers of a header.
+    fn words<const N: usize>(&self, stream: &mut Stream, budget: &Budget) -> Result<[u64; N], Fault> {
+        let bytes = stream.take((N * self.word.size()) as u64, budget)?;
+        let words = self.word.integers(&bytes, self.order);
+        Ok(std::array::from_fn(|k| words[k].unsigned_abs()))
+    }
+}
+
+impl Compression {
     /// The data of a block, of which the size is known.
-    fn expand(&self, block: &[u8], size: u64, budget: &Budget) -> Result<Vec<u8>, Fault> {
+    fn expand(self, block: &[u8], size: u64, budget: &Budget) -> Result<Vec<u8>, Fault> {
         let wrong = |found: String| Fault::expected(format!("a block of {size} bytes"), found);
-        let data = match self.compression {
-            Compression::None => block.to_vec(),
-            Compression::Zlib => budget.read_all(ZlibDecoder::new(block), "data compressed by zlib", size)?,
-            Compression::Lz4 => {
+        let data = match self {
+            Self::Zlib => budget.read_all(ZlibDecoder::new(block), "data compressed by zlib", size)?,
+            Self::Lz4 => {
                 budget.take(size)?;
                 // The size is within the budget.
                 let mut data = vec![0; size as usize];
@@ -74,12 +81,5 @@ impl Layout {
             true => Ok(data),
             false => Err(wrong(data.len().to_string())),
         }
-    }
-
-    /// The next numbers of a header.
-    fn words<const N: usize>(&self, stream: &mut Stream, budget: &Budget) -> Result<[u64; N], Fault> {
-        let bytes = stream.take((N * self.word.size()) as u64, budget)?;
-        let words = self.word.integers(&bytes, self.order);
-        Ok(std::array::from_fn(|k| words[k].unsigned_abs()))
     }
 }
