@@ -41,6 +41,7 @@
 mod at_rest;
 mod audit;
 mod broad_phase;
+mod gathered;
 mod half_space;
 mod line_search;
 mod mesh;

@@ -1,9 +1,10 @@
 //! A sink that stores pairs.
 
 use std::ops::ControlFlow;
-use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
+
+use crate::gathered::Gathered;
 
 /// A collector of pairs, from any thread.
 ///
@@ -19,22 +20,20 @@ use rayon::prelude::*;
 /// # Ok::<(), exact_ccd_mesh::TooManyPrimitives>(())
 /// ```
 #[derive(Debug, Default)]
-pub struct PairCollector(Mutex<Vec<[u32; 2]>>);
+pub struct PairCollector(Gathered<[u32; 2]>);
 
 impl PairCollector {
     /// Adds some pairs. Returns `Continue`, so that a sink can end with it.
     pub fn add(&self, pairs: impl IntoIterator<Item = [u32; 2]>) -> ControlFlow<()> {
-        // The iterator may be slow: it runs before the lock is taken.
-        let pairs: Vec<[u32; 2]> = pairs.into_iter().collect();
-        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        all.extend(pairs);
+        // The iterator may be slow: it runs before the list is locked.
+        self.0.append(pairs.into_iter().collect());
         ControlFlow::Continue(())
     }
 
     /// The pairs in increasing order, whatever the order in which they were added.
     #[must_use]
     pub fn into_sorted(self) -> Vec<[u32; 2]> {
-        let mut pairs = self.0.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let mut pairs = self.0.into_list();
         pairs.par_sort_unstable();
         pairs
     }

@@ -6,9 +6,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use arrayvec::ArrayVec;
 use exact_ccd::Impact;
 
+use crate::gathered::Gathered;
 use crate::mesh::TriangleMesh;
 use crate::pairs::{Pair, PairKind, Searched};
-use crate::search::{Collect, Gathered, NarrowPhase};
+use crate::search::{Collect, NarrowPhase};
 use crate::steps::Step;
 use crate::vector::{dot, minus};
 

@@ -7,8 +7,8 @@ use std::sync::{Mutex, PoisonError};
 use exact_ccd::ContactTime;
 
 use super::contact::{Contact, earlier};
-use super::gathered::Gathered;
 use super::narrow_phase::NarrowPhase;
+use crate::gathered::Gathered;
 use crate::mesh::TriangleMesh;
 use crate::pairs::{ByKind, Pair, PairCounts, Searched};
 

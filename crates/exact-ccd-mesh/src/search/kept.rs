@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::candidates::Candidates;
-use super::gathered::Gathered;
+use crate::gathered::Gathered;
 use crate::mesh::TriangleMesh;
 use crate::pairs::{ByKind, Searched};
 

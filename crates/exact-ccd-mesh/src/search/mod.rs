@@ -12,7 +12,6 @@ mod contact_points;
 mod culled_search;
 mod detector;
 mod first_contacts;
-mod gathered;
 mod kept;
 mod method;
 mod narrow_phase;
@@ -28,5 +27,4 @@ pub use report::{StepReport, step};
 
 pub(crate) use collect::{AnyContact, Collect, Earliest};
 pub(crate) use culled_search::CulledSearch;
-pub(crate) use gathered::Gathered;
 pub(crate) use narrow_phase::NarrowPhase;
