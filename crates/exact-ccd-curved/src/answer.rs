@@ -49,6 +49,16 @@ pub enum End {
 }
 
 impl Answer {
+    /// The answer before the first chord.
+    pub(crate) fn free_until(free_until: f64) -> Self {
+        Self {
+            free_until,
+            within: None,
+            end: End::Free,
+            chords: 0,
+        }
+    }
+
     /// Returns true if the distance is certainly above d until the last time that counts.
     #[must_use]
     pub fn is_free(&self) -> bool {

@@ -39,9 +39,7 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
     ) -> Result<Self, SearchError> {
         let chords = trajectories.par_iter().map(|x| Chord::of(x, start, end));
         let chords = chords.collect::<Result<Vec<_>, _>>()?;
-        if let Some(point) = chords.iter().position(|chord| chord.deviation.is_nan()) {
-            return Err(SearchError::Bound { point, start, end });
-        }
+        Chord::check(&chords, start, end)?;
         Ok(Self {
             mesh,
             trajectories,

@@ -3,7 +3,7 @@
 use exact_ccd::Options;
 use exact_ccd_mesh::TriangleMesh;
 
-use crate::answer::{Answer, End};
+use crate::answer::Answer;
 use crate::interval::Interval;
 use crate::step_answer::{CurvedStep, CurvedStepError, CurvedStepOptions};
 use crate::trajectory::Trajectory;
@@ -28,15 +28,9 @@ pub fn curved_step<T: Trajectory + Sync>(
 ) -> Result<CurvedStep, CurvedStepError> {
     let Options { separation, until } = options.into();
     step_options.search.check(until)?;
-    let answer = Answer {
-        free_until: 0.0,
-        within: None,
-        end: End::Free,
-        chords: 0,
-    };
     let mut step = CurvedStep {
         pair: None,
-        answer,
+        answer: Answer::free_until(0.0),
         intervals: 0,
         candidates: 0,
     };

@@ -30,9 +30,7 @@ impl<K: CurvedKind> Straight<K> {
         let [t0, t1] = [0, 1].map(|time: usize| points::<K>(|point| chords[point].ends[time]));
         let query = Query::new(t0, t1);
         let query = query.map_err(|source: NonFinite| SearchError::Position { start, end, source })?;
-        if let Some(point) = chords.iter().position(|chord| chord.deviation.is_nan()) {
-            return Err(SearchError::Bound { point, start, end });
-        }
+        Chord::check(chords, start, end)?;
         let largest = |chords: &[Chord]| chords.iter().fold(0.0_f64, |m, chord| m.max(chord.deviation));
         let (first, second) = chords.split_at(K::FIRST);
         Ok(Self {

@@ -92,6 +92,17 @@ impl Chord {
         Ok(Self { ends, deviation })
     }
 
+    /// Checks the bounds of chords.
+    ///
+    /// # Errors
+    /// [`SearchError::Bound`] of the first one whose deviation is NaN.
+    pub(crate) fn check(chords: &[Self], start: f64, end: f64) -> Result<(), SearchError> {
+        match chords.iter().position(|chord| chord.deviation.is_nan()) {
+            Some(point) => Err(SearchError::Bound { point, start, end }),
+            None => Ok(()),
+        }
+    }
+
     /// A bound of the length of the chord.
     pub(crate) fn length(&self) -> f64 {
         let [p, q] = self.ends;
