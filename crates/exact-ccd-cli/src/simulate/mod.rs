@@ -25,7 +25,7 @@ mod steps;
 
 use std::ffi::OsString;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::value_parser;
@@ -190,19 +190,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     }
     let mut notes = Notes::default();
     scene.notes.iter().for_each(|text| notes.note(text.to_string()));
-    let (simulation, mut folder) = match &arguments.output {
-        None => {
-            let simulation = scene.simulation();
-            (
-                simulation.map_err(|error| Failure::of(&arguments.scene, error))?,
-                None,
-            )
-        }
-        Some(folder) => {
-            let (simulation, folder) = open(folder, &scene, arguments)?;
-            (simulation, Some(folder))
-        }
-    };
+    let (simulation, mut folder) = open(&scene, arguments)?;
     let most = arguments.dump_most as usize;
     let (mut simulation, mut queries) = match &arguments.dump_queries {
         None => (simulation, None),
@@ -344,16 +332,16 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     Ok(ExitCode::SUCCESS)
 }
 
-/// A simulation from its start or from the checkpoint in a folder, with the opened folder.
-fn open(folder: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Simulation, OutputFolder), Failure> {
-    if arguments.resume {
+/// A simulation from its start or from the checkpoint in the folder of --output, with the opened folder.
+fn open(scene: &Scene, arguments: &Arguments) -> Result<(Simulation, Option<OutputFolder>), Failure> {
+    let folder = arguments.output.as_deref();
+    if let Some(folder) = folder.filter(|_| arguments.resume) {
         let simulation = OutputFolder::simulation(folder, scene)?;
         let folder = OutputFolder::resume(folder, &simulation, arguments)?;
-        Ok((simulation, folder))
-    } else {
-        let simulation = scene.simulation();
-        let simulation = simulation.map_err(|error| Failure::of(&arguments.scene, error))?;
-        let folder = OutputFolder::begin(folder, &simulation, arguments)?;
-        Ok((simulation, folder))
+        return Ok((simulation, Some(folder)));
     }
+    let simulation = scene.simulation();
+    let simulation = simulation.map_err(|error| Failure::of(&arguments.scene, error))?;
+    let folder = folder.map(|folder| OutputFolder::begin(folder, &simulation, arguments));
+    Ok((simulation, folder.transpose()?))
 }
