@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::isotropic::{Isotropic, PAIRS, Principal};
-use super::lame::ElasticModuli;
+use super::lame::Lame;
 use super::neo_hookean::cofactor;
 use super::singular_values::rotation_variant;
 
@@ -12,52 +12,40 @@ use super::singular_values::rotation_variant;
 /// Source: A. Stomakhin, R. Howes, C. Schroeder, J. Teran, *Energetically consistent invertible elasticity*,
 /// 2012, section 3.2.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct FixedCorotated {
-    mu: f64,
-    lambda: f64,
-}
-
-impl FixedCorotated {
-    /// The material that has these moduli at small strains.
-    #[must_use]
-    pub(crate) fn new(moduli: ElasticModuli) -> Self {
-        let (mu, lambda) = (moduli.shear(), moduli.lambda());
-        Self { mu, lambda }
-    }
-}
+pub(crate) struct FixedCorotated(pub(super) Lame);
 
 impl Isotropic for FixedCorotated {
     fn value(&self, f: &Matrix3<f64>) -> f64 {
         let (_, stretches, _) = rotation_variant(f);
         let volume = f.determinant() - 1.0;
-        self.mu * stretches.add_scalar(-1.0).norm_squared() + 0.5 * self.lambda * volume * volume
+        self.0.mu * stretches.add_scalar(-1.0).norm_squared() + 0.5 * self.0.lambda * volume * volume
     }
 
     fn stress(&self, f: &Matrix3<f64>) -> Matrix3<f64> {
         let (u, _, v) = rotation_variant(f);
-        let pressure = self.lambda * (f.determinant() - 1.0);
-        (f - u * v.transpose()) * (2.0 * self.mu) + cofactor(f) * pressure
+        let pressure = self.0.lambda * (f.determinant() - 1.0);
+        (f - u * v.transpose()) * (2.0 * self.0.mu) + cofactor(f) * pressure
     }
 
     /// ∂ᵢΨ = 2 μ (σᵢ − 1) + λ (J − 1) σⱼ σₖ. No sum of two stretches is negative. Where one vanishes, R is
     /// not unique, and the twist is −∞, of which the projection is 0.
     fn principal(&self, s: &Vector3<f64>) -> Principal {
-        let pressure = self.lambda * (s.product() - 1.0);
+        let pressure = self.0.lambda * (s.product() - 1.0);
         let cofactors = Vector3::new(s[1] * s[2], s[2] * s[0], s[0] * s[1]);
         let stretch = Matrix3::from_fn(|i, j| {
-            let common = self.lambda * cofactors[i] * cofactors[j];
+            let common = self.0.lambda * cofactors[i] * cofactors[j];
             if i == j {
-                common + 2.0 * self.mu
+                common + 2.0 * self.0.mu
             } else {
                 common + pressure * s[3 - i - j]
             }
         });
         let other = |[i, j]: [usize; 2]| s[3 - i - j];
-        let turn = |[i, j]: [usize; 2]| 2.0 * self.mu * (1.0 - 2.0 / (s[i] + s[j]));
+        let turn = |[i, j]: [usize; 2]| 2.0 * self.0.mu * (1.0 - 2.0 / (s[i] + s[j]));
         Principal {
             stretch,
             twist: PAIRS.map(|pair| turn(pair) + pressure * other(pair)),
-            flip: PAIRS.map(|pair| 2.0 * self.mu - pressure * other(pair)),
+            flip: PAIRS.map(|pair| 2.0 * self.0.mu - pressure * other(pair)),
         }
     }
 }

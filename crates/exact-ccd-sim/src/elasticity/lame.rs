@@ -11,6 +11,15 @@ pub(crate) struct ElasticModuli {
     pub(crate) poisson: f64,
 }
 
+/// The Lamé parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lame {
+    /// The shear modulus μ in Pa.
+    pub(crate) mu: f64,
+    /// λ in Pa.
+    pub(crate) lambda: f64,
+}
+
 impl ElasticModuli {
     /// Checks that E > 0 and 0 ≤ ν < ½.
     ///
@@ -32,9 +41,12 @@ impl ElasticModuli {
         0.5 * self.young / (1.0 + self.poisson)
     }
 
-    /// Lamé's first parameter λ in Pa.
-    pub(crate) fn lambda(&self) -> f64 {
-        self.young * self.poisson / ((1.0 + self.poisson) * (1.0 - 2.0 * self.poisson))
+    /// The Lamé parameters.
+    pub(crate) fn lame(&self) -> Lame {
+        Lame {
+            mu: self.shear(),
+            lambda: self.young * self.poisson / ((1.0 + self.poisson) * (1.0 - 2.0 * self.poisson)),
+        }
     }
 
     /// λ under plane stress, as in a thin plate: E ν / (1 − ν²), in Pa.

@@ -3,53 +3,43 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::isotropic::{Isotropic, PAIRS, Principal};
-use super::lame::ElasticModuli;
+use super::lame::Lame;
 
 /// Ψ = μ tr E² + λ/2 tr² E with Green's strain E = (FᵀF − 1)/2.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct SaintVenantKirchhoff {
-    mu: f64,
-    lambda: f64,
-}
+pub(crate) struct SaintVenantKirchhoff(pub(super) Lame);
 
 impl SaintVenantKirchhoff {
-    /// The material that has these moduli at small strains.
-    #[must_use]
-    pub(crate) fn new(moduli: ElasticModuli) -> Self {
-        let (mu, lambda) = (moduli.shear(), moduli.lambda());
-        Self { mu, lambda }
-    }
-
     /// The density κ |FᵀF − 1|², which is zero for rotations: with μ = 4 κ and λ = 0.
     #[must_use]
     pub(crate) fn orthogonality(stiffness: f64) -> Self {
-        Self {
+        Self(Lame {
             mu: 4.0 * stiffness,
             lambda: 0.0,
-        }
+        })
     }
 }
 
 impl Isotropic for SaintVenantKirchhoff {
     fn value(&self, f: &Matrix3<f64>) -> f64 {
         let strain = strain(f);
-        self.mu * strain.norm_squared() + 0.5 * self.lambda * strain.trace().powi(2)
+        self.0.mu * strain.norm_squared() + 0.5 * self.0.lambda * strain.trace().powi(2)
     }
 
     fn stress(&self, f: &Matrix3<f64>) -> Matrix3<f64> {
         let strain = strain(f);
-        let pressure = Matrix3::from_diagonal_element(self.lambda * strain.trace());
-        f * (strain * (2.0 * self.mu) + pressure)
+        let pressure = Matrix3::from_diagonal_element(self.0.lambda * strain.trace());
+        f * (strain * (2.0 * self.0.mu) + pressure)
     }
 
     /// With a = tr E: ∂ᵢΨ = μ σᵢ³ + (λ a − μ) σᵢ, so that all quotients are polynomials.
     fn principal(&self, s: &Vector3<f64>) -> Principal {
         let trace = 0.5 * (s.norm_squared() - 3.0);
-        let linear = self.lambda * trace - self.mu;
+        let linear = self.0.lambda * trace - self.0.mu;
         let stretch = Matrix3::from_fn(|i, j| {
-            let common = self.lambda * s[i] * s[j];
+            let common = self.0.lambda * s[i] * s[j];
             if i == j {
-                common + 3.0 * self.mu * s[i] * s[i] + linear
+                common + 3.0 * self.0.mu * s[i] * s[i] + linear
             } else {
                 common
             }
@@ -58,8 +48,8 @@ impl Isotropic for SaintVenantKirchhoff {
         let product = |[i, j]: [usize; 2]| s[i] * s[j];
         Principal {
             stretch,
-            twist: PAIRS.map(|pair| self.mu * (squares(pair) - product(pair)) + linear),
-            flip: PAIRS.map(|pair| self.mu * (squares(pair) + product(pair)) + linear),
+            twist: PAIRS.map(|pair| self.0.mu * (squares(pair) - product(pair)) + linear),
+            flip: PAIRS.map(|pair| self.0.mu * (squares(pair) + product(pair)) + linear),
         }
     }
 }

@@ -44,10 +44,10 @@ impl SolidMaterial {
     /// The energy of a tetrahedron.
     pub(crate) fn energy(self, element: Tetrahedron<()>, moduli: ElasticModuli) -> Arc<dyn Energy> {
         match self {
-            Self::NeoHookean => Arc::new(element.of(NeoHookean::new(moduli))),
+            Self::NeoHookean => Arc::new(element.of(NeoHookean(moduli.lame()))),
             Self::StableNeoHookean => Arc::new(element.of(StableNeoHookean::new(moduli))),
-            Self::SaintVenantKirchhoff => Arc::new(element.of(SaintVenantKirchhoff::new(moduli))),
-            Self::FixedCorotated => Arc::new(element.of(FixedCorotated::new(moduli))),
+            Self::SaintVenantKirchhoff => Arc::new(element.of(SaintVenantKirchhoff(moduli.lame()))),
+            Self::FixedCorotated => Arc::new(element.of(FixedCorotated(moduli.lame()))),
         }
     }
 }

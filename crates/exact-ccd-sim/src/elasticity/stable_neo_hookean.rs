@@ -22,8 +22,9 @@ impl StableNeoHookean {
     /// The material that has these moduli at small strains (section 3.4 of the paper).
     #[must_use]
     pub(crate) fn new(moduli: ElasticModuli) -> Self {
-        let mu = 4.0 / 3.0 * moduli.shear();
-        let lambda = moduli.lambda() + 5.0 / 6.0 * moduli.shear();
+        let small = moduli.lame();
+        let mu = 4.0 / 3.0 * small.mu;
+        let lambda = small.lambda + 5.0 / 6.0 * small.mu;
         // With this α, the stress vanishes at rest, where I = 3 and J = 1.
         let alpha = 1.0 + 0.75 * mu / lambda;
         Self { mu, lambda, alpha }

@@ -102,7 +102,7 @@ fn small_strains_follow_hooke() {
             let points = corner().map(|x| x + gradient * x);
             let strain = (gradient + gradient.transpose()) * 0.5;
             let hooke =
-                MODULI.shear() * strain.norm_squared() + 0.5 * MODULI.lambda() * strain.trace().powi(2);
+                MODULI.shear() * strain.norm_squared() + 0.5 * MODULI.lame().lambda * strain.trace().powi(2);
             let error = (solid.value(&at(&points)) * 6.0 / hooke - 1.0).abs();
             assert!(error < 1e-3, "{material:?}: relative error {error}");
         }
