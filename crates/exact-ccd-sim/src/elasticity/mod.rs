@@ -1,8 +1,4 @@
 //! Elastic energies: solids of tetrahedra, shells of triangles, rods of edges.
-//!
-//! Solids use linear tetrahedra, which lock in bending: a beam that is one cell thick deflects by about a
-//! quarter of the deflection of beam theory. Meshes with more cells across the thickness are less stiff.
-//! Nearly incompressible materials (Poisson's ratio near ½) lock in volume as well.
 
 mod bend;
 mod chain;

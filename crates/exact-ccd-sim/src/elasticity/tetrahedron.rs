@@ -7,9 +7,6 @@ use super::isotropic::{Curvature, Isotropic};
 use crate::energy::{Block, Energy, Projection, gather, write_each};
 
 /// A tetrahedron with constant deformation gradient.
-///
-/// Linear tetrahedra lock in bending: a beam that is one cell thick deflects by about a quarter of the
-/// deflection of beam theory.
 #[derive(Debug)]
 pub(crate) struct Tetrahedron<M> {
     vertices: [u32; 4],
