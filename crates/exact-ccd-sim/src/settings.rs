@@ -103,9 +103,7 @@ impl Settings {
         check(iterations > 0, "max-iterations", iterations, "at least 1")?;
         check_finite("gravity", &self.gravity)
     }
-}
 
-impl Settings {
     /// The names and the values of all settings, for their comparison. The case of a method's name does not
     /// matter.
     pub(crate) fn values(&self) -> [(&'static str, String); 16] {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use exact_ccd::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
-    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, MeshError, MinDistance, Point, Step, TriangleMesh,
+    Bvh, CanCollide, CandidateOptions, Candidates, MeshError, MinDistance, Point, Step, TriangleMesh,
 };
 
 use super::SystemError;
@@ -102,7 +102,6 @@ impl Geometry {
         let options = CandidateOptions::default()
             .with_distance(barrier.activation_distance())
             .with_min_distance(self.min_distance.clone())
-            .with_boxes(BoxKind::Moving)
             .with_can_collide(self.can_collide.clone());
         Candidates::with_options(step, &Bvh, &options)
             .expect("the distance of a barrier is not below 0, and each vertex has an offset")
@@ -122,9 +121,7 @@ impl Geometry {
         let Some(can_collide) = &self.obstacle_pairs else {
             return Candidates::default();
         };
-        let options = CandidateOptions::default()
-            .with_boxes(BoxKind::Moving)
-            .with_can_collide(can_collide.clone());
+        let options = CandidateOptions::default().with_can_collide(can_collide.clone());
         Candidates::with_options(step, &Bvh, &options).expect("the default distance is 0")
     }
 

@@ -2,7 +2,7 @@
 
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
-    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, TriangleMesh,
+    Aabb, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, TriangleMesh,
 };
 use exact_ccd_methods::parity::Displacement;
 use fastrand::Rng;
@@ -68,7 +68,6 @@ impl Scene {
     fn pairs(&self) -> Candidates {
         let options = CandidateOptions::default()
             .with_distance(self.distance)
-            .with_boxes(BoxKind::Moving)
             .with_can_collide(self.can_collide.clone());
         Candidates::with_options(self.step(), &Bvh, &options).unwrap()
     }
