@@ -13,6 +13,8 @@ use crate::contacts::{ContactList, ContactRecord};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
 use crate::half_spaces::HalfSpaces;
+use crate::impact_files;
+use crate::inputs::name;
 use crate::mesh_arguments::MeshArguments;
 use crate::notes::Notes;
 use crate::progress::{self, during};
@@ -20,7 +22,7 @@ use crate::report::{Report, Violations};
 use crate::scene::Scene;
 use crate::seconds::Seconds;
 use crate::view::Recording;
-use crate::{impact_files, view};
+
 use every::EveryViolation;
 
 /// Certify that a mesh never touches itself in a sequence of frames.
@@ -155,7 +157,7 @@ impl<'a> Run<'a> {
         self.clock.end("read");
         self.page.begin(&frame.mesh, || frame.bounds());
         let file = self.scene.frame_name(index);
-        self.page.add(&view::name(Path::new(&file)), &frame.positions)?;
+        self.page.add(&name(Path::new(&file)), &frame.positions)?;
         self.clock.end(self.writing);
         let before = self.examination.last().map(|last| last.positions.clone());
         let violations = self.examine_and_read(index, frame)?;

@@ -9,6 +9,8 @@ mod certificate;
 mod contacts;
 #[cfg(feature = "queries")]
 mod convert;
+#[cfg(feature = "simulate")]
+mod curves;
 mod distances;
 #[cfg(feature = "full")]
 mod documents;

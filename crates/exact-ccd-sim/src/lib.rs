@@ -35,10 +35,8 @@
 //! differ between processors, because the sparse solver selects vector instructions at run time.
 
 mod anchor;
-mod bends;
 mod body;
 mod carriers;
-mod chains;
 mod checkpoint;
 mod contact;
 mod damper;
@@ -46,10 +44,10 @@ mod digest;
 mod distance;
 mod elasticity;
 mod energy;
+mod error;
 mod filter;
 mod friction;
 mod half_space;
-mod hinges;
 mod integrator;
 mod iteration;
 mod load;
@@ -76,6 +74,7 @@ pub use body::{
 };
 pub use checkpoint::Checkpoint;
 pub use elasticity::SolidMaterial;
+pub use error::SimulationError;
 pub use filter::StepFilter;
 pub use half_space::{HalfSpace, Plane};
 pub use integrator::Integrator;
@@ -85,11 +84,14 @@ pub use range::OutOfRange;
 pub use script::{KeyFrame, Script};
 pub use scripted::Scripted;
 pub use settings::{Formulation, Friction, FrictionPair, Length, LineSearch, Settings};
-pub use simulation::{BodyPrimitive, Contact, Primitive, Simulation, SimulationError, Warning};
+pub use simulation::{Contact, Simulation, Warning};
 pub use spring::{Spring, SpringEnd};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
-pub use system::{BodyError, Designation, Fingerprint, Selecting, SpringError, System, SystemError};
+pub use system::{
+    BodyError, BodyPrimitive, Designation, Fingerprint, Primitive, Selecting, SpringError, System,
+    SystemError,
+};
 
 /// The example of the README, as a documentation test.
 #[cfg(doctest)]

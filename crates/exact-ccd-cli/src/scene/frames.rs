@@ -8,8 +8,8 @@ use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, ReadError, Re
 
 use crate::failure::{Failure, listed};
 use crate::inputs::check_path;
+use crate::inputs::name;
 use crate::notes::Notes;
-use crate::view::name;
 
 /// Frames in the order of time, each the one of a file or one of several in a file.
 pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);

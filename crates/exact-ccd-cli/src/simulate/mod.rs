@@ -2,7 +2,6 @@
 
 mod bodies;
 mod contact_points;
-pub(crate) mod curves;
 mod filters;
 mod folder;
 mod grid;

@@ -9,10 +9,10 @@ use exact_ccd_compare::plot::{
 use exact_ccd_sim::Energies;
 use exact_ccd_view::Curve;
 
-use super::curves;
 use super::folder::OutputFolder;
 use super::layout::{DISTANCE, ENERGIES};
 use super::statistics::Row;
+use crate::curves;
 use crate::failure::Failure;
 use crate::output::write_file;
 

@@ -15,6 +15,7 @@ use exact_ccd_mesh::{HalfSpace, Point};
 use exact_ccd_view::Page;
 
 use crate::failure::Failure;
+use crate::inputs::name;
 use crate::output::{page, replace_file};
 use crate::scene::Scene;
 #[cfg(feature = "queries")]
@@ -60,12 +61,6 @@ fn title(files: &[PathBuf]) -> String {
         [file] => name(file),
         [] => String::new(),
     }
-}
-
-/// The last part of a path.
-pub(crate) fn name(path: &Path) -> String {
-    let name = path.file_name().unwrap_or(path.as_os_str());
-    name.to_string_lossy().into_owned()
 }
 
 /// The page with the answer that was printed, of which one line is the verdict, without the lines that the

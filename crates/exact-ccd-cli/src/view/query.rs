@@ -6,6 +6,7 @@ use exact_ccd::{Kind, Query, Separation};
 use exact_ccd_view::{Page, PageKind};
 
 use crate::failure::Failure;
+use crate::inputs::name;
 use crate::output::page;
 
 /// The options `--view` and `--view-query`.
@@ -53,7 +54,7 @@ impl<K: PageKind> ChosenQuery<K> {
         };
         if self.file.is_some() && is_better {
             self.chosen = Some(Chosen {
-                title: format!("Query {number} in {}", super::name(file)),
+                title: format!("Query {number} in {}", name(file)),
                 query: *query,
                 collides,
             });

@@ -1,9 +1,12 @@
 //! Elastic energies: solids of tetrahedra, shells of triangles, rods of edges.
 
 mod bend;
+mod bends;
 mod chain;
+mod chains;
 mod fixed_corotated;
 mod hinge;
+mod hinges;
 mod isotropic;
 mod lame;
 mod membrane;
@@ -20,7 +23,9 @@ mod twist;
 mod vertex_bend;
 
 pub(crate) use bend::Bend;
+pub(crate) use bends::bends;
 pub(crate) use chain::Chain;
+pub(crate) use chains::chains;
 #[cfg(test)]
 pub(crate) use hinge::Hinge;
 pub(crate) use lame::ElasticModuli;

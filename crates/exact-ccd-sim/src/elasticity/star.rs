@@ -30,9 +30,9 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, MatrixXx3, RowVector3, Vector3};
 
 use super::hinge::{Fold, Hinge};
+use super::hinges::hinges;
 use super::vertex_bend::VertexBend;
 use crate::energy::{Energy, gather};
-use crate::hinges::hinges;
 
 /// The stiffness against the part of a fold that no curvature explains, relative to that of a [`Hinge`]. It
 /// has no effect on constant curvature; the value is that with the least errors of the strips of

@@ -3,11 +3,11 @@
 
 use exact_ccd_mesh::Point;
 
-use super::SimulationError;
 use super::problem::Problem;
 use crate::contact::Collision;
 use crate::damper::Damper;
 use crate::energy::Energy;
+use crate::error::SimulationError;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::integrator::Integrator;
 use crate::solver::{Iterate, Memory};

@@ -1,9 +1,7 @@
 //! Simulations.
 
 mod contacts;
-mod error;
 mod minimise;
-mod primitive;
 mod problem;
 mod record;
 mod resume;
@@ -20,6 +18,7 @@ use exact_ccd_mesh::Point;
 
 use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
+use crate::error::SimulationError;
 use crate::filter::StepFilter;
 use crate::friction::Coefficients;
 use crate::iteration::{Iteration, Watch};
@@ -31,8 +30,6 @@ use crate::system::{Fingerprint, System};
 
 pub use contacts::Contact;
 use contacts::KnownCollisions;
-pub use error::SimulationError;
-pub use primitive::{BodyPrimitive, Primitive};
 pub use warning::Warning;
 
 /// The motion of a system under elasticity, gravity, contact and friction.

@@ -1,7 +1,8 @@
 //! Simulations from checkpoints.
 
-use super::{Simulation, SimulationError};
+use super::Simulation;
 use crate::checkpoint::Checkpoint;
+use crate::error::SimulationError;
 use crate::filter::StepFilter;
 use crate::settings::Settings;
 use crate::system::{Fingerprint, System};

@@ -3,12 +3,11 @@
 use exact_ccd::Options;
 use exact_ccd_mesh::{Audit, MotionError, Point, Step, StepError, TriangleMesh, Violation};
 
-use super::error::SimulationError;
-use super::primitive::{BodyPrimitive, Primitive};
 use crate::contact::Barrier;
+use crate::error::SimulationError;
 use crate::settings::Formulation;
 use crate::state::State;
-use crate::system::System;
+use crate::system::{BodyPrimitive, Primitive, System};
 
 /// Checks that no two primitives intersect or touch, including those of two obstacles. An [`Audit`] of the
 /// recorded motion starts with the same check. Then checks that all pairs except those of two obstacles are

@@ -5,9 +5,10 @@ use std::time::Instant;
 
 use exact_ccd_mesh::Point;
 
+use super::Simulation;
 use super::contacts::KnownCollisions;
 use super::problem::Problem;
-use super::{Simulation, SimulationError};
+use crate::error::SimulationError;
 use crate::integrator::Integrator;
 use crate::prescribed::{Paths, Times};
 use crate::state::State;

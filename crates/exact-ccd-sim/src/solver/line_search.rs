@@ -10,9 +10,10 @@ use super::newton::{Iterate, Newton};
 use super::potential::Potential;
 use super::vertex_steps::VertexSteps;
 use crate::contact::Collisions;
+use crate::error::SimulationError;
 use crate::settings::LineSearch;
-use crate::simulation::{BodyPrimitive, SimulationError};
 use crate::statistics::Statistics;
+use crate::system::BodyPrimitive;
 
 /// The number of halvings after which the line search fails.
 const HALVINGS: usize = 60;

@@ -14,12 +14,12 @@ use super::unknowns::Unknowns;
 use super::vertex_steps::VertexSteps;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
 use crate::elasticity::Twist;
+use crate::error::SimulationError;
 use crate::filter::StepFilter;
 use crate::iteration::{Iteration, Watch};
 use crate::prescribed::{Dirichlet, HeldChains, Times};
 use crate::scripted::Axes;
 use crate::settings::Settings;
-use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 use crate::system::{Designation, System};
 

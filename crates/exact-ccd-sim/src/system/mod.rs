@@ -15,6 +15,7 @@ mod materials;
 mod names;
 mod obstacles;
 mod parts;
+mod primitive;
 mod selection;
 mod spring_error;
 mod springs;
@@ -38,6 +39,7 @@ pub use body_error::{BodyError, Selecting};
 pub use designation::Designation;
 pub use error::SystemError;
 pub use fingerprint::Fingerprint;
+pub use primitive::{BodyPrimitive, Primitive};
 pub use spring_error::SpringError;
 
 /// The vertices, masses, elements and scripts of a scene.

@@ -4,7 +4,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::differences::{at, check, random_points, random_vector};
-use crate::chains::chains;
+use crate::elasticity::chains;
 use crate::elasticity::{Chain, Twist};
 use crate::energy::{Block, Energy, Projection, write_blocks};
 

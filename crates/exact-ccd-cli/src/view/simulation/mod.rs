@@ -13,6 +13,7 @@ use super::View;
 use super::recording::Recording;
 use super::setup::Setup;
 use crate::failure::Failure;
+use crate::inputs::name;
 
 /// A simulation that is recorded for its page, if there is to be one.
 pub(crate) struct SimulationRecording {
@@ -33,7 +34,7 @@ impl View {
         let upwards = rendering.upwards(simulation.settings().gravity);
         let setup = || setup(simulation).with_up(self.view_up.or(Some(upwards)));
         SimulationRecording {
-            frames: Recording::new(self.view.clone(), super::name(file), setup),
+            frames: Recording::new(self.view.clone(), name(file), setup),
             start: 0.0,
             steps: Vec::new(),
         }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use exact_ccd_mesh::{Pair, TriangleMesh};
 
-use crate::system::{Designation, System};
+use super::{Designation, System};
 
 /// A primitive of a surface, by its vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +29,7 @@ impl Primitive {
     }
 
     /// The two primitives of a pair of a mesh.
-    pub(super) fn of_pair(mesh: &TriangleMesh, pair: Pair) -> [Self; 2] {
+    pub(crate) fn of_pair(mesh: &TriangleMesh, pair: Pair) -> [Self; 2] {
         let edge = |edge: u32| Self::Edge(mesh.edges()[edge as usize]);
         let vertex = Self::Vertex;
         match pair {
@@ -72,7 +72,7 @@ pub struct BodyPrimitive {
 
 impl BodyPrimitive {
     /// A primitive with the vertex indices of a system.
-    pub(super) fn new(system: &System, primitive: Primitive) -> Self {
+    pub(crate) fn new(system: &System, primitive: Primitive) -> Self {
         // A primitive has a vertex, and each vertex belongs to a body.
         let body = system.bodies.of(primitive.vertices()[0]);
         let first = system.body_vertices()[body].start;
@@ -88,7 +88,7 @@ impl BodyPrimitive {
     }
 
     /// Two primitives with the vertex indices of a system, in the order of their bodies.
-    pub(super) fn both(system: &System, primitives: [Primitive; 2]) -> Box<[Self; 2]> {
+    pub(crate) fn both(system: &System, primitives: [Primitive; 2]) -> Box<[Self; 2]> {
         let [a, b] = primitives.map(|primitive| Self::new(system, primitive));
         Box::new(if b.body.place() < a.body.place() {
             [b, a]

@@ -2,9 +2,8 @@
 
 use exact_ccd_mesh::{MotionError, Point};
 
-use super::primitive::BodyPrimitive;
 use crate::range::OutOfRange;
-use crate::system::Designation;
+use crate::system::{BodyPrimitive, Designation};
 
 /// An error at the start of a simulation or in a time step.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
