@@ -174,24 +174,22 @@ impl TriangleMesh {
         &self.edges[self.face_edge_count..]
     }
 
-    /// Returns true if the mesh has an edge between two vertices.
+    /// The index of the edge between two vertices, if there is one.
     ///
     /// ```
     /// use exact_ccd_mesh::TriangleMesh;
     ///
     /// let mesh = TriangleMesh::with_edges(5, vec![[2, 1, 0]], &[[4, 3]])?;
-    /// assert!(mesh.has_edge(2, 0) && mesh.has_edge(3, 4) && !mesh.has_edge(2, 3));
+    /// assert_eq!([[2, 0], [3, 4], [2, 3]].map(|[a, b]| mesh.edge(a, b)), [Some(1), Some(3), None]);
     /// # Ok::<(), exact_ccd_mesh::MeshError>(())
     /// ```
     #[must_use]
-    pub fn has_edge(&self, a: u32, b: u32) -> bool {
-        let edge = [a.min(b), a.max(b)];
+    pub fn edge(&self, a: u32, b: u32) -> Option<u32> {
+        let key = order([a.min(b), a.max(b)]);
+        let place = |edges: &[[u32; 2]]| edges.binary_search_by_key(&key, |&edge| order(edge)).ok();
         let (of_faces, loose) = self.edges.split_at(self.face_edge_count);
-        [of_faces, loose].iter().any(|edges| {
-            edges
-                .binary_search_by_key(&order(edge), |&edge| order(edge))
-                .is_ok()
-        })
+        let edge = place(of_faces).or_else(|| Some(of_faces.len() + place(loose)?));
+        edge.map(|edge| edge as u32)
     }
 
     /// The vertices without an edge, in increasing order.

@@ -160,7 +160,7 @@ impl PairKind for VertexEdge {
     }
 
     fn are_connected(mesh: &TriangleMesh, &[vertex, a, b]: &[u32; 3]) -> bool {
-        mesh.has_edge(vertex, a) || mesh.has_edge(vertex, b)
+        [a, b].iter().any(|&end| mesh.edge(vertex, end).is_some())
     }
 }
 

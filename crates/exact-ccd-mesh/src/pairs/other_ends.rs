@@ -41,7 +41,7 @@ impl OtherEnds {
     pub(crate) fn is_end(&self, mesh: &TriangleMesh, vertex: u32) -> bool {
         match self.of[vertex as usize] {
             (0 | 1, _) => true,
-            (2, [a, b]) => mesh.has_edge(a, b),
+            (2, [a, b]) => mesh.edge(a, b).is_some(),
             _ => false,
         }
     }

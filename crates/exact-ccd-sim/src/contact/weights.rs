@@ -164,7 +164,7 @@ impl Weights {
             (count > 1).then_some(([vertex, edge], 1.0 - count as f64))
         });
         let vertices = distinct(of_vertices).into_iter().filter(|&[vertex, corner]| {
-            self.is_interior[corner as usize] && edge_of(mesh, [vertex, corner]).is_none()
+            self.is_interior[corner as usize] && mesh.edge(vertex, corner).is_none()
         });
         Corrections {
             edges: edges.collect(),
@@ -191,16 +191,7 @@ fn distinct(pairs: impl Iterator<Item = [u32; 2]>) -> Vec<[u32; 2]> {
 /// The corners of a face, each with the opposite edge.
 fn corners_and_edges(mesh: &TriangleMesh, &[a, b, c]: &[u32; 3]) -> [(u32, u32); 3] {
     // A face has all of its edges.
-    [[a, b, c], [b, c, a], [c, a, b]]
-        .map(|[corner, p, q]| (corner, edge_of(mesh, [p, q]).unwrap_or_default()))
-}
-
-/// The edge of a face between two vertices. The edges of faces are sorted by their larger end.
-fn edge_of(mesh: &TriangleMesh, [a, b]: [u32; 2]) -> Option<u32> {
-    let count = mesh.edges().len() - mesh.loose_edges().len();
-    let key = (a.max(b), a.min(b));
-    let place = mesh.edges()[..count].binary_search_by_key(&key, |&[i, j]| (j, i));
-    place.ok().map(|place| place as u32)
+    [[a, b, c], [b, c, a], [c, a, b]].map(|[corner, p, q]| (corner, mesh.edge(p, q).unwrap_or_default()))
 }
 
 /// Returns true if the faces of an edge (the first two points) and two opposite corners are coplanar and on
