@@ -76,7 +76,7 @@ pub use checkpoint::Checkpoint;
 pub use elasticity::SolidMaterial;
 pub use error::SimulationError;
 pub use filter::StepFilter;
-pub use half_space::{HalfSpace, Plane};
+pub use half_space::HalfSpace;
 pub use integrator::Integrator;
 pub use iteration::Iteration;
 pub use load::{Force, Load};

@@ -1,9 +1,10 @@
 //! The picture of a frame of a simulation.
 
-use exact_ccd_mesh::{Aabb, Frame, MeshError, Point, TriangleMesh};
+use exact_ccd_mesh::vector::{cross, dot, minus};
+use exact_ccd_mesh::{Aabb, Frame, HalfSpace, MeshError, Point, TriangleMesh};
 use exact_ccd_render::{Camera, Marks, Picture, render_thick};
 use exact_ccd_scene::{Rendering, Subject};
-use exact_ccd_sim::{Plane, Simulation, System};
+use exact_ccd_sim::{Simulation, System};
 
 /// A painter of the frames of a motion.
 pub(super) struct Painter {
@@ -15,8 +16,7 @@ pub(super) struct Painter {
     start: Vec<Point>,
     /// A flag for each vertex that fills the pictures.
     subject: Vec<bool>,
-    /// The boundaries of the half spaces.
-    planes: Vec<Plane>,
+    half_spaces: Vec<HalfSpace>,
     time_step: f64,
     decimals: usize,
     /// The bounds of all frames so far, and of their subject in the coordinates of the camera.
@@ -34,7 +34,7 @@ impl Painter {
             radii: system.surface_offsets(),
             start: Vec::new(),
             subject: subject(system, rendering.subject),
-            planes: system.half_spaces().iter().map(Plane::of).collect(),
+            half_spaces: system.half_spaces().to_vec(),
             time_step: settings.time_step,
             decimals: decimals(settings.time_step),
             bounds: Aabb::EMPTY,
@@ -76,8 +76,8 @@ impl Painter {
         } else {
             self.extent
         };
-        for plane in &self.planes {
-            frame = with_boundary(frame, plane, &self.bounds)?;
+        for half_space in &self.half_spaces {
+            frame = with_boundary(frame, half_space, &self.bounds)?;
         }
         let view = self.camera.view(&extent, self.rendering.size);
         let mut picture = render_thick(&frame, &view, &Marks::default(), &self.radii);
@@ -96,14 +96,38 @@ fn subject(system: &System, subject: Subject) -> Vec<bool> {
 }
 
 /// A frame with a square of the boundary of a half space, beneath the bounds of the scene.
-fn with_boundary(mut frame: Frame, plane: &Plane, bounds: &Aabb) -> Result<Frame, MeshError> {
+fn with_boundary(mut frame: Frame, half_space: &HalfSpace, bounds: &Aabb) -> Result<Frame, MeshError> {
     let first = frame.positions.len() as u32;
-    frame.positions.extend(plane.square(bounds));
+    frame.positions.extend(square(half_space, bounds));
     let mut faces = frame.mesh.faces().to_vec();
     faces.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
     let edges = frame.mesh.loose_edges().to_vec();
     frame.mesh = TriangleMesh::with_edges(frame.positions.len(), faces, &edges)?;
     Ok(frame)
+}
+
+/// A square of the boundary of a half space beneath a box: its corners, counterclockwise for a viewer at whom
+/// the normal points. Its sides are longer than the diagonal of the box.
+fn square(half_space: &HalfSpace, bounds: &Aabb) -> [Point; 4] {
+    let normal = half_space.unit_normal();
+    let middle = [0, 1, 2].map(|axis| (bounds.lower[axis] + bounds.upper[axis]) * 0.5);
+    let height = dot(normal, minus(middle, half_space.point));
+    let mut axes = [0, 1, 2];
+    axes.sort_by(|&a: &usize, &b| normal[a].abs().total_cmp(&normal[b].abs()));
+    let mut across = [0.0; 3];
+    across[axes[0]] = 1.0;
+    let side = cross(across, normal);
+    let side = side.map(|x| x / length(side));
+    let other = cross(normal, side);
+    let half = 0.7 * length(minus(bounds.upper, bounds.lower));
+    let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
+    corners.map(|[a, b]| {
+        [0, 1, 2].map(|axis| middle[axis] - normal[axis] * height + side[axis] * a + other[axis] * b)
+    })
+}
+
+fn length(vector: Point) -> f64 {
+    dot(vector, vector).sqrt()
 }
 
 /// The upward direction and the direction towards the viewer, who is slightly above the horizon if the

@@ -1,8 +1,8 @@
 //! Half spaces as obstacles.
 
 use exact_ccd_sim::{
-    Friction, HalfSpace, Length, LineSearch, Plane, Settings, Simulation, SimulationError, System,
-    SystemError, shapes,
+    Friction, HalfSpace, Length, LineSearch, Settings, Simulation, SimulationError, System, SystemError,
+    shapes,
 };
 use nalgebra::Vector3;
 
@@ -10,16 +10,18 @@ use crate::measure::center;
 
 const TILTED: HalfSpace = HalfSpace::new([0.3, -0.7, 0.1], [0.31, 1.7, -0.23]);
 
+fn normal() -> Vector3<f64> {
+    TILTED.unit_normal().into()
+}
+
 /// A cube with its lowest corner at a height above the tilted half space.
 fn above(height: f64) -> System {
-    let plane = Plane::of(&TILTED);
-    let shift = plane.point + plane.normal * height;
+    let normal = normal();
+    let shift = Vector3::from(TILTED.point) + normal * height;
     let lowest = [[0.0, 0.4], [0.0, 0.4], [0.0, 0.4]];
     let corners = (0..8).map(|k: usize| Vector3::from_fn(|axis, _| lowest[axis][k >> axis & 1]));
-    let depth = corners
-        .map(|x| x.dot(&plane.normal))
-        .fold(f64::INFINITY, f64::min);
-    let shift = shift - plane.normal * depth;
+    let depth = corners.map(|x| x.dot(&normal)).fold(f64::INFINITY, f64::min);
+    let shift = shift - normal * depth;
     let cube = shapes::solid_box([2, 2, 2], [0.4; 3]).placed(|x| (Vector3::from(x) + shift).into());
     System::new(&[cube], &[])
         .unwrap()
@@ -32,7 +34,7 @@ fn above(height: f64) -> System {
 fn no_increment_enters_a_half_space() {
     for line_search in [LineSearch::Common, LineSearch::Vertex] {
         let settings = Settings {
-            gravity: (Plane::of(&TILTED).normal * -300.0).into(),
+            gravity: (normal() * -300.0).into(),
             time_step: 0.05,
             line_search,
             ..Settings::default()
@@ -105,15 +107,15 @@ fn offsets_keep_their_distance() {
 /// A cube at rest on a half space does not drift, without friction: not by a millionth of its size in 2 s.
 #[test]
 fn a_cube_at_rest_does_not_drift() {
-    let plane = Plane::of(&TILTED);
-    let turn = nalgebra::Rotation3::rotation_between(&Vector3::y(), &plane.normal).unwrap();
+    let normal = normal();
+    let turn = nalgebra::Rotation3::rotation_between(&Vector3::y(), &normal).unwrap();
     let cube = shapes::solid_box([2, 2, 2], [0.3; 3])
-        .placed(|x| (plane.point + turn * (Vector3::from(x) + Vector3::y() * 1e-3)).into());
+        .placed(|x| (Vector3::from(TILTED.point) + turn * (Vector3::from(x) + Vector3::y() * 1e-3)).into());
     let system = System::new(&[cube], &[])
         .unwrap()
         .with_half_spaces(vec![TILTED])
         .unwrap();
-    let gravity = (plane.normal * -9.81).into();
+    let gravity = (normal * -9.81).into();
     let mut simulation = Simulation::new(
         system,
         Settings {
@@ -130,7 +132,7 @@ fn a_cube_at_rest_does_not_drift() {
         assert!(simulation.step().unwrap().contacts > 0);
     }
     let drift = center(&simulation) - before;
-    let along = (drift - plane.normal * drift.dot(&plane.normal)).norm();
+    let along = (drift - normal * drift.dot(&normal)).norm();
     assert!(along < 1e-6 * 0.3, "{along} m");
 }
 
