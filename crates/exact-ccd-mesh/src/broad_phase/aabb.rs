@@ -139,7 +139,7 @@ impl FromIterator<Point> for Aabb {
 
 #[cfg(test)]
 mod tests {
-    use super::Aabb;
+    use super::{Aabb, meet};
 
     /// Of integers, whose sums and halves are exact.
     #[test]
@@ -192,5 +192,33 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Of integers; boxes at rest, and boxes that move.
+    #[test]
+    fn boxes_meet_unless_an_axis_separates_them_in_one_order_at_all_times() {
+        fn expected<const T: usize>(a: &[Aabb; T], b: &[Aabb; T]) -> bool {
+            let reach = |p: &[Aabb; T], q: &[Aabb; T], axis: usize| {
+                (0..T).any(|t| p[t].upper[axis] >= q[t].lower[axis])
+            };
+            (0..3).all(|axis| reach(a, b, axis) && reach(b, a, axis))
+        }
+        let mut rng = fastrand::Rng::with_seed(2);
+        let mut met = [0; 2];
+        for _ in 0..2000 {
+            let [a, b] = [(); 2].map(|()| {
+                [(); 2].map(|()| {
+                    let lower = [0, 1, 2].map(|_| f64::from(rng.u8(..6)));
+                    let upper = lower.map(|x| x + f64::from(rng.u8(..4)));
+                    Aabb { lower, upper }
+                })
+            });
+            assert_eq!(meet(&a, &b), expected(&a, &b), "{a:?} {b:?}");
+            assert_eq!(a[0].overlaps(&b[0]), expected(&[a[0]], &[b[0]]), "{a:?} {b:?}");
+            assert_eq!(a[0].inflated(0.0), a[0]);
+            met[0] += usize::from(meet(&a, &b));
+            met[1] += usize::from(a[0].overlaps(&b[0]));
+        }
+        assert!(met.iter().all(|met| (200..1900).contains(met)), "{met:?}");
     }
 }

@@ -105,3 +105,38 @@ impl CandidateOptions {
         Ok(Margin::new(self.min_distance.clone(), common))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{BoxKind, CandidateOptions};
+    use crate::mesh::TriangleMesh;
+    use crate::steps::Step;
+
+    /// At coordinates of any size, down to 0.
+    #[test]
+    fn margins_are_half_of_the_distance_and_those_of_moving_boxes_have_room_for_rounded_positions() {
+        let mesh = TriangleMesh::new(2, Vec::new()).expect("there are no faces");
+        for size in [0.0, f64::MIN_POSITIVE, 1e-300, 1e-9, 1.0, 1e6, 1e300] {
+            let (x0, x1) = ([[0.0; 3], [size, 0.0, 0.0]], [[0.0; 3], [0.0, -0.5 * size, 0.0]]);
+            let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+            for distance in [-0.0, 0.0, 0.25 * size, size] {
+                let [swept, moving] = [BoxKind::Swept, BoxKind::Moving].map(|boxes| {
+                    let options = CandidateOptions::default()
+                        .with_distance(distance)
+                        .with_boxes(boxes);
+                    let margin = options.margin(&step).expect("the distance is not negative");
+                    margin.uniform().expect("the distance is the same for all pairs")
+                });
+                assert!(swept >= 0.5 * distance && swept <= 0.5 * distance + 4.0 * f64::MIN_POSITIVE);
+                // 32 units of the largest coordinate, and four times what is flushed to zero.
+                let least = 0.5 * distance + 32.0 * f64::EPSILON * size;
+                assert!(
+                    moving > least && moving >= 4.0 * f64::MIN_POSITIVE,
+                    "{size} {distance}"
+                );
+                let most = (1.0 + 4.0 * f64::EPSILON) * least + 12.0 * f64::MIN_POSITIVE;
+                assert!(moving <= most, "{size} {distance}");
+            }
+        }
+    }
+}

@@ -111,4 +111,15 @@ mod tests {
             }
         }
     }
+
+    /// Each of six operands and results may be off by the least normal number.
+    #[test]
+    fn sides_at_zero_have_room_for_what_is_flushed() {
+        for time in [0.0, 0.5, 1.0] {
+            for place in until(time, [0.0; 3], [0.0; 3]) {
+                let mut sides = place.lower.map(|x| -x).into_iter().chain(place.upper);
+                assert!(sides.all(|side| side >= 6.0 * f64::MIN_POSITIVE));
+            }
+        }
+    }
 }

@@ -297,12 +297,12 @@ fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u3
 mod tests {
     use std::ops::ControlFlow;
 
-    use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+    use exact_ccd::{EdgeEdge, Thickness, VertexEdge, VertexFace, VertexVertex};
     use fastrand::Rng;
 
     use super::*;
     use crate::broad_phase::{Aabb, Bvh, PairCollector};
-    use crate::pairs::CanCollide;
+    use crate::pairs::{CanCollide, MinDistance};
 
     /// Faces and loose edges, near each other.
     fn mesh(rng: &mut Rng) -> TriangleMesh {
@@ -413,6 +413,72 @@ mod tests {
             assert_around(StepBoxes::<2>::default(), 1e6, &mut rng);
             assert_around(StepBoxes::<1>::around_paths(), 0.0, &mut rng);
             assert_around(StepBoxes::<1>::default(), 0.0, &mut rng);
+        }
+    }
+
+    /// A step that differs in the ends of marked vertices has the boxes of a step from the beginning.
+    #[test]
+    fn boxes_of_marked_vertices_are_placed_anew() {
+        fn place_all<const T: usize>(
+            boxes: &mut StepBoxes<T>,
+            step: &Step<'_>,
+            primitives: &Primitives,
+            time: f64,
+        ) {
+            boxes.place::<VertexFace>(step, primitives, time);
+            boxes.place::<EdgeEdge>(step, primitives, time);
+            boxes.place::<VertexEdge>(step, primitives, time);
+        }
+        fn assert_anew<const T: usize>(mut boxes: StepBoxes<T>, margin: &Margin, rng: &mut Rng) {
+            let (mesh, x0, x1, others) = (mesh(rng), points(rng), points(rng), points(rng));
+            let before = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+            let mut primitives = Primitives::default();
+            primitives.begin(&before, &CanCollide::all());
+            let mut marked: Vec<bool> = (0..64).map(|_| rng.u8(..4) == 0).collect();
+            // Coordinates are relative to this vertex.
+            marked[primitives.origin().expect("there are vertices") as usize] = false;
+            let x2: Vec<Point> = (0..64)
+                .map(|vertex| {
+                    if marked[vertex] {
+                        others[vertex]
+                    } else {
+                        x1[vertex]
+                    }
+                })
+                .collect();
+            let after = Step::new(&mesh, &x0, &x2).expect("all positions are finite");
+            boxes.end(margin);
+            let mut expected = boxes.clone();
+            place_all(&mut expected, &after, &primitives, 1.0);
+
+            // The boxes of no step, of a part of one, and of one that has ended.
+            assert!(!boxes.move_marked(&after, &marked));
+            place_all(&mut boxes, &before, &primitives, 0.5);
+            assert!(!boxes.move_marked(&after, &marked));
+            place_all(&mut boxes, &before, &primitives, 1.0);
+            let mut ended = boxes.clone();
+            ended.end(margin);
+            assert!(!ended.move_marked(&after, &marked));
+
+            assert!(boxes.move_marked(&after, &marked));
+            boxes.place_marked::<VertexFace>(&mesh, &marked);
+            boxes.place_marked::<EdgeEdge>(&mesh, &marked);
+            boxes.place_marked::<VertexEdge>(&mesh, &marked);
+            for set in PrimitiveSet::ALL {
+                let of = |boxes: &StepBoxes<T>| boxes.get(set).iter().collect::<Vec<_>>();
+                assert_eq!(of(&boxes), of(&expected), "{set:?}");
+            }
+        }
+        let mut rng = Rng::with_seed(0);
+        for _ in 0..20 {
+            let thicknesses: Vec<f64> = (0..64).map(|_| rng.f64()).collect();
+            let thickness = Thickness::new(&thicknesses).expect("none is negative");
+            for min_distance in [MinDistance::default(), MinDistance::thickness(thickness)] {
+                let margin = Margin::new(min_distance, 0.125);
+                assert_anew(StepBoxes::<2>::default(), &margin, &mut rng);
+                assert_anew(StepBoxes::<1>::default(), &margin, &mut rng);
+                assert_anew(StepBoxes::<1>::around_paths(), &margin, &mut rng);
+            }
         }
     }
 }

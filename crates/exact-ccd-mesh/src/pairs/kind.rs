@@ -204,3 +204,24 @@ impl Searched for VertexVertex {
         &values.vertex_vertex
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn primitives_without_a_common_vertex_are_apart() {
+        fn assert_apart<K: PairKind>(vertices: K::Vertices) {
+            let (a, b) = vertices.as_ref().split_at(K::FIRST);
+            let expected = a.iter().all(|vertex| !b.contains(vertex));
+            assert_eq!(K::are_apart(&vertices), expected, "{vertices:?}");
+        }
+        for i in 0..625 {
+            let [a, b, c, d] = [i % 5, i / 5 % 5, i / 25 % 5, i / 125];
+            assert_apart::<VertexFace>([a, b, c, d]);
+            assert_apart::<EdgeEdge>([a, b, c, d]);
+            assert_apart::<VertexEdge>([a, b, c]);
+            assert_apart::<VertexVertex>([a, b]);
+        }
+    }
+}

@@ -54,3 +54,51 @@ impl OtherEnds {
         others.is_none_or(|others| others.iter().any(|other| !edge.contains(other)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use fastrand::Rng;
+
+    use super::OtherEnds;
+    use crate::mesh::TriangleMesh;
+
+    #[test]
+    fn vertices_have_edges_apart_from_others_by_the_definition() {
+        let mut rng = Rng::with_seed(0);
+        let (mut covered, mut uncovered) = (0, 0);
+        for _ in 0..300 {
+            let edges: Vec<[u32; 2]> = (0..rng.usize(..12))
+                .map(|_| [rng.u32(..6), rng.u32(..6)])
+                .collect();
+            let mesh = TriangleMesh::with_edges(6, Vec::new(), &edges).expect("the indices are in range");
+            let all: Vec<u32> = (0..mesh.edges().len() as u32).collect();
+            let ends = OtherEnds::new(&mesh, &all);
+            for vertex in 0..6 {
+                let own: Vec<[u32; 2]> = mesh
+                    .edges()
+                    .iter()
+                    .copied()
+                    .filter(|edge| edge.contains(&vertex))
+                    .collect();
+                let mut is_uncovered = false;
+                for &edge in mesh.edges().iter().filter(|edge| !edge.contains(&vertex)) {
+                    let is_apart = own.iter().any(|own| !own.iter().any(|end| edge.contains(end)));
+                    assert_eq!(
+                        ends.has_edge_apart_from(vertex, edge),
+                        is_apart,
+                        "{vertex} {edge:?} {mesh:?}"
+                    );
+                    is_uncovered |= !is_apart;
+                    *(if is_apart { &mut covered } else { &mut uncovered }) += 1;
+                }
+                assert_eq!(ends.is_loose(vertex), own.is_empty());
+                assert_eq!(
+                    ends.is_end(&mesh, vertex),
+                    own.len() < 2 || is_uncovered,
+                    "{vertex} {mesh:?}"
+                );
+            }
+        }
+        assert!(covered > 100 && uncovered > 100, "{covered} {uncovered}");
+    }
+}

@@ -187,6 +187,8 @@ fn boxes_relative_to_an_origin_near_them_meet_as_near_zero() {
     assert_eq!(by_index(&near), boxes(0.0, 0.0));
     assert_eq!(within(&Bvh, &near), pairs_once(&far));
     assert!(within(&Bvh, &Boxes::new(&far).unwrap()).len() > 1000);
+    let relative = Boxes::relative_to(&far, &[[f64::NAN; 3], [f64::INFINITY; 3]]).unwrap();
+    assert_eq!(by_index(&relative), by_index(&Boxes::new(&far).unwrap()));
     // Any origin loses no pair.
     for origin in [f64::NAN, f64::INFINITY, f64::MAX] {
         let found = within(&Bvh, &Boxes::relative_to(&far, &[[origin; 3]; 2]).unwrap());
@@ -296,4 +298,23 @@ fn a_break_ends_the_search() {
     assert!(calls(|visit| Bvh.between(&boxes, &boxes, visit)) <= threads);
     assert!(calls(|visit| Sweep.within(&boxes, visit)) <= threads);
     assert_eq!(calls(|visit| AllPairs.within(&boxes, visit)), 1);
+}
+
+/// The places of a block or of a node that have no box do not meet it, though nothing is beyond its sides.
+#[test]
+fn a_box_without_bounds_meets_all_others() {
+    let mut boxes: Vec<Moving> = (0..100)
+        .map(|i| at_rest(Aabb::of([f64::from(i), 0.0, 0.0])))
+        .collect();
+    boxes[40] = at_rest(around([f64::MIN; 3], [f64::MAX; 3]));
+    assert_all_find_all(&boxes, &boxes);
+}
+
+#[test]
+fn an_empty_box_meets_no_box() {
+    let unit = around([0.0; 3], [1.0; 3]);
+    let boxes: Vec<Moving> = (0..20)
+        .map(|i| at_rest(if i % 3 == 0 { Aabb::EMPTY } else { unit }))
+        .collect();
+    assert_all_find_all(&boxes, &boxes);
 }

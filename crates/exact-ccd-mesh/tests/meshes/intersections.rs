@@ -3,11 +3,11 @@
 #[path = "../../../exact-ccd/tests/intersection/oracle.rs"]
 mod oracle;
 
-use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, Thickness, VertexFace};
 use exact_ccd_mesh::{
     AllPairs, Audit, Bvh, CanCollide, Frame, Intersection, IntersectionOptions, IntersectionsError, Meeting,
-    MotionError, Point, PositionsError, StepError, Sweep, TriangleMesh, Violation, has_intersections,
-    intersections, step,
+    MinDistance, MotionError, Point, PositionsError, StepError, Sweep, TriangleMesh, Violation,
+    has_intersections, intersections, step,
 };
 use proptest::prelude::*;
 
@@ -390,4 +390,25 @@ fn frames_after_the_first_are_positions_of_its_mesh() {
             (whole.frames(), Some(frame))
         );
     }
+}
+
+#[test]
+fn an_audit_refuses_thicknesses_that_do_not_fit_a_mesh_that_intersects() {
+    let thickness = MinDistance::thickness(Thickness::new(&[0.0; 5]).unwrap());
+    let mut audit = Audit::default().with_min_distance(thickness);
+    assert!(audit.examine(triangles(-0.5)).is_err());
+    assert_eq!(audit.frames(), 0);
+}
+
+/// An intersection that is there from the beginning is no violation of a later step.
+#[test]
+fn an_audit_without_a_predicate_examines_the_first_frame_at_rest() {
+    let mut audit = Audit::default();
+    assert_eq!(audit.frames(), 0);
+    assert!(matches!(
+        audit.examine(triangles(-0.5)),
+        Ok(Some(Violation::Intersection { frame: 0, .. }))
+    ));
+    assert_eq!(audit.examine(triangles(-0.5)), Ok(None));
+    assert_eq!(audit.frames(), 2);
 }

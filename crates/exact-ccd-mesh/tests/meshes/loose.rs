@@ -35,6 +35,23 @@ proptest! {
     }
 
     #[test]
+    fn components_are_what_edges_connect(faces in faces(), edges in edges()) {
+        let mesh = mesh(&faces, &edges);
+        let mut least: Vec<u32> = (0..VERTICES).collect();
+        for _ in 0..VERTICES {
+            for &[a, b] in mesh.edges() {
+                let both = least[a as usize].min(least[b as usize]);
+                (least[a as usize], least[b as usize]) = (both, both);
+            }
+        }
+        prop_assert_eq!(mesh.components(), &least[..]);
+        let mut all = least;
+        all.sort_unstable();
+        all.dedup();
+        prop_assert_eq!(mesh.component_count(), all.len());
+    }
+
+    #[test]
     fn a_vertex_is_loose_if_it_has_no_edge(faces in faces(), edges in edges()) {
         let mesh = mesh(&faces, &edges);
         let named = |vertex: &u32| mesh.edges().as_flattened().contains(vertex);

@@ -1,6 +1,6 @@
 //! The surface of a mesh of tetrahedra is closed, points outward and encloses the volume.
 
-use exact_ccd_mesh::{Point, PositionsError, TetMesh, TetMeshError};
+use exact_ccd_mesh::{Point, PositionsError, TetFaces, TetMesh, TetMeshError};
 use proptest::prelude::*;
 
 /// A block of cubes, each cut into six tetrahedra along its diagonal. `turn` reverses the
@@ -126,4 +126,20 @@ fn invalid_meshes_are_errors() {
     positions[3][1] = f64::NAN;
     let message = TetMesh::new(positions, vec![]).unwrap_err().to_string();
     assert_eq!(message, "vertex 3 has y = NaN, expected a finite number");
+}
+
+#[test]
+fn faces_of_tetrahedra_are_found_wherever_they_are_in_the_order() {
+    // The common face is the last one.
+    let overlap = TetMeshError::Overlap {
+        first: 0,
+        second: 1,
+        face: [2, 3, 4],
+    };
+    assert_eq!(TetFaces::of([[0, 2, 3, 4], [1, 2, 3, 4]]).check(), Err(overlap));
+    let faces = TetFaces::of([[1, 2, 3, 4], [0, 1, 2, 3]]);
+    assert_eq!(faces.check(), Ok(()));
+    let expected = [[1, 2, 4], [1, 4, 3], [2, 3, 4], [0, 2, 1], [0, 1, 3], [0, 3, 2]];
+    assert_eq!(faces.boundary(), expected);
+    assert!(faces.contains([3, 2, 1]) && faces.contains([4, 2, 3]) && !faces.contains([0, 1, 4]));
 }

@@ -156,3 +156,26 @@ fn candidates_are_those_of_all_pairs_that_can_collide() {
         }
     }
 }
+
+/// Of five vertices, of which the last two have no flag and no group.
+#[test]
+fn rules_name_the_pairs_that_they_allow() {
+    let obstacles = CanCollide::not_two_obstacles(vec![true, false, true]);
+    let groups = CanCollide::different_groups(vec![7, 8, 7]);
+    let sums = CanCollide::any_vertices(|v, w| v + w == 4);
+    let among = CanCollide::all().among(vec![true, false, true]);
+    let cases: [(&[u32], &[u32], [bool; 4]); 7] = [
+        (&[0], &[2], [false, false, false, true]),
+        (&[0], &[1], [true, true, false, false]),
+        (&[1], &[0], [true, true, false, false]),
+        (&[0], &[2, 1], [true, true, false, false]),
+        (&[0], &[3], [true, true, false, true]),
+        (&[3], &[4], [true, true, false, true]),
+        (&[0, 1], &[2, 3], [true, true, true, false]),
+    ];
+    for (a, b, expected) in cases {
+        let found = [&obstacles, &groups, &sums, &among].map(|rule| rule.allows(a, b));
+        assert_eq!(found, expected, "{a:?} {b:?}");
+    }
+    assert!(CanCollide::all().is_all() && !obstacles.is_all() && !among.is_all());
+}

@@ -247,3 +247,21 @@ fn meshes_with_more_vertices_than_indices_are_errors() {
         Err(MeshError::TooManyVertices { vertex_count })
     );
 }
+
+/// A face, a loose edge and a loose vertex, and three others that come to the same point at the end.
+#[test]
+fn candidates_meet_at_any_time_of_the_step() {
+    let mesh = TriangleMesh::with_edges(12, vec![[0, 1, 2], [6, 7, 8]], &[[3, 4], [9, 10]]).unwrap();
+    let x0 = (0..12)
+        .map(|vertex| [if vertex < 6 { 0.0 } else { 8.0 }, 0.0, 0.0])
+        .collect();
+    let x1 = vec![[0.0; 3]; 12];
+    let scene = Scene { mesh, x0, x1 };
+    for boxes in [BoxKind::Swept, BoxKind::Moving] {
+        let options = CandidateOptions::default().with_boxes(boxes);
+        let candidates = Candidates::with_options(scene.step(), &Bvh, &options).unwrap();
+        assert_eq!(candidates, scene.pairs());
+        let counts = candidates.counts();
+        assert!(counts.vertex_edge > 0 && counts.vertex_vertex > 0);
+    }
+}

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use exact_ccd::{Options, Separation};
 use exact_ccd_mesh::{
-    BoxPairs, Boxes, BroadPhase, Bvh, CandidateOptions, Detector, FreeStepOptions, MinDistance, PairSink,
-    StepReport,
+    BoxKind, BoxPairs, Boxes, BroadPhase, Bvh, CandidateOptions, Candidates, Detector, FreeStepOptions,
+    MinDistance, PairSink, StepReport,
 };
 use fastrand::Rng;
 
@@ -71,4 +71,26 @@ fn every_pair_has_the_answers_of_those_that_meet() {
         found += usize::from(!contacts.unwrap().is_empty());
     }
     assert!((50..200).contains(&found), "{found}");
+}
+
+/// Candidates are decided by the boxes in double precision, which is the same for every broad phase.
+#[test]
+fn every_pair_has_the_candidates_of_those_that_meet() {
+    let mut random = Rng::with_seed(82);
+    for case in 0..60 {
+        let (scene, scale) = if case % 2 == 0 {
+            Scene::pieces(&mut random)
+        } else {
+            Scene::mixed(&mut random)
+        };
+        for boxes in [BoxKind::Swept, BoxKind::Moving] {
+            let options = CandidateOptions::default()
+                .with_boxes(boxes)
+                .with_distance(scale * [0.0, 0.05][random.usize(..2)]);
+            let found = |broad_phase: &dyn BroadPhase| {
+                Candidates::with_options(scene.step(), broad_phase, &options).unwrap()
+            };
+            assert_eq!(found(&EveryPair), found(&Bvh));
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The queries of pairs of primitives.
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_mesh::{Step, TriangleMesh};
+use exact_ccd_mesh::{Pair, Step, TriangleMesh};
 
 use super::motions::falling_sheet;
 
@@ -34,4 +34,19 @@ fn a_query_has_its_points_in_the_order_of_its_primitives() {
     // The edges are 01, 12, 03, 13, 23.
     let query = step.query::<EdgeEdge>([1, 2]).unwrap();
     assert_eq!(*query.points(), [x0, x1].map(|x| [x[1], x[2], x[0], x[3]]));
+}
+
+#[test]
+fn a_pair_has_the_vertices_of_its_first_primitive_first() {
+    let mesh = TriangleMesh::with_edges(8, vec![[0, 1, 2]], &[[3, 4]]).unwrap();
+    // The edges are 01, 02, 12, 34.
+    for (pair, vertices, first) in [
+        (Pair::VertexFace { vertex: 5, face: 0 }, vec![5, 0, 1, 2], 1),
+        (Pair::EdgeEdge { a: 1, b: 3 }, vec![0, 2, 3, 4], 2),
+        (Pair::VertexEdge { vertex: 5, edge: 3 }, vec![5, 3, 4], 1),
+        (Pair::VertexVertex { a: 5, b: 6 }, vec![5, 6], 1),
+    ] {
+        assert_eq!((pair.vertices(&mesh), pair.first_len()), (Some(vertices), first));
+    }
+    assert_eq!(Pair::VertexVertex { a: 5, b: 8 }.vertices(&mesh), None);
 }
