@@ -272,3 +272,35 @@ fn crosses([a, b]: [Point; 2], [v1, v2, v3]: [Point; 3]) -> bool {
         first != Equal && side([a, b, v2, v3]) == first && side([a, b, v3, v1]) == first
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of the edges between the points of a grid, those cross the face that have ends on both sides of it, and
+    /// a point inside.
+    #[test]
+    fn an_edge_crosses_inside_of_the_face_only() {
+        let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+        let turned = [face[0], face[2], face[1]];
+        for (x, y) in (-1..6).flat_map(|x| (-1..6).map(move |y| (x, y))) {
+            let is_inside = x > 0 && y > 0 && x + y < 4;
+            let at = |z: f64| [f64::from(x), f64::from(y), z];
+            for face in [face, turned] {
+                for ends in [[1.0, -1.0], [-1.0, 2.0]] {
+                    assert_eq!(crosses(ends.map(at), face), is_inside, "{x} {y}");
+                }
+                for ends in [
+                    [1.0, 2.0],
+                    [-1.0, -2.0],
+                    [0.0, 1.0],
+                    [-1.0, 0.0],
+                    [1.0, 0.0],
+                    [0.0, -1.0],
+                ] {
+                    assert!(!crosses(ends.map(at), face), "{x} {y} {ends:?}");
+                }
+            }
+        }
+    }
+}

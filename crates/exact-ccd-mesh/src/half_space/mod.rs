@@ -94,3 +94,27 @@ impl HalfSpace {
         side::is_beyond(self.normal, self.point, x, d)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_point_and_a_wrong_normal_are_errors() {
+        let what = |point, normal| HalfSpace::new(point, normal).check().map_err(|error| error.what);
+        let normal = [0.0, 3.0, -4.0];
+        assert_eq!(what([0.0; 3], normal), Ok(()));
+        for axis in 0..3 {
+            let mut point = [0.0; 3];
+            point[axis] = f64::INFINITY;
+            assert_eq!(what(point, normal), Err("point"));
+        }
+        assert_eq!(what([0.0; 3], [0.0; 3]), Err("normal"));
+    }
+
+    #[test]
+    fn a_unit_normal_has_the_direction_of_the_normal() {
+        let half_space = HalfSpace::new([1.0; 3], [0.0, 3.0, -4.0]);
+        assert_eq!(half_space.unit_normal(), [0.0, 0.6, -0.8]);
+    }
+}

@@ -116,4 +116,46 @@ mod tests {
         assert!(!is_beyond([tiny, 0.0, 0.0], [0.0; 3], [tiny, 0.0, 0.0], tiny));
         assert!(is_beyond([1e300, 1e300, 0.0], [-1e308; 3], [1e308; 3], 1e308));
     }
+
+    /// Sums of products that cancel, whose roundings have the other sign; products and squares that
+    /// underflow; and heights that are nearly the distance.
+    #[test]
+    fn roundings_decide_nothing() {
+        let assert_exact = |normal: Point, x: Point, d: f64| {
+            let d = Separation::new(d).expect("the distances here are not negative");
+            let exact = in_integers(normal, [0.0; 3], x, d);
+            let found = in_floating_point(normal, [0.0; 3], x, d);
+            assert!(
+                found.is_none_or(|found| found == exact),
+                "{normal:?} {x:?} {d} {exact}"
+            );
+        };
+        let power = |exponent: i32| 2.0_f64.powi(exponent);
+        let a = 1.0 + power(-52);
+        for scale in [1.0, power(40)] {
+            // The square of a is 1 + 2 / 2^52 + 1 / 2^104, of which the last term is lost.
+            let normal = [a, 1.0, 1.0].map(|n| scale * n);
+            assert_exact(normal, [a, -(1.0 + power(-51)), -power(-105)], 0.0);
+        }
+        assert_exact([power(-500), 0.0, 0.0], [power(-600), 0.0, 0.0], 0.0);
+        assert_exact([power(-540), 0.0, 0.0], [1.0, 0.0, 0.0], 2.0);
+        let mut random = fastrand::Rng::with_seed(19);
+        for _ in 0..2000 {
+            let mut number = || 0.5 + random.f64();
+            let (x, normal) = (number(), [number(), number(), number()]);
+            // The last coordinate cancels the others.
+            let rest = normal[0] * x + normal[1] * power(-53);
+            let last = -rest / normal[2];
+            // All products are positive, and the distance is about that from the plane.
+            let distance = x * 3.0_f64.sqrt();
+            for [last, distance] in [
+                [last.next_down(), distance.next_down()],
+                [last, distance],
+                [last.next_up(), distance.next_up()],
+            ] {
+                assert_exact(normal, [x, power(-53), last], 0.0);
+                assert_exact([1.0; 3], [x; 3], distance);
+            }
+        }
+    }
 }

@@ -109,3 +109,26 @@ impl<'a> Sizes<'a> {
             .extend(vertices.map(|(&size, &is_pinned)| !is_pinned && size > self.least));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::TriangleMesh;
+
+    #[test]
+    fn all_but_the_pinned_vertices_go_to_the_least_size() {
+        let mesh = TriangleMesh::new(3, Vec::new()).expect("there are no faces");
+        let (x0, x1) = ([[0.0; 3]; 3], [[8.0; 3]; 3]);
+        let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+        let mut sizes = Sizes::new(step, &[1]).expect("the mesh has the vertex");
+        sizes.set_least(0.25);
+        sizes.hold_all_back();
+        assert_eq!(sizes.sizes, [0.25, 1.0, 0.25]);
+        assert_eq!(sizes.positions, [[2.0; 3], [8.0; 3], [2.0; 3]]);
+        assert_eq!(sizes.has_fallen, Some(vec![true, false, true]));
+        assert_eq!(sizes.can_retreat, [false; 3]);
+        sizes.set_least(0.125);
+        assert_eq!(sizes.has_fallen, None);
+        assert_eq!(sizes.can_retreat, [true, false, true]);
+    }
+}

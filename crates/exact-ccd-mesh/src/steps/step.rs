@@ -154,3 +154,33 @@ fn between(a: f64, b: f64, time: f64) -> f64 {
     };
     x.max(a.min(b)).min(a.max(b))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_coordinate_is_that_of_both_ends() {
+        let mesh = TriangleMesh::new(2, Vec::new()).expect("there are no faces");
+        let (less, more) = ([[0.5, -0.25, 0.0]; 2], [[0.0, 0.5, 0.125], [0.25, -0.75, 0.5]]);
+        for [x0, x1] in [[less, more], [more, less]] {
+            let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+            assert_eq!(step.largest_coordinate(), 0.75);
+        }
+    }
+
+    #[test]
+    fn the_ends_of_a_step_have_their_bits() {
+        let mesh = TriangleMesh::new(1, Vec::new()).expect("there are no faces");
+        let (x0, x1) = ([[-0.0; 3]], [[1.0, -0.0, 0.0]]);
+        let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
+        for time in [0.0, -1.0, f64::NAN] {
+            assert!(
+                step.at(time)[0]
+                    .iter()
+                    .all(|x| x.to_bits() == (-0.0_f64).to_bits())
+            );
+        }
+        assert_eq!(step.at(1.0)[0].map(f64::to_bits), x1[0].map(f64::to_bits));
+    }
+}

@@ -3,11 +3,13 @@
 #[path = "../../../exact-ccd/tests/intersection/oracle.rs"]
 mod oracle;
 
+use std::ops::ControlFlow;
+
 use exact_ccd::{CONTACT, EdgeEdge, Query, Thickness, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, Audit, Bvh, CanCollide, Frame, Intersection, IntersectionOptions, IntersectionsError, Meeting,
-    MinDistance, MotionError, Point, PositionsError, StepError, Sweep, TriangleMesh, Violation,
-    has_intersections, intersections, step,
+    AllPairs, Audit, BoxPairs, Boxes, Bvh, CanCollide, Frame, Intersection, IntersectionOptions,
+    IntersectionsError, Meeting, MinDistance, MotionError, PairSink, Point, PositionsError, StepError, Sweep,
+    TriangleMesh, Violation, has_intersections, intersections, step,
 };
 use proptest::prelude::*;
 
@@ -411,4 +413,38 @@ fn an_audit_without_a_predicate_examines_the_first_frame_at_rest() {
     ));
     assert_eq!(audit.examine(triangles(-0.5)), Ok(None));
     assert_eq!(audit.frames(), 2);
+}
+
+/// A broad phase that passes on all pairs: boxes have the order of the edges and faces.
+struct EveryPair;
+
+impl<const T: usize> BoxPairs<T> for EveryPair {
+    fn between(&self, _: &Boxes<T>, _: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        let pairs: Vec<[u32; 2]> = (0..9)
+            .flat_map(|edge| (0..4).map(move |face| [edge, face]))
+            .collect();
+        sink(&pairs)
+    }
+
+    fn within(&self, _: &Boxes<T>, _: &PairSink<'_>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// Two faces with one common vertex, and two with a common edge.
+#[test]
+fn an_edge_and_a_face_with_a_common_vertex_are_no_intersection_for_any_broad_phase() {
+    let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [2, 1, 3], [3, 4, 5]]).unwrap();
+    let x = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [2.0, 1.0, 1.0],
+        [1.0, 2.0, 1.0],
+    ];
+    for meeting in [Meeting::Touching, Meeting::Crossing] {
+        let options = IntersectionOptions::default().with_meeting(meeting);
+        assert_eq!(intersections(&mesh, &x, &EveryPair, &options), Ok(Vec::new()));
+    }
 }

@@ -76,3 +76,20 @@ fn invalid_frames_are_errors() {
         "vertex 0 has y = inf, expected a finite number"
     );
 }
+
+/// Coordinates are compared as numbers, and not rounded.
+#[test]
+fn numbers_that_differ_are_not_welded() {
+    let mut welding = exact_ccd_mesh::Welding::default();
+    let tiny = f64::from_bits(1);
+    welding.restrict(&[
+        [0.0; 3],
+        [-0.0; 3],
+        [tiny, 0.0, 0.0],
+        [2.0 * tiny, 0.0, 0.0],
+        [1.0; 3],
+    ]);
+    assert_eq!(welding.first_vertices(), [0, 2, 3, 4]);
+    let new = [0, 1, 2, 3, 4, 5].map(|vertex| welding.vertex_of(vertex));
+    assert_eq!(new, [Some(0), Some(0), Some(1), Some(2), Some(3), None]);
+}

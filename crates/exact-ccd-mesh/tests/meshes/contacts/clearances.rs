@@ -247,3 +247,15 @@ fn displacements_below_half_of_the_clearances_are_free() {
     }
     assert!(moved > 200 && not_free > 20, "{moved} {not_free}");
 }
+
+/// Points above one face, in no order of their heights: each has its own.
+#[test]
+fn each_vertex_has_the_least_distance_of_its_own_pairs() {
+    let heights = [1.0, 0.5, 1.5, 0.25, 3.0, 0.75];
+    let floor = [[-9.0, -9.0, 0.0], [99.0, -9.0, 0.0], [-9.0, 99.0, 0.0]];
+    let points = (0..6).map(|i| [5.0 * f64::from(i), 0.0, heights[i as usize]]);
+    let x: Vec<Point> = floor.into_iter().chain(points).collect();
+    let mesh = TriangleMesh::new(x.len(), vec![[0, 1, 2]]).unwrap();
+    let found = Detector::new(mesh).clearances(&x, Separation::new(2.0).unwrap());
+    assert_eq!(found.unwrap(), [0.25, 0.25, 0.25, 1.0, 0.5, 1.5, 0.25, 2.0, 0.75]);
+}

@@ -519,3 +519,50 @@ fn sizes_and_positions_have_the_bits_of_other_languages() {
     });
     assert_eq!((fnv_1a, steps.rounds), (16825418621938942653, 4));
 }
+
+/// Two points meet, and are at the distance at the ends of their steps: the common step is one f64 smaller.
+/// A third one meets the place where one of them stops: its box is that of its whole step.
+#[test]
+fn all_is_searched_after_the_common_step() {
+    let mesh = TriangleMesh::new(3, Vec::new()).unwrap();
+    let x0 = [[0.0; 3], [1.0, 0.0, 0.0], [0.6484375, 3.0, 0.0]];
+    let x1 = [[1.0, 0.0, 0.0], [0.0; 3], [0.6484375, -1.0, 0.0]];
+    let d = Separation::new(0.0625).unwrap();
+    let options = FreeStepOptions::default().with_keep(1.0).with_min_distance(d);
+    let mut detector = Detector::new(mesh);
+    let first = detector.collisions(&x0, &x1, Options::within(d)).unwrap();
+    assert_eq!(first.len(), 1);
+    let common = detector.free_step(&x0, &x1, &options).unwrap().size;
+    assert_eq!(common, 0.46875_f64.next_down());
+    let steps = detector.free_steps(&x0, &x1, &[], &options).unwrap();
+    assert_eq!(steps.blocked, []);
+    assert!(steps.sizes[2] < 1.0, "{steps:?}");
+    assert_eq!(
+        detector.collides(&x0, &steps.positions, Options::within(d)),
+        Ok(false)
+    );
+}
+
+/// What touches at the start is blocked, once, and the rest of the mesh moves: vertices at rest all the way.
+#[test]
+fn blocked_pairs_are_sorted_and_vertices_at_rest_are_not_held_back() {
+    let mesh = TriangleMesh::new(6, vec![[0, 1, 2]]).unwrap();
+    let floor = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    let at = |heights: [f64; 3]| {
+        let [a, b, c] = heights;
+        [&floor[..], &[[0.5, 0.5, a], [1.0, 0.5, b], [0.5, 1.0, c]]].concat()
+    };
+    let options = FreeStepOptions::default().with_keep(0.5);
+    let mut detector = Detector::new(mesh);
+    let falling = detector
+        .free_steps(&at([1.0, 3.0, 1.0]), &at([-1.0, 2.0, -3.0]), &[], &options)
+        .unwrap();
+    assert_eq!(falling.sizes, [1.0, 1.0, 1.0, 0.25, 1.0, 0.125]);
+    let blocked = detector
+        .free_steps(&at([0.0, 3.0, 0.0]), &at([-1.0, 2.0, -1.0]), &[], &options)
+        .unwrap();
+    let face = 0;
+    let expected = [3, 5].map(|vertex| Pair::VertexFace { vertex, face });
+    assert_eq!(blocked.blocked, expected);
+    assert_eq!((blocked.sizes[3], blocked.sizes[4]), (0.0, 1.0));
+}

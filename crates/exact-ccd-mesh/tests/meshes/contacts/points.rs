@@ -1,7 +1,7 @@
 //! The points of contacts: as far apart as the primitives are.
 
 use exact_ccd::{Options, Separation};
-use exact_ccd_mesh::{Detector, MinDistance, Point, contact_points};
+use exact_ccd_mesh::{Detector, MinDistance, Point, TriangleMesh, contact_points, step};
 use fastrand::Rng;
 
 use super::scene::Scene;
@@ -48,4 +48,27 @@ fn points_of_contacts_are_at_the_distance_of_contact() {
     ] {
         assert!(kinds.get(&kind) > Some(&10), "{kind:?} {kinds:?}");
     }
+}
+
+/// A point on a face, at other times than the middle and with three different weights; and two edges.
+#[test]
+fn points_of_contacts_are_means_by_the_weights() {
+    let assert_at = |mesh: &TriangleMesh, x0: &[Point], x1: &[Point], expected: Point| {
+        let contact = step(mesh, x0, x1).unwrap().earliest.unwrap();
+        let vertices = contact.pair.vertices(mesh).unwrap();
+        let (first, second) = vertices.split_at(contact.pair.first_len());
+        let points = contact_points([first, second], [x0, x1], &contact.impact).unwrap();
+        for point in points {
+            assert!(distance([point, expected]) < 1e-9, "{points:?} {expected:?}");
+        }
+    };
+    let mesh = TriangleMesh::new(4, vec![[0, 1, 2]]).unwrap();
+    let at = |x: f64, z: f64| [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [x, 4.0, z]];
+    assert_at(&mesh, &at(0.5, 1.0), &at(2.5, -3.0), [1.0, 4.0, 0.0]);
+    let mesh = TriangleMesh::with_edges(4, Vec::new(), &[[0, 1], [2, 3]]).unwrap();
+    let at = |z: f64| [[-1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, -3.0, z], [0.0, 1.0, z]];
+    assert_at(&mesh, &at(1.0), &at(-3.0), [0.0; 3]);
+    let mesh = TriangleMesh::with_edges(3, Vec::new(), &[[0, 1]]).unwrap();
+    let at = |z: f64| [[-1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 0.0, z]];
+    assert_at(&mesh, &at(1.0), &at(-3.0), [0.0; 3]);
 }

@@ -220,3 +220,42 @@ fn the_end_of_blocked_steps_is_checked() {
         Err(StepError::Crossing { edge: 3, face: 0, .. })
     ));
 }
+
+/// After a contact, or a search of a part of the step, an edge may cross a face at the end.
+#[test]
+fn the_end_of_a_step_that_is_not_free_is_checked() {
+    let (x, pierced) = (above(4.0), above(-1.0));
+    let mut detector = Detector::new(two_faces()).with_start_check(true);
+    let assert_crosses = |detector: &mut Detector| {
+        let found = detector.collides(&pierced, &pierced, CONTACT);
+        assert!(matches!(found, Err(StepError::Crossing { .. })), "{found:?}");
+    };
+    // Contact at t = 4/5.
+    assert!(detector.collision(&x, &pierced, CONTACT).unwrap().is_some());
+    assert_crosses(&mut detector);
+    assert_eq!(detector.collides(&x, &pierced, CONTACT.until(0.75)), Ok(false));
+    assert_crosses(&mut detector);
+    assert_eq!(detector.collision(&x, &pierced, CONTACT.until(0.75)), Ok(None));
+    assert_crosses(&mut detector);
+}
+
+#[test]
+fn the_ends_of_free_steps_need_no_pass() {
+    let [a, b, c, d, e] = [8.0, 7.0, 6.0, 5.0, 4.0].map(above);
+    let mut detector = Detector::new(two_faces()).with_start_check(true);
+    assert_eq!(detector.start_passes(), 0);
+    assert_eq!(detector.collides(&a, &b, CONTACT), Ok(false));
+    assert_eq!(detector.collision(&b, &c, CONTACT), Ok(None));
+    let direction = [[[0.0; 3]; 3], [[0.0, 0.0, -1.0]; 3]].concat();
+    let taken = detector
+        .free_step_along(&c, &direction, &FreeStepOptions::default())
+        .unwrap();
+    assert_eq!(taken.positions, d);
+    assert_eq!(detector.collides(&d, &e, CONTACT), Ok(false));
+    assert_eq!(detector.start_passes(), 1);
+
+    let mut without = detector.with_start_check(false);
+    assert_eq!(without.start_passes(), 0);
+    let pierced = above(-1.0);
+    assert_eq!(without.collides(&pierced, &pierced, CONTACT), Ok(false));
+}

@@ -396,3 +396,35 @@ fn a_detector_takes_new_distances() {
         }
     }
 }
+
+/// A vertex starts within the outer distance, and reaches the inner one late in the step; another one
+/// reaches the outer distance, in which the inner one does not count.
+#[test]
+fn an_inner_distance_counts_for_what_starts_within_the_outer_one() {
+    let mesh = TriangleMesh::new(4, vec![[0, 1, 2]]).unwrap();
+    let at = |z: f64| [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [1.0, 1.0, z]];
+    let mut detector = Detector::new(mesh);
+    let outer = MinDistance::from(separation(2.0));
+    for (inner, start, end, time) in [
+        (0.25, 1.0, 0.0, Some(0.75)),
+        (0.25, 1.0, 0.5, None),
+        (0.25, 3.0, 0.0, Some(1.0 / 3.0)),
+        (2.0, 1.0, 0.5, Some(0.0)),
+        (3.0, 1.0, 0.5, Some(0.0)),
+        (3.0, 2.5, 0.5, Some(0.25)),
+    ] {
+        let options = || Options::within(outer.clone().with_inner(separation(inner)));
+        let (x0, x1) = (at(start), at(end));
+        let lower = |contact: &Contact| contact.impact.time.lower();
+        let earliest = detector.collision(&x0, &x1, options()).unwrap();
+        assert_eq!(earliest.as_ref().map(lower), time, "{inner} {start} {end}");
+        assert_eq!(detector.collides(&x0, &x1, options()), Ok(time.is_some()));
+        assert_eq!(
+            detector.collides_if(&x0, &x1, options(), |_| true),
+            Ok(time.is_some())
+        );
+        assert_eq!(detector.collides_if(&x0, &x1, options(), |_| false), Ok(false));
+        let all = detector.collisions(&x0, &x1, options()).unwrap();
+        assert_eq!(all.iter().map(lower).collect::<Vec<_>>(), Vec::from_iter(time));
+    }
+}

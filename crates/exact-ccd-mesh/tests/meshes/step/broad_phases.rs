@@ -265,3 +265,39 @@ fn nonsense_beside_pairs_changes_no_free_step() {
     assert!(expected.iter().any(|&size| size < 1.0));
     assert_eq!(sizes(Arc::new(Partly)), expected);
 }
+
+/// The step does not count as short, the part of it until the contacts of the sample does, and is longer than
+/// half of it: boxes at rest are placed then, and find an earlier contact beside the sample.
+#[test]
+fn boxes_at_rest_are_placed_after_the_sample() {
+    let distance = 0.109375;
+    let floor = |x: f64, y: f64| [[x, y, 0.0], [x + 0.3, y, 0.0], [x, y + 0.3, 0.0]];
+    let above = |x: f64, y: f64, z: f64| {
+        [
+            [x + 0.05, y + 0.05, z],
+            [x + 0.1, y + 0.05, z],
+            [x + 0.05, y + 0.1, z],
+        ]
+    };
+    let places: Vec<[f64; 2]> = (0..3600)
+        .map(|i| [f64::from(i % 60), f64::from(i / 60)])
+        .collect();
+    let resting = places.iter().flat_map(|&[x, y]| floor(x, y));
+    let faces = (0..7200).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let height = |place: usize, early: usize| distance * if place == early { 0.6 } else { 0.7 };
+    let falling = |early: usize, down: f64| -> Vec<Point> {
+        let points = places.iter().enumerate();
+        points
+            .flat_map(|(i, &[x, y])| above(x, y, height(i, early) - down))
+            .collect()
+    };
+    let at = |early, down| resting.clone().chain(falling(early, down)).collect();
+    let mut motion = motion(at(0, 0.0), at(0, distance), faces);
+    for early in [0, 1234, 2345, 3599] {
+        (motion.x0, motion.x1) = (at(early, 0.0), at(early, distance));
+        let mut detector = Detector::new(motion.mesh.clone());
+        let contact = detector.collision(&motion.x0, &motion.x1, CONTACT).unwrap();
+        let time = contact.unwrap().impact.time.lower();
+        assert!((0.59..0.61).contains(&time), "{early} {time}");
+    }
+}
