@@ -277,8 +277,8 @@ fn crosses([a, b]: [Point; 2], [v1, v2, v3]: [Point; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// Of the edges between the points of a grid, those cross the face that have ends on both sides of it, and
-    /// a point inside.
+    /// Edges through the points of a grid. Those cross the face that have ends on both sides of it, and a
+    /// point inside.
     #[test]
     fn an_edge_crosses_inside_of_the_face_only() {
         let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
