@@ -50,7 +50,7 @@ pub enum End {
 
 impl Answer {
     /// The answer before the first chord.
-    pub(crate) fn free_until(free_until: f64) -> Self {
+    pub(crate) fn initial(free_until: f64) -> Self {
         Self {
             free_until,
             within: None,

@@ -70,7 +70,7 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
     options: &SearchOptions,
     [start, mut limit]: [f64; 2],
 ) -> Result<Answer, SearchError> {
-    let mut answer = Answer::free_until(start);
+    let mut answer = Answer::initial(start);
     let tolerance = options.time_tolerance.max(RESOLUTION);
     let is_reached = |answer: &Answer| {
         let within = answer.within;

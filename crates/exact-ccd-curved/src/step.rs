@@ -30,7 +30,7 @@ pub fn curved_step<T: Trajectory + Sync>(
     step_options.search.check(until)?;
     let mut step = CurvedStep {
         pair: None,
-        answer: Answer::free_until(0.0),
+        answer: Answer::initial(0.0),
         intervals: 0,
         candidates: 0,
     };

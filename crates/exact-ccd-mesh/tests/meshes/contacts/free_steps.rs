@@ -543,7 +543,7 @@ fn all_is_searched_after_the_common_step() {
     );
 }
 
-/// What touches at the start is blocked, once, and the rest of the mesh moves: vertices at rest all the way.
+/// Pairs that touch at the start are blocked, each once, and the rest of the mesh moves.
 #[test]
 fn blocked_pairs_are_sorted_and_vertices_at_rest_are_not_held_back() {
     let mesh = TriangleMesh::new(6, vec![[0, 1, 2]]).unwrap();
