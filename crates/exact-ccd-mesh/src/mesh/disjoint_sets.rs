@@ -42,11 +42,11 @@ impl DisjointSets {
         }
     }
 
-    /// Makes one set of those of two vertices. Returns true if they were two sets.
-    pub(crate) fn unite(&mut self, a: u32, b: u32) -> bool {
+    /// Makes one set of those of two vertices.
+    pub(crate) fn unite(&mut self, a: u32, b: u32) {
         let (a, b) = (self.root(a), self.root(b));
         if a == b {
-            return false;
+            return;
         }
         let (less, more) = if self.size[a as usize] < self.size[b as usize] {
             (a, b)
@@ -56,7 +56,6 @@ impl DisjointSets {
         self.above[less as usize] = more;
         // At most the number of vertices.
         self.size[more as usize] = self.size[more as usize].saturating_add(self.size[less as usize]);
-        true
     }
 }
 
