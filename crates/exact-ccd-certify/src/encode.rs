@@ -60,7 +60,7 @@ pub(crate) fn stretches(stretches: &[Stretch]) -> Option<Box<[u8]>> {
 
 /// The proof of a contact.
 pub(crate) fn contact(bytes: &mut Vec<u8>, kind: Kind, ids: [u32; 2], proof: &Proof) {
-    bytes.push(Kind::ALL.iter().position(|other| *other == kind).unwrap_or(0) as u8);
+    bytes.push(kind as u8);
     number(bytes, ids[0]);
     number(bytes, ids[1]);
     match proof {

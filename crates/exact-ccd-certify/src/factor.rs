@@ -7,9 +7,6 @@ use exact_ccd_check::polynomial::Polynomial;
 /// The greatest common divisor of two polynomials, up to a factor; that of 0 and another one is the other.
 pub(crate) fn gcd(a: &Polynomial, b: &Polynomial) -> Polynomial {
     let (mut a, mut b) = (primitive(a.0.clone()), primitive(b.0.clone()));
-    if a.len() < b.len() {
-        std::mem::swap(&mut a, &mut b);
-    }
     while !b.is_empty() {
         let rest = primitive(remainder(a, &b));
         a = b;

@@ -104,7 +104,7 @@ impl Maker {
     /// start.
     ///
     /// # Errors
-    /// If there are too many or too few positions, or one is not finite.
+    /// [`MakerError::Step`], if there are too many or too few positions, or one is not finite.
     pub fn add_step(
         &mut self,
         mesh: &TriangleMesh,
@@ -112,6 +112,7 @@ impl Maker {
         rest: bool,
         earliest: Option<&Contact>,
     ) -> Result<(), MakerError> {
+        exact_ccd_mesh::Step::new(mesh, positions[0], positions[1])?;
         let [free, contact] = times(earliest);
         let distance = self.distance.get();
         let motion = Motion::new(positions[0], positions[1], distance).map_err(MakerError::Motion)?;
@@ -206,5 +207,30 @@ fn times(earliest: Option<&Contact>) -> [Option<f64>; 2] {
         Some(time) if time.is_start() => [None, Some(0.0)],
         Some(time) if time.is_exact() => [Some(time.lower().next_down()), Some(time.lower())],
         Some(time) => [Some(time.lower()), Some(time.upper())],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use exact_ccd_mesh::PositionsError;
+
+    use super::*;
+
+    #[test]
+    fn a_step_has_as_many_positions_as_its_mesh_has_vertices() {
+        let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        for (vertex_count, positions) in [(3, &points[..]), (4, &points[..3])] {
+            let mesh = TriangleMesh::with_edges(vertex_count, vec![[0, 1, 2]], &[]).unwrap();
+            let mut maker = Maker::new(Separation::ZERO);
+            let count = PositionsError::Count {
+                positions: positions.len(),
+                vertex_count,
+            };
+            assert_eq!(
+                maker.add_step(&mesh, [positions; 2], true, None),
+                Err(MakerError::Step(StepError::Start(count)))
+            );
+            assert_eq!(maker.steps(), 0);
+        }
     }
 }

@@ -22,15 +22,14 @@ impl Maker {
         if !detector.can_collide().is_all() {
             return Err(MakerError::Rules);
         }
-        let mesh = detector.mesh().clone();
         if rest {
             let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
-            let found = intersections(&mesh, x0, &Bvh, &options).map_err(StepError::from)?;
+            let found = intersections(detector.mesh(), x0, &Bvh, &options).map_err(StepError::from)?;
             if let Some(first) = found.first() {
-                return Err(MakerError::Step(first.crossing(&mesh)));
+                return Err(MakerError::Step(first.crossing(detector.mesh())));
             }
         }
         let earliest = detector.collision(x0, x1, Options::within(self.distance))?;
-        self.add_step(&mesh, [x0, x1], rest, earliest.as_ref())
+        self.add_step(detector.mesh(), [x0, x1], rest, earliest.as_ref())
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! A table has the proofs of one kind of pairs, sorted. The pairs that need a proof are found here, and
 //! each must be in the table. There are at most as many as the table has bytes, or the certificate is
-//! refused: the sizes of the files bound the memory. Pairs of neighbours need no proof, and are found too, so
-//! that the time is at most that of all pairs of primitives.
+//! unreadable: the sizes of the files bound the memory. Pairs of neighbours need no proof, and are found
+//! too, so that the time is at most that of all pairs of primitives.
 
 use std::fmt;
 

@@ -94,9 +94,6 @@ pub(crate) fn decide<'a, K: Kind>(query: &'a Query<K>, options: &Options) -> Res
         Decision::Free(stage) => return Err(stage),
         decision => Collision::from_decision(query, options.separation, decision)?,
     };
-    if options.until >= 1.0 {
-        return Ok(collision);
-    }
     let stage = collision.stage();
     collision.until(options.until).ok_or(stage)
 }

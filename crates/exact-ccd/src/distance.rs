@@ -87,14 +87,6 @@ impl From<Separation> for f64 {
     }
 }
 
-impl TryFrom<f64> for Separation {
-    type Error = InvalidSeparation;
-
-    fn try_from(d: f64) -> Result<Self, InvalidSeparation> {
-        Self::new(d)
-    }
-}
-
 /// The distance of two primitives at one time, between two f64.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceBounds {

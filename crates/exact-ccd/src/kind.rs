@@ -40,6 +40,14 @@ pub struct Side {
     pub domain: [[f64; 2]; 2],
 }
 
+impl Side {
+    /// (u, v) where the vertex meets the point (1 − s) x + s y of the edge.
+    pub(crate) fn parameters(&self, s: f64) -> [f64; 2] {
+        let [start, end] = self.domain;
+        [0, 1].map(|i: usize| start[i] + s * (end[i] - start[i]))
+    }
+}
+
 /// The pairs of features, one of each primitive, whose closest points can be those of the primitives.
 #[derive(Clone, Copy)]
 pub struct Features {

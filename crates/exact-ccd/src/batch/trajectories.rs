@@ -14,8 +14,8 @@ use crate::query::{NonFinite, Query};
 use crate::thickness::Separations;
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
-/// mesh, laid out for many queries.
-#[derive(Clone, Debug)]
+/// mesh, laid out for many queries. The default has no points.
+#[derive(Clone, Debug, Default)]
 pub struct Trajectories {
     rows: Vec<Row>,
     instructions: Instructions,
@@ -65,10 +65,7 @@ impl Trajectories {
     /// # Errors
     /// [`TrajectoriesError`], if the counts differ or a coordinate is not finite.
     pub fn new(x0: &[Point], x1: &[Point]) -> Result<Self, TrajectoriesError> {
-        let mut trajectories = Self {
-            rows: Vec::new(),
-            instructions: Instructions::best(),
-        };
+        let mut trajectories = Self::default();
         trajectories.set(x0, x1)?;
         Ok(trajectories)
     }

@@ -120,7 +120,7 @@ impl Bracket {
         let tops = [&self.low, &self.high].map(|end| end.value.top());
         let top = tops[0].max(tops[1]);
         let bits = bits.max(tops[0].abs_diff(tops[1])) as isize + MARGIN;
-        let suffices = |near: &Expansion| near.unit() <= top - bits;
+        let suffices = |near: &Expansion| near.unit <= top - bits;
         if closeness < CLOSE || self.near.as_deref().is_some_and(suffices) {
             return;
         }

@@ -44,18 +44,6 @@ impl Polynomial {
         Self::new(quotient(inner(self), &primitive(inner(divisor))))
     }
 
-    /// The numbers of zeros at both ends of the coefficients, which are factors t and u, of a polynomial that
-    /// is not zero.
-    fn end_zeros(&self) -> [usize; 2] {
-        let is_inner = |c: &IBig| !c.is_zero();
-        let coefficients = self.coefficients();
-        [
-            coefficients.iter().position(is_inner),
-            coefficients.iter().rev().position(is_inner),
-        ]
-        .map(Option::unwrap_or_default)
-    }
-
     /// A polynomial with the same roots, all simple, for a polynomial that is [reduced](Self::reduced).
     ///
     /// A grazing contact is at a root where the sign does not change: here it becomes one where it does.
@@ -78,7 +66,10 @@ impl Polynomial {
         if are_coprime(&a, &b) {
             return None;
         }
-        let has_one_sign = |rest: &[IBig]| Self::new(rest.to_vec()).sign_between(low, high).is_some();
+        let has_one_sign = |rest: &[IBig]| {
+            let values = Self::new(rest.to_vec()).values_between(low, high);
+            values.sign().is_some()
+        };
         euclid(a, b, has_one_sign).map(Self::new)
     }
 }

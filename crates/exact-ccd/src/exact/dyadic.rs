@@ -5,11 +5,11 @@ use dashu_int::ops::BitTest;
 
 use super::approximation::shifted;
 
-/// (m, e) with x = m · 2ᵉ, for finite x; m is odd or zero. Only the bit pattern is read.
+/// (m, e) with x = m · 2ᵉ, for finite x; m is odd, or both are 0. Only the bit pattern is read.
 pub(crate) fn decompose(x: f64) -> (i64, i32) {
     let (mantissa, exponent) = parts(x);
     if mantissa == 0 {
-        return (0, i32::MAX);
+        return (0, 0);
     }
     let zeros = mantissa.trailing_zeros();
     (mantissa >> zeros, exponent + zeros as i32)

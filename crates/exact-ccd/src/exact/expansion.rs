@@ -20,16 +20,11 @@ pub(super) struct Expansion {
     width: isize,
     /// In units of 2ᵏ, with an error of less than 2ᵉ of them for all values.
     polynomial: Polynomial,
-    unit: isize,
+    pub(super) unit: isize,
     error: usize,
 }
 
 impl Expansion {
-    /// The exponent of the unit of values.
-    pub(super) fn unit(&self) -> isize {
-        self.unit
-    }
-
     /// The polynomial at a time between those of the expansion.
     pub(super) fn value_at(&self, t: &Split) -> Approximation {
         let time = t.after(&self.origin, self.width);

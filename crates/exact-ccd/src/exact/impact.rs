@@ -110,10 +110,8 @@ impl<K: Kind> Meeting<'_, K> {
         let is_of_first = side.vertex < x;
         let towards_first = relative.map(|component| if is_of_first { -component } else { component });
 
-        let [start, end] = side.domain;
-        let parameters = [0, 1].map(|i: usize| start[i] + along * (end[i] - start[i]));
         (
-            parameters,
+            side.parameters(along),
             self.instant.direction(self.across_line(edge, towards_first)),
         )
     }

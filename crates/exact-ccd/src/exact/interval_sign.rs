@@ -1,8 +1,4 @@
-//! Signs of all values of a polynomial in an interval of times, where they are easily proved.
-
-use core::cmp::Ordering;
-
-use dashu_int::IBig;
+//! All values of a polynomial in an interval of times.
 
 use super::approximation::Approximation;
 use super::evaluation::LEAST_PRECISION;
@@ -10,16 +6,6 @@ use super::polynomial::Polynomial;
 use super::split::Split;
 
 impl Polynomial {
-    /// The sign of all values in [low, high], low < high, if it is one that is easily proved: by the signs
-    /// of the coefficients, or by approximations of all values.
-    pub(crate) fn sign_between(&self, low: &Split, high: &Split) -> Option<Ordering> {
-        if Split::closeness(low, high) == 0 {
-            self.sign_everywhere()
-        } else {
-            self.values_between(low, high).sign()
-        }
-    }
-
     /// All values in [low, high], two times that are not far apart, by approximations, the last of which
     /// takes the slope in the interval into account.
     ///
@@ -68,18 +54,5 @@ impl Polynomial {
             }
             precision = (4 * precision).min(LEAST_PRECISION + closeness);
         }
-    }
-
-    /// The sign of all values in [0, 1], if all coefficients have it or are zero, the first and the last
-    /// not.
-    fn sign_everywhere(&self) -> Option<Ordering> {
-        let sign = |c: &IBig| c.cmp(&IBig::ZERO);
-        let [first, .., last] = self.coefficients() else {
-            return self.coefficients().first().map(sign);
-        };
-        let at_start = sign(first);
-        let agrees = |c: &IBig| sign(c) != at_start.reverse();
-        (at_start.is_ne() && sign(last) == at_start && self.coefficients().iter().all(agrees))
-            .then_some(at_start)
     }
 }

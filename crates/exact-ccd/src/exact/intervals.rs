@@ -105,13 +105,13 @@ mod tests {
 
     use super::*;
     use crate::exact::polynomial::Polynomial;
-    use crate::exact::roots::roots_between;
+    use crate::exact::roots::roots_of;
 
     /// The time at which the ratio of the time elapsed to the time left has this square.
     fn root_of(square: [u64; 2]) -> Instant {
         let [numerator, denominator] = square.map(IBig::from);
         let polynomial = Polynomial::new(vec![-numerator, IBig::ZERO, denominator]);
-        let mut roots = roots_between(&polynomial, [&Split::START, &Split::END]);
+        let mut roots = roots_of(&polynomial);
         roots.pop().expect("there is one")
     }
 

@@ -60,14 +60,23 @@ impl Polynomial {
     /// The polynomial without its roots at t = 0 and t = 1, whatever their multiplicity, and in the least
     /// degree: without factors t + u, which are 1.
     pub(super) fn reduced(&self) -> Self {
-        let is_inner = |c: &IBig| !c.is_zero();
-        let start = self.0.iter().position(is_inner).unwrap_or_default();
-        let end = self.0.iter().rposition(is_inner).map_or(start, |last| last + 1);
-        let mut reduced = self.0[start..end].to_vec();
+        let [start, end] = self.end_zeros();
+        let mut reduced = self.0[start..self.0.len() - end].to_vec();
         while let Some(quotient) = without_one(&reduced) {
             reduced = quotient;
         }
         Self(reduced)
+    }
+
+    /// The numbers of zeros at both ends of the coefficients, which are factors t and u, of a polynomial that
+    /// is not zero.
+    pub(super) fn end_zeros(&self) -> [usize; 2] {
+        let is_inner = |c: &IBig| !c.is_zero();
+        [
+            self.0.iter().position(is_inner),
+            self.0.iter().rev().position(is_inner),
+        ]
+        .map(Option::unwrap_or_default)
     }
 
     /// The square: products of different coefficients are computed once.

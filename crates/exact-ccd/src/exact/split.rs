@@ -45,9 +45,9 @@ impl Split {
     /// The value of `t`, which must lie in [0, 1].
     pub(crate) fn from_unit(t: f64) -> Self {
         let (mantissa, exponent) = decompose(t);
-        // A number in [0, 1] has no bit above 2⁰: a positive exponent is that of zero.
+        // A number in [0, 1] has no bit above 2⁰: the exponent is not positive.
         let elapsed = IBig::from(mantissa);
-        let left = (IBig::ONE << exponent.min(0).unsigned_abs() as usize) - &elapsed;
+        let left = (IBig::ONE << exponent.unsigned_abs() as usize) - &elapsed;
         Self {
             elapsed,
             left,

@@ -56,18 +56,14 @@ impl AtRoot {
 }
 
 impl Contact {
-    /// The contact at one of the roots; `Ok(None)` if there certainly is none, `Err` if that is not
-    /// known.
+    /// The contact at one of the roots; `Some(None)` if there certainly is none, `None` if that is not known.
     #[inline]
-    pub(super) fn at_roots<K: Kind>(
-        query: &Query<K>,
-        roots: ArrayVec<Root, 3>,
-    ) -> Result<Option<Self>, Unknown> {
+    pub(super) fn at_roots<K: Kind>(query: &Query<K>, roots: ArrayVec<Root, 3>) -> Option<Option<Self>> {
         let mut is_first = true;
         for (index, root) in roots.iter().enumerate() {
             match position::at(query, root) {
                 Some(Position::Inside) => {
-                    return Ok(Some(Self::AtRoot(AtRoot {
+                    return Some(Some(Self::AtRoot(AtRoot {
                         touching: index,
                         is_first,
                         roots,
@@ -77,7 +73,7 @@ impl Contact {
                 None => is_first = false,
             }
         }
-        if is_first { Ok(None) } else { Err(Unknown) }
+        is_first.then_some(None)
     }
 
     /// The stage that proved the contact.
@@ -166,6 +162,3 @@ fn times_of_roots<K: Kind>(query: &Query<K>) -> impl Fn(&Root) -> Option<Contact
         Err(precise) => precise.round(root),
     }
 }
-
-/// The filters do not determine the answer.
-pub(super) struct Unknown;

@@ -17,8 +17,9 @@ pub(crate) struct Coplanarity<T> {
     pub(crate) normals: [[T; 3]; 2],
     /// Twice the blossom of e₁ × e₂ at (0, 1).
     pub(super) mixed: [T; 3],
-    /// The sum over the axes of a bound for the magnitudes that are added up to e₁ × e₂.
-    extent: T,
+    /// The sum over the axes of a bound for the magnitudes that are added up to e₁ × e₂: a bound of |e₁ × e₂|
+    /// at all times, up to a few roundings.
+    pub(super) extent: T,
 }
 
 /// c = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³.
@@ -43,11 +44,6 @@ impl<T: Lanes> Coplanarity<T> {
             mixed: expansion.mixed,
             extent: expansion.extent,
         }
-    }
-
-    /// A bound of |e₁ × e₂| at all times, up to a few roundings.
-    pub(super) fn extent(&self) -> T {
-        self.extent
     }
 
     /// True where the planes of the primitives are certainly farther than the gap d apart at all times: |c|

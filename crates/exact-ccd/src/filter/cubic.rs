@@ -28,8 +28,8 @@ pub(crate) struct Root {
     pub(super) near: f64,
     /// An approximation of c′ there.
     pub(super) slope: f64,
-    /// True if c is negative below the root and positive above it.
-    pub(super) rising: bool,
+    /// The sign of c before the root; after it, c has the opposite one.
+    pub(super) before: Ordering,
 }
 
 impl Root {
@@ -40,7 +40,7 @@ impl Root {
             high: time,
             near: time,
             slope: 0.0,
-            rising: before.is_lt(),
+            before,
         }
     }
 
@@ -218,7 +218,7 @@ impl Cubic<f64> {
         (second == first || third == last).then(|| {
             let [start, .., end] = coefficients;
             let secant = low + (high - low) * (start / (start - end));
-            roots.push(self.refine(low, high, secant, at_high.is_gt()));
+            roots.push(self.refine(low, high, secant, at_low));
         })
     }
 
@@ -226,12 +226,12 @@ impl Cubic<f64> {
     ///
     /// The first guess is the root of the control polygon.
     pub(super) fn only_root(&self) -> Root {
-        let rising = self.bernstein[3] > 0.0;
-        let is_before = |&b: &f64| (b > 0.0) != rising;
-        let last_before = self.bernstein[..3].iter().rposition(is_before).unwrap_or(0);
-        let [before, after] = [last_before, last_before + 1].map(|i| self.bernstein[i]);
-        let guess = (last_before as f64 + before / (before - after)) / 3.0;
-        self.refine(0.0, 1.0, guess, rising)
+        let before = 0.0_f64.total_cmp(&self.bernstein[3]);
+        let is_before = |&b: &f64| (b > 0.0) == before.is_gt();
+        let last = self.bernstein[..3].iter().rposition(is_before).unwrap_or(0);
+        let [start, end] = [last, last + 1].map(|i| self.bernstein[i]);
+        let guess = (last as f64 + start / (start - end)) / 3.0;
+        self.refine(0.0, 1.0, guess, before)
     }
 
     /// The points that cut [0, 1] into pieces on which c is monotone, and so are its Bernstein
@@ -262,8 +262,8 @@ impl Cubic<f64> {
     }
 
     /// A narrow bracket of the only root in a wider one.
-    fn refine(&self, low: f64, high: f64, guess: f64, rising: bool) -> Root {
-        let (near, slope) = self.approximate(low, high, guess, rising);
+    fn refine(&self, low: f64, high: f64, guess: f64, before: Ordering) -> Root {
+        let (near, slope) = self.approximate(low, high, guess, before);
         // At this distance c is at least twice its error away from zero, if its slope is the same
         // there.
         let mut width = 4.0 * self.blossom_error() / slope.abs();
@@ -272,19 +272,14 @@ impl Cubic<f64> {
             high,
             near,
             slope,
-            rising,
-        };
-        let (below, above) = if rising {
-            (Some(Ordering::Less), Some(Ordering::Greater))
-        } else {
-            (Some(Ordering::Greater), Some(Ordering::Less))
+            before,
         };
         for _ in 0..3 {
             let (left, right) = (near - width, near + width);
-            if root.low == low && left > low && self.sign_at(left) == below {
+            if root.low == low && left > low && self.sign_at(left) == Some(before) {
                 root.low = left;
             }
-            if root.high == high && right < high && self.sign_at(right) == above {
+            if root.high == high && right < high && self.sign_at(right) == Some(before.reverse()) {
                 root.high = right;
             }
             width *= 16.0;
@@ -296,7 +291,7 @@ impl Cubic<f64> {
     /// c′ there.
     ///
     /// The result needs no error bound. Powers of t are faster to evaluate than the Bernstein form.
-    fn approximate(&self, mut low: f64, mut high: f64, guess: f64, rising: bool) -> (f64, f64) {
+    fn approximate(&self, mut low: f64, mut high: f64, guess: f64, before: Ordering) -> (f64, f64) {
         const STEPS: usize = 60;
         let noise = self.blossom_error();
         let [b0, b1, b2, b3] = self.bernstein;
@@ -311,7 +306,7 @@ impl Cubic<f64> {
         for _ in 0..STEPS {
             let value = ((a3 * t + a2) * t + a1) * t + b0;
             slope = (3.0 * a3 * t + 2.0 * a2) * t + a1;
-            if (value < 0.0) == rising {
+            if (value < 0.0) == before.is_lt() {
                 low = t;
             } else {
                 high = t;

@@ -18,7 +18,7 @@ pub(super) type Ends<L> = [[L; 3]; 2];
 pub(super) fn difference<L: Length>(points: &Points<L>, (i, j): Difference) -> Ends<L> {
     points
         .each_ref()
-        .map(|end| from_fn(|axis| end[i][axis].minus(end[j][axis])))
+        .map(|end| from_fn(|axis| end[i][axis] - end[j][axis]))
 }
 
 /// The linear functions with a zero inside the step that divide an axis or a row of the matrix whose
@@ -49,7 +49,7 @@ impl<L: Length> Factors<L> {
         let mut at_rest = *points;
         let mut zeros = ArrayVec::new();
         for axis in 0..3 {
-            let since_first = |i: usize| points.map(|end| end[i][axis].minus(end[0][axis]));
+            let since_first = |i: usize| points.map(|end| end[i][axis] - end[0][axis]);
             if let Some(zero) = common_zero([1, 2, 3].map(since_first)) {
                 let [start, end] = &mut at_rest;
                 for (end, start) in end.iter_mut().zip(start) {

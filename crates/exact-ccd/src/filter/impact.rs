@@ -9,7 +9,7 @@ use crate::query::Query;
 
 /// 2⁻³³: the largest error of the parameters and the normal. It is half of the documented one,
 /// which leaves room for the roundings that are not counted here.
-const TOLERANCE: f64 = f64::from_bits((1023 - 33) << 52);
+pub(super) const TOLERANCE: f64 = f64::from_bits((1023 - 33) << 52);
 
 /// (u, v) and the normal at a root at which the primitives touch, if they are accurate enough.
 pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> Option<([f64; 2], Point)> {
@@ -25,7 +25,7 @@ pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> O
         return None;
     }
     // c changes its sign at the root: just before, w · n is negative if c is rising.
-    let towards_first = if root.rising {
+    let towards_first = if root.before.is_lt() {
         -magnitude(axis)
     } else {
         magnitude(axis)
@@ -79,9 +79,8 @@ pub(super) fn vertex_on_edge<K: Kind>(
     let is_accurate =
         is_small(error, length - below.error) && is_small(2.0 * (along_i.error + along_j.error), length);
     let ratio = if ratio > 0.0 { ratio.min(1.0) } else { 0.0 };
-    let [start, end] = side.domain;
     let is_of_first = side.vertex < x;
-    let against = if root.rising == is_of_first {
+    let against = if root.before.is_lt() == is_of_first {
         length
     } else {
         -length
@@ -89,10 +88,7 @@ pub(super) fn vertex_on_edge<K: Kind>(
     let mut normal = [0.0; 3];
     normal[i] = along_j.value / against;
     normal[j] = -along_i.value / against;
-    is_accurate.then(|| {
-        let parameters = [0, 1].map(|k: usize| start[k] + ratio * (end[k] - start[k]));
-        (parameters, unit(normal))
-    })
+    is_accurate.then(|| (side.parameters(ratio), unit(normal)))
 }
 
 fn is_small(error: f64, magnitude: f64) -> bool {

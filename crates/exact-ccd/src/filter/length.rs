@@ -14,7 +14,7 @@ pub(super) type Volume = Wide<4>;
 /// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹, the terms of a coefficient of the cubic below
 /// 2³ᵇ⁺³, and there are at most 18 of them. Without [the roots at the ends](super::zeros::without_ends),
 /// a coefficient is a sum of at most three: below 54 · 2³ᵇ⁺³, which is less than 2²⁵² for b = 81.
-pub(super) trait Length: Copy + Default + PartialEq + Into<i128> {
+pub(super) trait Length: Copy + Default + PartialEq + Into<i128> + Sub<Output = Self> {
     /// The largest number of bits of coordinates.
     const MOST_BITS: u32;
 
@@ -26,10 +26,10 @@ pub(super) trait Length: Copy + Default + PartialEq + Into<i128> {
     fn scaled(mantissa: i64, k: u32) -> (Self, bool);
 
     /// The nearest f64.
-    fn value(self) -> f64;
-
-    /// a − b.
-    fn minus(self, other: Self) -> Self;
+    fn value(self) -> f64 {
+        let integer: i128 = self.into();
+        integer as f64
+    }
 
     /// a b.
     fn times(self, other: Self) -> Self::Area;
@@ -56,15 +56,6 @@ impl Length for i64 {
     #[inline(always)]
     fn scaled(mantissa: i64, k: u32) -> (Self, bool) {
         halved(mantissa << (Self::MOST_BITS - f64::MANTISSA_DIGITS), k)
-    }
-
-    #[inline(always)]
-    fn minus(self, other: Self) -> Self {
-        self - other
-    }
-
-    fn value(self) -> f64 {
-        self as f64
     }
 
     #[inline(always)]
@@ -113,14 +104,6 @@ impl Length for i128 {
             Self::from(mantissa) << (Self::MOST_BITS - f64::MANTISSA_DIGITS),
             k,
         )
-    }
-
-    fn minus(self, other: Self) -> Self {
-        self - other
-    }
-
-    fn value(self) -> f64 {
-        self as f64
     }
 
     fn times(self, other: Self) -> Volume {
@@ -172,7 +155,6 @@ mod tests {
             assert!(areas == [Volume::from(a * b); 2], "{lengths:?}");
             assert_eq!(lengths.map(Length::value), lengths.map(|x| x as f64));
             assert_eq!([a, b, c].map(Length::value), lengths.map(|x| x as f64));
-            assert_eq!(<i128 as Length>::minus(a, b), a - b);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::alongside;
 use super::coincident::coincidence;
-use super::contact::{Contact, Unknown};
+use super::contact::Contact;
 use super::cubic::{Cubic, Root};
 use super::decision::{Decision, Proved};
 use super::fixed_width;
@@ -27,9 +27,9 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, u
     }
     if let Some(roots) = cubic.roots() {
         return match Contact::at_roots(query, roots) {
-            Ok(Some(contact)) => Decision::Collision(Proved::Contact(contact)),
-            Ok(None) => Decision::Free(Stage::Roots),
-            Err(Unknown) => decide_in_integers(query),
+            Some(Some(contact)) => Decision::Collision(Proved::Contact(contact)),
+            Some(None) => Decision::Free(Stage::Roots),
+            None => decide_in_integers(query),
         };
     }
     if let Some(coincidence) = coincidence(query, cubic) {

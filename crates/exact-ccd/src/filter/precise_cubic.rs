@@ -61,11 +61,6 @@ impl PreciseCubic {
     /// The root between two adjacent f64, if the signs of c at both are certain.
     pub(super) fn round(&self, root: &Root) -> Option<ContactTime> {
         const STEPS: usize = 4;
-        let below = if root.rising {
-            Ordering::Less
-        } else {
-            Ordering::Greater
-        };
         let mut floor = root.near;
         for _ in 0..STEPS {
             let value = self.value(floor);
@@ -81,7 +76,7 @@ impl PreciseCubic {
                     return None;
                 }
                 let above = self.sign_at(floor.next_up())?;
-                let proved = self.sign(value)? == below && above == below.reverse();
+                let proved = self.sign(value)? == root.before && above == root.before.reverse();
                 return proved.then(|| ContactTime::just_above(floor));
             }
             floor = next;
@@ -150,7 +145,7 @@ mod tests {
                         high: nearest + width,
                         near: nearest + offset,
                         slope: sign * factor * b * (1.0 + nearest * nearest),
-                        rising: sign > 0.0,
+                        before: 0.0_f64.total_cmp(&sign),
                     };
                     let time = cubic.round(&root);
                     // No sign is certain where the cubic vanishes.

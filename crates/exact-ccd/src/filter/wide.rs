@@ -67,10 +67,10 @@ impl<const N: usize> Wide<N> {
     /// The integer, if 64 bits hold it.
     #[inline]
     fn short(&self) -> Option<i64> {
-        let (first, rest) = self.0.split_first()?;
-        let first = *first as i64;
-        let fill = if first < 0 { u64::MAX } else { 0 };
-        rest.iter().all(|&word| word == fill).then_some(first)
+        let (&first, rest) = self.0.split_first()?;
+        let first = first as i64;
+        let has_its_sign = |&word: &u64| word as i64 == first >> 63;
+        rest.iter().all(has_its_sign).then_some(first)
     }
 
     /// An approximation whose relative error is less than 2⁻¹⁰⁴.
@@ -119,29 +119,22 @@ impl<const N: usize> Wide<N> {
         let a = i128::from(a);
         let low = a * i128::from(b as u64);
         let high = a * (b >> 64) + (low >> 64);
-        let fill = if high < 0 { u64::MAX } else { 0 };
         Self(core::array::from_fn(|i| match i {
             0 => low as u64,
             1 => high as u64,
             2 => (high >> 64) as u64,
-            _ => fill,
+            _ => (high >> 127) as u64,
         }))
-    }
-
-    #[cfg(test)]
-    pub(super) fn words(self) -> [u64; N] {
-        self.0
     }
 }
 
 impl<const N: usize> From<i128> for Wide<N> {
     #[inline]
     fn from(value: i128) -> Self {
-        let fill = if value < 0 { u64::MAX } else { 0 };
         Self(core::array::from_fn(|i| match i {
             0 => value as u64,
             1 => (value >> 64) as u64,
-            _ => fill,
+            _ => (value >> 127) as u64,
         }))
     }
 }
@@ -218,7 +211,7 @@ mod tests {
     use super::{DoubleDouble, Wide};
 
     fn big<const N: usize>(wide: Wide<N>) -> IBig {
-        let words = wide.magnitude().words().into_iter().rev();
+        let words = wide.magnitude().0.into_iter().rev();
         let magnitude = words.fold(IBig::ZERO, |sum, word| (sum << 64) + IBig::from(word));
         if wide.sign().is_lt() {
             -magnitude
@@ -293,8 +286,8 @@ mod tests {
     fn integers_of_many_words_are_not_short() {
         for rest in [1, 2, u64::MAX - 1] {
             let [x, three] = [Wide([5, rest, rest, rest]), Wide::<4>::from(3)];
-            assert_eq!((x * three).words(), (x + x + x).words());
-            assert_eq!((three * x).words(), (x + x + x).words());
+            assert_eq!((x * three).0, (x + x + x).0);
+            assert_eq!((three * x).0, (x + x + x).0);
         }
     }
 }

@@ -134,11 +134,6 @@ impl Window {
     /// The bracket has no other root, and the cubic opposite signs on both sides of it. The root stays
     /// between `before` and `after`. Before 2⁻¹⁰, the f64 between these may be no multiples of the unit.
     pub(super) fn time(&self, cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
-        let below = if root.rising {
-            Ordering::Less
-        } else {
-            Ordering::Greater
-        };
         let [low, _] = self.around(root.low);
         let [_, high] = self.around(root.high);
         let [low, high] = [low, high].map(|end| Fraction::from(end).time());
@@ -148,7 +143,7 @@ impl Window {
             // An f64 between the ends rounded outward is between the ends.
             match sign_at(cubic, Dyadic::new(middle)?) {
                 Ordering::Equal => return Some(ContactTime::exactly(middle)),
-                sign if sign == below => before = middle,
+                sign if sign == root.before => before = middle,
                 _ => after = middle,
             }
         }
@@ -371,7 +366,7 @@ mod tests {
                         high: place + f64::from(above) * 0.4 * digit + 0.6 * digit,
                         near: place,
                         slope: 0.0,
-                        rising: sign > 0,
+                        before: 0.cmp(&sign),
                     };
                     let time = window.time(&cubic, &root);
                     assert_eq!(time, Some(expected), "{a} {b} {below} {above}");

@@ -77,7 +77,7 @@ fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Orderin
         None
     } else {
         let sign = sign_at(cubic, time);
-        Some(if root.rising { sign.reverse() } else { sign })
+        Some(if root.before.is_lt() { sign.reverse() } else { sign })
     }
 }
 

@@ -32,13 +32,11 @@ impl EdgeFace {
 
     /// Returns true if the edge and the face have a common point.
     ///
-    /// If the ends are on different sides of the face's plane, the line of the edge meets the plane
-    /// in one point, whose barycentric coordinates are proportional to the volumes that the edge
-    /// spans with the sides: it lies in the face unless two of them have opposite signs. If only
-    /// one end is in the plane, the primitives meet if that end lies in the face. If both are, or
-    /// if the face has no area, then everything lies in one plane, and the primitives meet if an
-    /// end lies in the face or a side of the face touches the edge. These cases are queries that do
-    /// not move.
+    /// If the ends are on different sides of the face's plane, or one of them is in it, the edge meets
+    /// the plane in one point, whose barycentric coordinates are proportional to the volumes that the
+    /// edge spans with the sides: it lies in the face unless two of them have opposite signs. If both
+    /// are in the plane, an edge that touches no side lies inside of the face as a whole, or outside.
+    /// If the face has no area, it is the union of its sides. These cases are queries that do not move.
     ///
     /// ```
     /// use exact_ccd::predicates::EdgeFace;
@@ -55,9 +53,7 @@ impl EdgeFace {
         let ([a, b], [v1, v2, v3]) = (self.edge, self.face);
         let height = |p| sign_of_volume(&[v1, v2, v3, p]);
         match (height(a), height(b)) {
-            (Equal, Equal) => self.contains(a) || self.contains(b) || self.touches_a_side(),
-            (Equal, _) => self.contains(a),
-            (_, Equal) => self.contains(b),
+            (Equal, Equal) => self.contains(a) || self.touches_a_side(),
             (above, below) if above == below => false,
             _ => {
                 let side = |x, y| sign_of_volume(&[a, b, x, y]);

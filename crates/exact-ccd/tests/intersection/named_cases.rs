@@ -24,6 +24,8 @@ fn an_edge_pierces_the_face_or_passes_by() {
         ([1.0, 1.0], true),
         ([0.0, 0.0], true),
         ([2.0, 2.0], true),
+        ([2.0, 0.0], true),
+        ([0.0, 3.0], true),
         ([4.0, 0.0], true),
         ([3.0, 2.0], false),
         ([-1.0, 1.0], false),

@@ -89,3 +89,46 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
         },
     );
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::row::Row;
+    use crate::batch::vectors::instructions::{Instructions, dispatch};
+    use crate::kind::{EdgeEdge, VertexFace};
+    use crate::point::Point;
+
+    /// Queries at random: some are free in one stretch of time, some in many, and some collide.
+    #[test]
+    fn lanes_are_free_until_the_times_of_single_queries() {
+        fn compare<K: Kind<Points = [Point; 4]>>() {
+            let mut random = fastrand::Rng::with_seed(35);
+            let (mut halved, mut free) = (0, 0);
+            for _ in 0..300 {
+                let mut points = || [(); 4].map(|()| [(); 3].map(|()| 2.0 * random.f64() - 1.0));
+                let queries = [(); LANES].map(|()| Query::<K>::new(points(), points()).expect("finite"));
+                let distances = [(); LANES].map(|()| 0.5 * random.f64());
+                let single: [f64; LANES] = core::array::from_fn(|lane| {
+                    free_until::<K, f64>(&Hull::new::<K>(&queries[lane].four()), distances[lane], 1.0)
+                });
+                let rows = queries.each_ref().map(|query| {
+                    let [start, end] = *query.four();
+                    [0, 1, 2, 3].map(|point: usize| Row::new(start[point], end[point]))
+                });
+                let eight = rows.each_ref().map(<[Row; 4]>::each_ref);
+                for instructions in Instructions::available() {
+                    let lanes: [f64; LANES] = dispatch!(instructions.level(), simd => {
+                        let hull = Hull::new::<K>(&transposed(simd, &eight));
+                        free_until::<K, _>(&hull, f64x8::from_slice(simd, &distances), 1.0).into()
+                    });
+                    assert_eq!(lanes, single);
+                }
+                halved += single.iter().filter(|&&time| time > 0.0 && time < 1.0).count();
+                free += single.iter().filter(|&&time| time == 1.0).count();
+            }
+            assert!(halved > 100 && free > 100, "{halved} {free}");
+        }
+        compare::<VertexFace>();
+        compare::<EdgeEdge>();
+    }
+}

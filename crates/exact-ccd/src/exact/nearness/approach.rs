@@ -6,7 +6,7 @@ use dashu_int::IBig;
 
 use super::feature::{Feature, Pair};
 use crate::distance::Separation;
-use crate::exact::dyadic::decompose;
+use crate::exact::dyadic::{decompose, to_integers};
 use crate::exact::motion::common;
 use crate::exact::points::MovingPoints;
 use crate::exact::polynomial::{Polynomial, Vector, cross, dot, squared_length};
@@ -26,11 +26,10 @@ pub(super) struct Approach {
 impl Approach {
     pub(super) fn new<K: Kind>(query: &Query<K>, d: Separation) -> Self {
         let points = MovingPoints::new(query);
-        let (mantissa, exponent) = decompose(d.get());
-        let of_separation = (mantissa != 0).then_some(exponent);
+        let ([separation], of_separation) = to_integers([d.get()]);
         let unit = points.least_unit().into_iter().chain(of_separation).min();
         let unit = unit.unwrap_or_default();
-        let separation = IBig::from(mantissa) << of_separation.map_or(0, |own| (own - unit) as usize);
+        let separation = separation << of_separation.map_or(0, |own| (own - unit) as usize);
         let separation = Polynomial::between(&separation, &separation);
         Self {
             points: points.scaled_to(unit),
@@ -42,8 +41,6 @@ impl Approach {
     /// The points at one time, as constant polynomials, and d = 0.
     pub(super) fn at<K: Kind>(query: &Query<K>, t: f64) -> Self {
         let (numerator, exponent) = decompose(t);
-        // A number in [0, 1] has no bit above 2⁰: a positive exponent is that of zero.
-        let exponent = exponent.min(0);
         let approach = Self::new(query, Separation::ZERO);
         let at_time = |coordinate: &Polynomial| {
             let (start, end) = (coordinate.at_start(), coordinate.at_end());

@@ -48,9 +48,6 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPa
     let (x, e) = (approach.difference((side.vertex, a)), approach.difference((b, a)));
     let (along, squared_length) = (dot(&e, &x), dot(&e, &e));
     let s = instant.ratio(&along, &squared_length);
-    let [start, end] = side.domain;
-    let parameters = [0, 1].map(|i: usize| start[i] + s * (end[i] - start[i]));
-
     let is_of_first = side.vertex < a;
     let direction: Vector = [0, 1, 2].map(|axis: usize| {
         let towards_vertex = &(&squared_length * &x[axis]) - &(&along * &e[axis]);
@@ -60,7 +57,7 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPa
             -towards_vertex
         }
     });
-    (parameters, instant.direction(direction))
+    (side.parameters(s), instant.direction(direction))
 }
 
 /// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of

@@ -23,51 +23,36 @@ pub(crate) fn distance_at<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
         .into_iter()
         .filter(|feature| feature.exists(&now))
         .min_by(|one, other| one.compare(other, &now));
-    let [numerator, denominator] = closest.map_or([IBig::ZERO, IBig::ONE], |feature| {
+    let square = closest.map_or([IBig::ZERO, IBig::ONE], |feature| {
         feature.squared_distance().map(Polynomial::at_start)
     });
-    let square = Quotient {
-        numerator,
-        denominator,
-    };
-    let (lower, is_exact) = square.root(approach.unit as isize);
+    let (lower, is_exact) = root(square, approach.unit as isize);
     DistanceBounds {
         lower: f64::from_bits(lower),
         upper: f64::from_bits(lower + u64::from(!is_exact)),
     }
 }
 
-/// A quotient of integers, not negative.
-struct Quotient {
-    numerator: IBig,
-    denominator: IBig,
-}
-
-impl Quotient {
-    /// The bits of the largest f64 that is not above the square root times 2ᵏ; and true if it is that number.
-    fn root(self, k: isize) -> (u64, bool) {
-        let Self {
-            numerator,
-            denominator,
-        } = self;
-        if numerator.is_zero() {
-            return (0, true);
-        }
-        // Scaled by 4ˢ, the quotient has at least twice enough bits, and its root enough.
-        let bits = numerator.bit_len() as isize - denominator.bit_len() as isize;
-        let s = ENOUGH_BITS - bits.div_euclid(2);
-        let by = 2 * s.unsigned_abs();
-        let [numerator, denominator] = if s < 0 {
-            [numerator, denominator << by]
-        } else {
-            [numerator << by, denominator]
-        };
-        // The root of a number and that of its integral part have the same integral part.
-        let root = IBig::from((&numerator / &denominator).sqrt());
-        let is_exact = &root * &root * denominator == numerator;
-        let (floor, is_equal) = rounded_down(&root, k - s);
-        (floor, is_equal && is_exact)
+/// The bits of the largest f64 that is not above the square root of a quotient, not negative, times 2ᵏ; and
+/// true if it is that number.
+fn root([numerator, denominator]: [IBig; 2], k: isize) -> (u64, bool) {
+    if numerator.is_zero() {
+        return (0, true);
     }
+    // Scaled by 4ˢ, the quotient has at least twice enough bits, and its root enough.
+    let bits = numerator.bit_len() as isize - denominator.bit_len() as isize;
+    let s = ENOUGH_BITS - bits.div_euclid(2);
+    let by = 2 * s.unsigned_abs();
+    let [numerator, denominator] = if s < 0 {
+        [numerator, denominator << by]
+    } else {
+        [numerator << by, denominator]
+    };
+    // The root of a number and that of its integral part have the same integral part.
+    let root = IBig::from((&numerator / &denominator).sqrt());
+    let is_exact = &root * &root * denominator == numerator;
+    let (floor, is_equal) = rounded_down(&root, k - s);
+    (floor, is_equal && is_exact)
 }
 
 #[cfg(test)]
@@ -92,11 +77,7 @@ mod tests {
             } else {
                 numerator
             };
-            let quotient = Quotient {
-                numerator: numerator.clone(),
-                denominator: denominator.clone(),
-            };
-            let (bits, is_exact) = quotient.root(0);
+            let (bits, is_exact) = root([numerator.clone(), denominator.clone()], 0);
             let [low, high] = [bits, bits + 1].map(|bits| {
                 let ([_, x], unit) = to_integers([0.0, f64::from_bits(bits)]);
                 (&x * &x * &denominator, 2 * unit.unwrap_or(0))

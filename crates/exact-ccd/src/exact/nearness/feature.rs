@@ -4,12 +4,13 @@
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
+use dashu_int::IBig;
+
 use crate::exact::instant::Instant;
 use crate::exact::intervals::{Event, Passage};
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
-use crate::exact::roots::roots_between;
-use crate::exact::split::Split;
+use crate::exact::roots::roots_of;
 use crate::kind::{Difference, Side};
 
 /// Two features, one of each primitive.
@@ -61,19 +62,21 @@ impl Feature {
         }
     }
 
-    /// Returns true if the excess vanishes at a time in [low, high] at which the feature exists, but not at
-    /// all times.
-    pub(super) fn crosses(&self, bounds: &[Split; 2]) -> bool {
-        let mut roots = self.roots(bounds).into_iter();
+    /// Returns true if the excess vanishes at a time of the step at which the feature exists, but not at all
+    /// times.
+    pub(super) fn crosses(&self) -> bool {
+        let mut roots = self.roots().into_iter();
         roots.any(|root| self.exists(&Narrowing::new(root)))
     }
 
-    /// The times in [low, high] at which the excess vanishes, in increasing order; none if it is zero at all
-    /// times, or if the feature exists at none for certain.
-    pub(super) fn roots(&self, [low, high]: &[Split; 2]) -> Vec<Instant> {
-        let is_negative = |guard: &Polynomial| guard.sign_between(low, high) == Some(Ordering::Less);
+    /// The times of the step at which the excess vanishes, in increasing order; none if it is zero at all
+    /// times, or if the feature certainly exists at none inside the step: a guard has no coefficient above 0,
+    /// and one below.
+    pub(super) fn roots(&self) -> Vec<Instant> {
+        let is_negative =
+            |guard: &Polynomial| !guard.is_zero() && guard.coefficients().iter().all(|c| *c <= IBig::ZERO);
         let may_cross = !self.excess.is_zero() && !self.guards.iter().any(is_negative);
-        let roots = may_cross.then(|| roots_between(&self.excess, [low, high]));
+        let roots = may_cross.then(|| roots_of(&self.excess));
         roots.unwrap_or_default()
     }
 

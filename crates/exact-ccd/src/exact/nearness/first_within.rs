@@ -37,7 +37,7 @@ impl FirstWithin {
         } else {
             // Rounding is monotone: the least of the rounded times is the least time, rounded.
             let times = first_ones(&features, &crossings).map(|instant| instant.round());
-            times.reduce(|a, b| if b < a { b } else { a })?
+            times.min()?
         };
         Some(Self {
             approach,
@@ -97,7 +97,7 @@ struct Crossings {
 
 impl Crossings {
     fn of(feature: &Feature) -> Self {
-        let mut roots = feature.roots(&STEP).into_iter();
+        let mut roots = feature.roots().into_iter();
         let first = roots.find_map(|root| feature.existing(root));
         Self {
             first,

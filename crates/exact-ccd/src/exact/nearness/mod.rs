@@ -29,7 +29,7 @@ static STEP: [Split; 2] = [Split::START, Split::END];
 /// Returns true if the primitives come within d.
 pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
     let features = Approach::new(query, d).features::<K>();
-    STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(|feature| feature.crosses(&STEP))
+    STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(Feature::crosses)
 }
 
 /// Returns true if the distance is at most d at a time.

@@ -1,9 +1,6 @@
 //! Roots that are known, and signs at them that are known.
 
 use alloc::vec;
-use core::cmp::Ordering;
-
-use dashu_int::IBig;
 
 use super::*;
 
@@ -14,26 +11,6 @@ fn product(ratios: &[[i64; 2]]) -> Polynomial {
     ratios
         .iter()
         .fold(one, |product, &ratio| &product * &linear(ratio))
-}
-
-/// The time with this ratio, a quotient of small integers, the second a power of two.
-fn time([a, b]: [i64; 2]) -> Split {
-    Split::ratio(a.into(), -(b.trailing_zeros() as isize))
-}
-
-#[test]
-fn roots_at_the_ends_of_an_interval_count_once() {
-    let all = [[1, 4], [1, 2], [1, 1], [3, 2], [4, 1]];
-    let polynomial = product(&all);
-    for first in 0..all.len() {
-        for last in first + 1..all.len() {
-            let found = roots_between(&polynomial, [&time(all[first]), &time(all[last])]);
-            assert_eq!(found.len(), last - first + 1);
-            for (root, ratio) in found.iter().zip(&all[first..]) {
-                assert_eq!(root.compare(&time(*ratio)), Ordering::Equal, "{ratio:?}");
-            }
-        }
-    }
 }
 
 #[test]

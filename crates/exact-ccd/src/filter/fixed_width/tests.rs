@@ -336,7 +336,7 @@ fn a_narrower_window_contains_brackets_of_few_units() {
             high: near + above / units,
             near,
             slope: 0.0,
-            rising: true,
+            before: Ordering::Less,
         };
         let cubic = product([[-a, b], [1, 1], [1, 1]]);
         if let Some(found) = narrowed(&cubic, &Moment::Root(Window::STEP, root)) {
@@ -378,7 +378,7 @@ fn a_place_in_a_window_is_not_taken_for_a_time() {
         high: 0.67,
         near: 2.0 / 3.0,
         slope: 1.0,
-        rising: true,
+        before: Ordering::Less,
     };
     let time = ExactCubic::new(cubic).time(&Moment::Root(window, root));
     assert_eq!(time, Some(quotient(1, 2)));

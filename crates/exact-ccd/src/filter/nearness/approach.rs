@@ -6,6 +6,7 @@ use core::cmp::Ordering;
 use super::closest::Closest;
 use super::snapshot::{Moving, Snapshot};
 use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
+use crate::filter::impact::TOLERANCE;
 use crate::filter::number::Lanes;
 use crate::filter::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
 use crate::filter::vector::{cross, dot, minus, towards};
@@ -13,9 +14,6 @@ use crate::impact::{Impact, unit};
 use crate::kind::Kind;
 use crate::point::Point;
 use crate::time::ContactTime;
-
-/// 2⁻³³: the largest error of the parameters and the direction, half of the documented one.
-const TOLERANCE: f64 = f64::from_bits((1023 - 33) << 52);
 
 /// The closest points at all times of a bracket.
 ///
@@ -60,7 +58,7 @@ impl Approach {
         };
         let (of_parameters, direction) = match now.closest {
             Closest::Corner(own) => {
-                let all_behind = (0..now.count()).all(|i| i == own || is_behind(&corner(i), &x));
+                let all_behind = (0..now.count).all(|i| i == own || is_behind(&corner(i), &x));
                 (0.0, all_behind.then_some(x)?)
             }
             Closest::Between(ends @ [i, j], s) => {
@@ -68,7 +66,7 @@ impl Approach {
                 let step = along(&e, &x)?;
                 is_inside([s, 1.0 - s], step.most())?;
                 let foot = x.plus(&e, step);
-                let all_behind = (0..now.count()).all(|i| ends.contains(&i) || is_behind(&corner(i), &foot));
+                let all_behind = (0..now.count).all(|i| ends.contains(&i) || is_behind(&corner(i), &foot));
                 (step.most(), all_behind.then_some(foot)?)
             }
             Closest::Inner([i, j], [u, v]) => {

@@ -58,7 +58,7 @@ fn are_planes_beyond<K: Kind>(
     d: f64,
     [from, to, contact]: [f64; 3],
 ) -> bool {
-    let least = least_volume(d, planes.extent());
+    let least = least_volume(d, planes.extent);
     planes.cubic.is_monotone(from, contact) && coplanarity::precise(query).exceeds(to, least)
 }
 

@@ -51,7 +51,7 @@ impl Closest {
 
     /// The same with better parameters, for corners in twice the precision, which are given in f64 too: one
     /// step of iterative refinement. The parameters of nearly parallel edges have lost digits, and the
-    /// distance with them.
+    /// distance with them. Parameters that would leave the domain stay as they are.
     pub(super) fn refined<K: Kind, T>(self, corners: &[[T; 3]; 4], rounded: &[Point; 4]) -> Self
     where
         T: Number<Real = f64> + Mul<f64, Output = T>,
@@ -108,4 +108,43 @@ fn is_inside<K: Kind>([u, v]: [f64; 2]) -> bool {
         } else {
             u < 1.0 && v < 1.0
         }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::filter::double_double::DoubleDouble;
+    use crate::kind::{EdgeEdge, VertexFace};
+
+    /// Two vectors of length 4 along the first two axes, from a corner.
+    fn corners(x: f64, y: f64) -> [Point; 4] {
+        [
+            [x, y, 1.0],
+            [x + 4.0, y, 1.0],
+            [x, y + 4.0, 1.0],
+            [x + 4.0, y + 4.0, 1.0],
+        ]
+    }
+
+    #[test]
+    fn refined_parameters_are_those_of_the_closest_point_or_stay() {
+        fn refined<K: Kind>(at: [f64; 2], corners: [Point; 4]) -> [f64; 2] {
+            let precise = corners.map(|corner| corner.map(|high| DoubleDouble { high, low: 0.0 }));
+            match Closest::Inner([1, 2], at).refined::<K, _>(&precise, &corners) {
+                Closest::Inner(_, parameters) => parameters,
+                other => panic!("{other:?}"),
+            }
+        }
+        let at = [0.5, 0.125];
+        for x in [-5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0] {
+            for y in [-5.0, -4.0, -3.0, -1.0, 0.0, 1.0] {
+                let closest = [-0.25 * x, -0.25 * y];
+                let is_inside = closest.iter().all(|parameter| (0.125..0.875).contains(parameter));
+                let expected = |is_of_domain: bool| if is_of_domain { closest } else { at };
+                assert_eq!(refined::<EdgeEdge>(at, corners(x, y)), expected(is_inside));
+                let is_of_face = is_inside && closest[0] + closest[1] < 1.0;
+                assert_eq!(refined::<VertexFace>(at, corners(x, y)), expected(is_of_face));
+            }
+        }
+    }
 }

@@ -127,7 +127,7 @@ fn newton<K: Kind, T: Precision>(
         };
         let next = if is_approaching {
             approaching = Some(floor);
-            let step = -now.excess().value() * distance / ((distance + moving.separation()) * slope);
+            let step = -now.excess().value() * distance / ((distance + moving.d) * slope);
             down(floor, step).clamp(free, until)
         } else {
             // D no longer falls, or does not rise yet: the time of d is on the other side.

@@ -84,7 +84,7 @@ impl Crossings {
         const LONGEST: f64 = 4.0;
         const SHORTEST: f64 = 1.0 / 64.0;
         const ATTEMPTS: usize = 100;
-        let d = self.rough.separation();
+        let d = self.rough.d;
         let mut within = reached;
         let mut length = LONGEST * (within - from);
         let shortest = SHORTEST * (within - from);
@@ -120,20 +120,19 @@ impl Crossings {
     fn middle_is_within(&self, [a, b]: [f64; 2], [of_a, of_b]: [Closest; 2]) -> bool {
         let [x, y] = [self.rough.place(a, of_b), self.rough.place(b, of_a)];
         let middle = [0, 1, 2].map(|axis: usize| 0.5 * (x[axis] + y[axis]));
-        is_certainly_within(middle, self.rough.separation())
+        is_certainly_within(middle, self.rough.d)
     }
 
     /// Returns true if |F| is certainly less than d at one time, at the closest points of another one. It may
     /// be just below d.
     fn is_within(&self, t: f64, closest: Closest) -> bool {
-        is_certainly_within(self.rough.place(t, closest), self.rough.separation())
-            || self.precise.is_within(t, closest)
+        is_certainly_within(self.rough.place(t, closest), self.rough.d) || self.precise.is_within(t, closest)
     }
 
     /// A later time until which D certainly is below d, or the same if there is none: the time at which the
     /// distance of the closest points is nearly d, if they keep their parameters.
     fn step(&self, from: f64, now: &Snapshot<f64>) -> f64 {
-        let d = self.rough.separation();
+        let d = self.rough.d;
         let (x, v) = (now.point(), self.rough.velocity(now.closest));
         // The later root of |x + v s|² = (d − 2⁻⁴⁴)².
         let (a, b) = (dot(v, v), dot(x, v));

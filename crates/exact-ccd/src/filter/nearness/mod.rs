@@ -121,13 +121,13 @@ pub(crate) fn impact<K: Kind>(query: &Query<K>, d: Separation, first: ContactTim
 fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
     let [corners, _] = &scaled.at;
     let x = Closest::guess::<K>(corners).point(corners);
-    is_certainly_within(x, scaled.d) && scaled.d_is_exact
+    is_certainly_within(x, scaled.d)
 }
 
 /// Returns true if |x| < d for x = F(t, u, v).
 ///
 /// A component of x is off by at most 39 u (`proof/point.g`): corners result from their start, rounded once,
-/// and from a velocity, or are at t = 0.
+/// and from a velocity, or are at t = 0. So nothing is within a d below 2⁻⁴⁷; only such a d may be rounded.
 fn is_certainly_within(x: Point, d: f64) -> bool {
     largest_square(x) < d * d
 }

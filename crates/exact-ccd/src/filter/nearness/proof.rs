@@ -276,9 +276,9 @@ fn a_small_distance_of_planes() {
         for seed in 1..=20 {
             let planes = Coplanarity::<Symbol>::new::<K>(&symbols(opposite_points(seed)));
             let d = Symbol::input(0.5);
-            let least = least_volume(d, planes.extent());
+            let least = least_volume(d, planes.extent);
             assert_counts(&[least], 8, 3, least.permanent);
-            assert_eq!(least.value, 0.5 * planes.extent().value * (1.0 + power(8) * UNIT));
+            assert_eq!(least.value, 0.5 * planes.extent.value * (1.0 + power(8) * UNIT));
         }
     }
     check::<VertexFace>();

@@ -4,9 +4,6 @@ use crate::filter::hull::Hull;
 use crate::filter::vector::scaled;
 use crate::point::Point;
 
-/// 2⁻²⁰⁰: the least scaled distance that the filters compute with.
-const LEAST: f64 = f64::from_bits((1023 - 200) << 52);
-
 /// Corners scaled so that the largest component is in [1/2, 1).
 ///
 /// Scaling is exact, except that it may be off by 2⁻¹⁰⁷⁵ where the result is subnormal.
@@ -16,9 +13,8 @@ pub(super) struct Scaled {
     pub(super) at: [[Point; 4]; 2],
     /// The largest magnitude of a component on each axis.
     pub(super) reach: Point,
-    /// d, scaled, or more if that is tiny.
+    /// d, scaled.
     pub(super) d: f64,
-    pub(super) d_is_exact: bool,
 }
 
 impl Scaled {
@@ -34,13 +30,11 @@ impl Scaled {
             return None;
         }
         let factor = f64::from_bits(((1023 - exponent) as u64) << 52);
-        let d = d * factor;
         Some(Self {
             factor,
             at: [0, 1].map(|time| hull.corners(time).map(|corner| scaled(corner, factor))),
             reach: scaled(reaches, factor),
-            d: if d < LEAST { LEAST } else { d },
-            d_is_exact: d >= LEAST,
+            d: d * factor,
         })
     }
 }

@@ -40,7 +40,7 @@ pub(super) struct Moving<T> {
     start: [Vector<T>; 4],
     velocity: [Vector<T>; 4],
     count: usize,
-    d: f64,
+    pub(super) d: f64,
     /// d with the errors of f64.
     limit: f64,
 }
@@ -87,10 +87,6 @@ impl<T: Precision> Moving<T> {
         closest.point(&self.corners(t))
     }
 
-    pub(super) fn separation(&self) -> f64 {
-        self.d
-    }
-
     /// The derivative of F at fixed parameters, to within rounding.
     pub(super) fn velocity(&self, closest: Closest) -> [f64; 3] {
         closest.point(&self.velocity.map(|corner| corner.map(Number::value)))
@@ -105,7 +101,8 @@ impl<T: Precision> Moving<T> {
 pub(super) struct Snapshot<T> {
     corners: [Vector<T>; 4],
     pub(super) closest: Closest,
-    count: usize,
+    /// The number of different corners.
+    pub(super) count: usize,
     d: f64,
     limit: f64,
 }
@@ -155,11 +152,6 @@ impl Snapshot<DoubleDouble> {
     /// Returns true if the distance is certainly less than d, as |F| is at the guess.
     pub(super) fn is_within(&self) -> bool {
         is_below(self.closest.point(&self.corners), self.d)
-    }
-
-    /// The number of different corners.
-    pub(super) fn count(&self) -> usize {
-        self.count
     }
 
     /// A corner, each component off by 8 ε and one rounding.

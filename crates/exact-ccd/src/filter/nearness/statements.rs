@@ -202,14 +202,16 @@ fn plus(a: Point, b: Point) -> Point {
 fn impacts_next_to_ends<K: Kind>(place: impl Fn([Point; 4], [f64; 2]) -> K::Points) {
     let mut random = fastrand::Rng::with_seed(1);
     let mut proved = 0;
-    for _ in 0..2000 {
+    for index in 0..4000 {
         let mut vector = || -> Point { [(); 3].map(|()| 2.0 * random.f64() - 1.0) };
         let origin = vector();
         let sides = [vector(), vector()].map(unit);
         let normal = unit(cross(sides[0], sides[1]));
-        let mut power = |most: i32| libm::ldexp(1.0, -random.i32(0..=most));
-        let [a, b] = sides.map(|side| scaled(side, power(16)));
-        let d = power(26);
+        // Half of the sides are long, and half of the distances are small: a rounding of the place of an end is
+        // much of a small distance.
+        let mut power = |[least, most]: [i32; 2]| libm::ldexp(1.0, -random.i32(least..=most));
+        let [a, b] = sides.map(|side| scaled(side, power([0, if index % 2 == 0 { 0 } else { 16 }])));
+        let d = power([if index % 4 < 2 { 23 } else { 0 }, 26]);
         let u = [0.0, 0.4, 1.0][random.usize(..3)];
         let v = [0.0, 0.6, 1.0, 1.0 - u][random.usize(..4)];
         // The first primitive comes nearer by d, so that the time is about 2⁻¹⁸.

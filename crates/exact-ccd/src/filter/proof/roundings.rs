@@ -84,7 +84,7 @@ fn normals() {
         for seed in SEEDS {
             let planes = Coplanarity::<Symbol>::new::<K>(&symbols(opposite_points(seed)));
             let total = |vector: [Symbol; 3]| vector.iter().map(|x| x.permanent).sum::<f64>();
-            let extent = planes.extent().value;
+            let extent = planes.extent.value;
             for normal in planes.normals {
                 assert_counts(&normal, 4, 2, total(normal));
                 assert!((total(normal) - extent).abs() < 1e-9 * extent);
@@ -233,7 +233,7 @@ fn linear_functions_at_a_moment() {
         high: 0.5,
         near: 0.5,
         slope: 1.0,
-        rising: true,
+        before: Ordering::Less,
     };
     let sign = |units: f64| {
         let moment = Moment::Root(Window::STEP, bracket);
@@ -271,7 +271,7 @@ fn positions_near_a_root() {
             high: 0.5,
             near: 0.5,
             slope: 1.0,
-            rising: true,
+            before: Ordering::Less,
         };
         let query = Query::<EdgeEdge>::from_finite(points);
         let bracket = NearRoot::new(&query, &root);
@@ -393,7 +393,7 @@ fn estimates_hold_in_all_of_a_bracket() {
         high: 0.75,
         near: 0.5,
         slope: 1.0,
-        rising: true,
+        before: Ordering::Less,
     };
     let edges = [(1, 0), (3, 2)];
     for exponent in [0, 20, -20, -700] {

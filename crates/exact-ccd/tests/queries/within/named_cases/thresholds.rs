@@ -6,7 +6,6 @@ use exact_ccd::{NonFinite, Query, Separation, VertexEdge, VertexVertex};
 fn a_separation_is_finite_and_at_least_zero() {
     for d in [-5e-324, -1.0, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(Separation::new(d).unwrap_err().value, d);
-        assert!(Separation::try_from(d).is_err());
     }
     assert!(Separation::new(f64::NAN).unwrap_err().value.is_nan());
     assert!(Separation::new(-0.0).unwrap().get().is_sign_positive());
