@@ -70,7 +70,6 @@ fn read(bytes: &[u8]) -> Option<Vec<Record<VertexFace>>> {
     fs::write(&*FILE, bytes).expect("a temporary file");
     ColumnReader::open(&FILE)
         .ok()?
-        .records()
         .collect::<std::result::Result<_, _>>()
         .ok()
 }

@@ -64,9 +64,10 @@ fn check_kind<K: QueryKind + Debug + PartialEq>(text: &[u8]) {
 
 /// The queries before the first error.
 fn read<K: QueryKind>(text: &[u8], rounding: Rounding) -> Vec<Sample<K>> {
-    QueryReader::new("input", text, rounding)
-        .inspect(|sample| drop(sample.as_ref().map_err(ToString::to_string)))
+    QueryReader::<K, _>::new("input", text, rounding)
+        .inspect(|record| drop(record.as_ref().map_err(ToString::to_string)))
         .map_while(std::result::Result::ok)
+        .map(|record| record.sample)
         .collect()
 }
 

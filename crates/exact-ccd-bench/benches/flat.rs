@@ -16,7 +16,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, Stage, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Kind, Query, Stage, VertexFace};
 use exact_ccd_bench::{median, seconds};
 use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Bvh, Candidates, Detector, Frame, Step, StepReport, TriangleMesh};
@@ -104,13 +104,11 @@ fn print_stages(scene: &Scene, mesh: &TriangleMesh) {
     let candidates = Candidates::new(step, &Bvh);
     let stride = candidates.counts().total() / SAMPLE + 1;
     let mut settled = Settled::default();
-    for &[vertex, face] in candidates.vertex_face().iter().step_by(stride) {
-        let [a, b, c] = mesh.faces()[face as usize];
-        decide::<VertexFace>(scene, [vertex, a, b, c], &mut settled);
+    for &pair in candidates.vertex_face().iter().step_by(stride) {
+        decide(step.query::<VertexFace>(pair), &mut settled);
     }
-    for edges in candidates.edge_edge().iter().step_by(stride) {
-        let [[a, b], [c, d]] = edges.map(|edge| mesh.edges()[edge as usize]);
-        decide::<EdgeEdge>(scene, [a, b, c, d], &mut settled);
+    for &pair in candidates.edge_edge().iter().step_by(stride) {
+        decide(step.query::<EdgeEdge>(pair), &mut settled);
     }
     let all: usize = settled.iter().map(|(count, _)| count).sum();
     let cells = settled.map(|(count, seconds)| match count {
@@ -124,10 +122,8 @@ fn print_stages(scene: &Scene, mesh: &TriangleMesh) {
     println!("| {} | {} |", scene.name, cells.join(" | "));
 }
 
-fn decide<K: Kind<Points = [Point; 4]>>(scene: &Scene, vertices: [u32; 4], settled: &mut Settled) {
-    let [start, end] = &scene.ends;
-    let at = |positions: &[Point]| vertices.map(|vertex| positions[vertex as usize]);
-    let query = Query::<K>::new(at(start), at(end)).expect("all positions are finite");
+fn decide<K: Kind>(query: Option<Query<K>>, settled: &mut Settled) {
+    let query = query.expect("a candidate is a pair of the mesh");
     let clock = Instant::now();
     let (_, stage) = black_box(&query).decide(CONTACT);
     let time = clock.elapsed().as_secs_f64();

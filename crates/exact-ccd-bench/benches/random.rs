@@ -14,7 +14,10 @@ use std::time::Instant;
 
 use exact_ccd::{CONTACT, EdgeEdge, Exact, Kind, Point, Query, Stage, VertexFace};
 use exact_ccd_bench::median;
-use exact_ccd_mesh::{LineSearch, Tolerance, TriangleMesh, step_size};
+use exact_ccd_mesh::{
+    Bvh, Candidates, Detector, FreeStepOptions, LineSearchError, Step, Tolerance, TriangleMesh, advance,
+    bisect,
+};
 use fastrand::Rng;
 use rayon::ThreadPoolBuilder;
 
@@ -60,16 +63,12 @@ fn print_mesh(name: &str, (points, faces): &Body, k: f64) -> Result<(), Box<dyn 
     const TURNS: usize = 3;
     let mesh = TriangleMesh::new(points.len(), faces.clone())?;
     let direction: Vec<Point> = points.iter().map(|x| x.map(|x| -k * x - x)).collect();
-    let bisection = LineSearch::Bisection {
-        tolerance: Tolerance::Absolute(1e-3),
-        method: &Exact,
-    };
     let mut times = [(); 2].map(|()| Vec::new());
     let mut sizes = [0.0; 2];
     for _ in 0..TURNS {
-        for (index, search) in [LineSearch::Exact, bisection].into_iter().enumerate() {
+        for (index, search) in [exact_step as Search, bisected_step].into_iter().enumerate() {
             let clock = Instant::now();
-            sizes[index] = step_size(&mesh, points, &direction, search)?;
+            sizes[index] = search(&mesh, points, &direction)?;
             times[index].push(1e3 * clock.elapsed().as_secs_f64());
         }
     }
@@ -79,6 +78,25 @@ fn print_mesh(name: &str, (points, faces): &Body, k: f64) -> Result<(), Box<dyn 
         sizes[0], sizes[1]
     );
     Ok(())
+}
+
+type Search = fn(&TriangleMesh, &[Point], &[Point]) -> Result<f64, LineSearchError>;
+
+/// The size of the exact step along a direction.
+fn exact_step(mesh: &TriangleMesh, start: &[Point], direction: &[Point]) -> Result<f64, LineSearchError> {
+    let options = FreeStepOptions::default().with_keep(1.0);
+    let taken = Detector::new(mesh.clone()).free_step_along(start, direction, &options)?;
+    Ok(taken.size)
+}
+
+/// The size of a step along a direction by bisection, with the candidates of the full step.
+fn bisected_step(mesh: &TriangleMesh, start: &[Point], direction: &[Point]) -> Result<f64, LineSearchError> {
+    let full = advance(start, direction, 1.0);
+    let candidates = Candidates::new(Step::new(mesh, start, &full)?, &Bvh);
+    Ok(bisect(Tolerance::Absolute(1e-3), |size| {
+        let end = advance(start, direction, size);
+        Step::new(mesh, start, &end).is_ok_and(|step| !candidates.collides_by(step, &Exact))
+    }))
 }
 
 /// An icosahedron whose edges are halved some times, on the unit sphere. It has many equal coordinates.

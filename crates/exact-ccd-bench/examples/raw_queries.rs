@@ -12,7 +12,6 @@ use std::path::Path;
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_data::{DataFolder, DataKind, QueryReader, Rounding};
-use exact_ccd_mesh::Step;
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
@@ -33,13 +32,13 @@ fn write_kind<K: DataKind>(
     kind: f64,
 ) -> Result<(), Box<dyn Error>> {
     for path in data.handcrafted::<K>()? {
-        for sample in QueryReader::<K, _>::open(&path, Rounding::Refuse)? {
-            write_query(file, &sample?.query, kind)?;
+        for record in QueryReader::<K, _>::open(&path, Rounding::Refuse)? {
+            write_query(file, &record?.sample.query, kind)?;
         }
     }
     for scene in data.scenes()? {
         let motion = scene.motion()?;
-        let step = Step::new(&motion.mesh, &motion.x0, &motion.x1)?;
+        let step = motion.step()?;
         for sample in scene.samples::<K>(&step)? {
             write_query(file, &sample.query, kind)?;
         }

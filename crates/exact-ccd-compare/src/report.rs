@@ -151,14 +151,13 @@ impl Table {
     /// A table under a heading.
     #[must_use]
     pub fn markdown(&self) -> String {
-        let table = self;
-        let kind = table.kind_in_words();
-        let Sizes { colliding, free } = table.sample;
+        let kind = self.kind_in_words();
+        let Sizes { colliding, free } = self.sample;
         let mut text = format!(
             "### {}, {kind}\n\n{} queries, {} in contact",
-            table.data_set, table.queries, table.colliding
+            self.data_set, self.queries, self.colliding
         );
-        if colliding + free < table.queries {
+        if colliding + free < self.queries {
             let _ = write!(
                 text,
                 "; the methods answer a random sample of {}, {colliding} of them in contact",
@@ -167,8 +166,8 @@ impl Table {
         }
         text += ".\n\n| method | answered | T | TP | TN | 99 % | worst | FP | FN | t: median | worst | late |\n\
              |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-        for row in &table.rows {
-            text += &markdown_row(row, table.sample);
+        for row in &self.rows {
+            text += &markdown_row(row, self.sample);
         }
         text
     }

@@ -1,6 +1,7 @@
 //! Proof of a contact that is stable: the primitives pass through each other.
 
 use exact_ccd::{CONTACT, Query, Separation, VertexEdge};
+use exact_ccd_mesh::vector::dot;
 
 use crate::kind::CurvedKind;
 use crate::straight::Straight;
@@ -49,5 +50,5 @@ fn passes_through<K: CurvedKind>([start, end]: [K::Points; 2]) -> bool {
     let (Some(before), Some(after)) = (normal(start, end), normal(end, start)) else {
         return false;
     };
-    touches_once && (0..3).map(|axis| before[axis] * after[axis]).sum::<f64>() < 0.0
+    touches_once && dot(before, after) < 0.0
 }

@@ -1,6 +1,7 @@
 //! Polynomial trajectories.
 
 use exact_ccd::Point;
+use exact_ccd_mesh::vector::minus;
 
 use crate::rounding::{UNIT, above, length};
 use crate::trajectory::{Position, Trajectory, deviation_by_acceleration};
@@ -135,7 +136,6 @@ impl<const N: usize> Trajectory for Polynomial<N> {
 /// error is at most u (|a| + |b| + |a − b|) ≤ 2 u (|a| + |b|), to first order; the bound has 4 u.
 fn acceleration(control_points: &[Point]) -> f64 {
     let degree = control_points.len() as f64 - 1.0;
-    let minus = |p: Point, q: Point| [0, 1, 2].map(|axis: usize| p[axis] - q[axis]);
     control_points
         .windows(3)
         .map(|p| {

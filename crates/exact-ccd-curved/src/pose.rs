@@ -1,7 +1,7 @@
 //! Poses of rigid bodies.
 
 use exact_ccd::Point;
-use exact_ccd_mesh::vector::cross;
+use exact_ccd_mesh::vector::{cross, minus};
 
 use crate::rigid::{RigidMotion, RigidMotionError};
 use crate::rounding::length;
@@ -67,7 +67,7 @@ impl Pose {
             (real, axis)
         };
         let angle = 2.0 * libm::atan2(length(axis), real);
-        let displacement = [0, 1, 2].map(|axis: usize| end.origin[axis] - self.origin[axis]);
+        let displacement = minus(end.origin, self.origin);
         RigidMotion::new(self.origin, axis, angle, displacement)
     }
 

@@ -1,7 +1,7 @@
 //! Rigid motion: rotation about an axis that moves in a straight line.
 
 use exact_ccd::Point;
-use exact_ccd_mesh::vector::cross;
+use exact_ccd_mesh::vector::{cross, minus, unit};
 
 use crate::rounding::{FLOOR, UNIT, above, length, sum};
 use crate::sine::sine;
@@ -66,15 +66,10 @@ impl RigidMotion {
                 return Err(RigidMotionError::NotFinite { quantity, value });
             }
         }
-        let largest = direction.into_iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        if angle != 0.0 && largest == 0.0 {
-            return Err(RigidMotionError::Axis(direction));
-        }
-        let direction = if largest == 0.0 {
-            [0.0; 3]
-        } else {
-            let scaled = direction.map(|x| x / largest);
-            scaled.map(|x| x / length(scaled))
+        // All components are finite: only the zero vector has no direction.
+        let direction = match unit(direction) {
+            None if angle != 0.0 => return Err(RigidMotionError::Axis(direction)),
+            found => found.unwrap_or_default(),
         };
         Ok(Self {
             center,
@@ -97,7 +92,7 @@ impl RigidMotion {
                 motion: *self,
             };
         }
-        let arm = [0, 1, 2].map(|axis: usize| start[axis] - self.center[axis]);
+        let arm = minus(start, self.center);
         let tangent = cross(self.direction, arm);
         RigidPoint {
             start,

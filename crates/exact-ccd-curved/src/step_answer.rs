@@ -47,7 +47,7 @@ pub enum CurvedStepError {
         source: InvalidThickness,
     },
     /// A bound of a trajectory is not valid, and its point is the index of the vertex; or an option is
-    /// not valid.
+    /// not valid; or a thread has another environment.
     #[error(transparent)]
     Search(#[from] SearchError),
     /// The search of a pair failed: the points are those of the pair.

@@ -25,12 +25,14 @@ pub(crate) struct Straight<K: CurvedKind> {
 }
 
 impl<K: CurvedKind> Straight<K> {
-    /// The query of some chords.
-    pub(crate) fn new(chords: &[Chord], start: f64, end: f64) -> Result<Self, SearchError> {
+    /// The query of the chords of some trajectories.
+    pub(crate) fn of<T: Trajectory>(trajectories: &[T], start: f64, end: f64) -> Result<Self, SearchError> {
+        let chords = trajectories.iter().map(|x| Chord::of(x, start, end));
+        let chords = chords.collect::<Result<Vec<_>, _>>()?;
         let [t0, t1] = [0, 1].map(|time: usize| points::<K>(|point| chords[point].ends[time]));
         let query = Query::new(t0, t1);
         let query = query.map_err(|source: NonFinite| SearchError::Position { start, end, source })?;
-        Chord::check(chords, start, end)?;
+        Chord::check(&chords, start, end)?;
         let largest = |chords: &[Chord]| chords.iter().fold(0.0_f64, |m, chord| m.max(chord.deviation));
         let (first, second) = chords.split_at(K::FIRST);
         Ok(Self {
@@ -39,12 +41,6 @@ impl<K: CurvedKind> Straight<K> {
             start,
             end,
         })
-    }
-
-    /// The query of the chords of some trajectories.
-    pub(crate) fn of<T: Trajectory>(trajectories: &[T], start: f64, end: f64) -> Result<Self, SearchError> {
-        let chords = trajectories.iter().map(|x| Chord::of(x, start, end));
-        Self::new(&chords.collect::<Result<Vec<_>, _>>()?, start, end)
     }
 
     /// Before this time, the curved primitives are certainly more than d apart; `None` if they are at

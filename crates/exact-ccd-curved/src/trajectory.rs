@@ -1,6 +1,7 @@
 //! The trajectory of a point, and its chords.
 
 use exact_ccd::Point;
+use exact_ccd_mesh::vector::minus;
 
 use crate::error::SearchError;
 use crate::rounding::{above, length};
@@ -106,7 +107,7 @@ impl Chord {
     /// A bound of the length of the chord.
     pub(crate) fn length(&self) -> f64 {
         let [p, q] = self.ends;
-        above(length([0, 1, 2].map(|axis| q[axis] - p[axis])))
+        above(length(minus(q, p)))
     }
 }
 

@@ -65,12 +65,8 @@ fn hexadecimal(text: &str, rounding: Rounding) -> Option<Result<f64, CoordinateE
         (number, UBig::ONE << shift.unsigned_abs() as usize)
     };
     let shown = || format!("0x{}", excerpt(text.as_bytes()));
-    let value = RBig::from_parts(IBig::from(numerator), denominator).to_f64();
-    Some(match value.value_with_exact() {
-        (nearest, _) if nearest.is_infinite() => Err(CoordinateError::OutOfRange(shown())),
-        (nearest, exact) if exact || rounding == Rounding::ToNearest => Ok(nearest),
-        _ => Err(CoordinateError::Inexact(shown())),
-    })
+    let number = RBig::from_parts(IBig::from(numerator), denominator);
+    Some(rational::rounded(number, rounding, shown))
 }
 
 #[cfg(test)]

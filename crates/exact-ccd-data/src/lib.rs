@@ -21,8 +21,8 @@
 //!
 //! let point = "1,4,1,4,-1,1\n";
 //! let text = point.repeat(8);
-//! for sample in QueryReader::<VertexFace, _>::new("points.csv", text.as_bytes(), Rounding::Refuse) {
-//!     assert!(sample?.query.collides(CONTACT));
+//! for record in QueryReader::<VertexFace, _>::new("points.csv", text.as_bytes(), Rounding::Refuse) {
+//!     assert!(record?.sample.query.collides(CONTACT));
 //! }
 //! # Ok::<(), exact_ccd_data::DataError>(())
 //! ```

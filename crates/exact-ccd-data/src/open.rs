@@ -27,13 +27,13 @@ pub fn open<K: QueryKind + 'static>(
     if is_parquet(file) {
         return columns(file);
     }
-    let reader = QueryReader::open(file, rounding)?;
-    Ok(Box::new(reader.with_seventh(seventh).records()))
+    let reader = QueryReader::<K, _>::open(file, rounding)?;
+    Ok(Box::new(reader.with_seventh(seventh)))
 }
 
 #[cfg(feature = "parquet")]
 fn columns<K: QueryKind + 'static>(file: &Path) -> Result<Records<K>, DataError> {
-    Ok(Box::new(ColumnReader::open(file)?.records()))
+    Ok(Box::new(ColumnReader::<K>::open(file)?))
 }
 
 #[cfg(not(feature = "parquet"))]

@@ -12,7 +12,8 @@ use crate::rational::Rounding;
 use crate::record::{Record, Sample};
 use crate::rows::{Row, RowReader, Seventh};
 
-/// Reads queries one after the other, from files of any size. It ends after the first error.
+/// Reads queries one after the other, with all data that the file has about them, from files of any size. It
+/// ends after the first error.
 ///
 /// A query is its points at t = 0 and then at t = 1, a row for each, in the order of the kind: eight
 /// rows of [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge), six of
@@ -53,20 +54,6 @@ impl<K: QueryKind, R: Read> QueryReader<K, R> {
     pub fn with_seventh(mut self, seventh: Seventh) -> Self {
         self.rows.set_seventh(seventh);
         self
-    }
-
-    /// The queries with all data that the file has about them.
-    pub fn records(mut self) -> impl Iterator<Item = Result<Record<K>, DataError>> {
-        std::iter::from_fn(move || self.next_record())
-    }
-
-    fn next_record(&mut self) -> Option<Result<Record<K>, DataError>> {
-        if self.done {
-            return None;
-        }
-        let record = self.record().transpose();
-        self.done = !matches!(record, Some(Ok(_)));
-        record
     }
 
     fn record(&mut self) -> Result<Option<Record<K>>, DataError> {
@@ -117,10 +104,14 @@ impl<K, R: Read> QueryReader<K, R> {
 }
 
 impl<K: QueryKind, R: Read> Iterator for QueryReader<K, R> {
-    type Item = Result<Sample<K>, DataError>;
+    type Item = Result<Record<K>, DataError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        self.next_record()
-            .map(|record| record.map(|record| record.sample))
+        if self.done {
+            return None;
+        }
+        let record = self.record().transpose();
+        self.done = !matches!(record, Some(Ok(_)));
+        record
     }
 }

@@ -58,10 +58,19 @@ pub(crate) fn parse(
     if divisor == UBig::ZERO {
         return Err(CoordinateError::ZeroDenominator(fraction()));
     }
-    match RBig::from_parts(dividend, divisor).to_f64().value_with_exact() {
-        (nearest, _) if nearest.is_infinite() => Err(CoordinateError::OutOfRange(fraction())),
+    rounded(RBig::from_parts(dividend, divisor), rounding, fraction)
+}
+
+/// The nearest f64, if `rounding` allows it or it is the number; `shown` is the number in errors.
+pub(crate) fn rounded(
+    number: RBig,
+    rounding: Rounding,
+    shown: impl Fn() -> String,
+) -> Result<f64, CoordinateError> {
+    match number.to_f64().value_with_exact() {
+        (nearest, _) if nearest.is_infinite() => Err(CoordinateError::OutOfRange(shown())),
         (nearest, exact) if exact || rounding == Rounding::ToNearest => Ok(nearest),
-        _ => Err(CoordinateError::Inexact(fraction())),
+        _ => Err(CoordinateError::Inexact(shown())),
     }
 }
 

@@ -140,7 +140,7 @@ mod tests {
             .map(|points| query_kind::query(&points[..2 * K::POINTS.len()]).unwrap())
             .collect();
         let read: Vec<_> = QueryReader::<K, _>::new("text", text(&queries).as_bytes(), Rounding::Refuse)
-            .map(|sample| sample.unwrap())
+            .map(|record| record.unwrap().sample)
             .inspect(|sample| assert_eq!(sample.truth, None))
             .map(|sample| sample.query)
             .collect();

@@ -155,11 +155,11 @@ fn queries_have_their_times_within_a_distance() {
     )
     .unwrap();
     let mut within = Vec::new();
-    for (query, sample) in QueryReader::<VertexEdge, _>::open(&file.queries, Rounding::Refuse)
+    for (query, record) in QueryReader::<VertexEdge, _>::open(&file.queries, Rounding::Refuse)
         .unwrap()
         .enumerate()
     {
-        let intervals = sample.unwrap().query.intervals(file.d);
+        let intervals = record.unwrap().sample.query.intervals(file.d);
         let Some(first) = intervals.first() else {
             continue;
         };

@@ -12,7 +12,8 @@ fn read(text: &str) -> Result<Vec<Sample<EdgeEdge>>, String> {
 }
 
 fn read_rounding(text: &str, rounding: Rounding) -> Result<Vec<Sample<EdgeEdge>>, String> {
-    QueryReader::new("some.csv", text.as_bytes(), rounding)
+    QueryReader::<EdgeEdge, _>::new("some.csv", text.as_bytes(), rounding)
+        .map(|record| record.map(|record| record.sample))
         .collect::<Result<_, _>>()
         .map_err(|error| error.to_string())
 }

@@ -56,13 +56,6 @@ impl Contents {
             solids: 0,
         }
     }
-
-    /// Returns true if there is neither a face nor an edge. Points alone cannot touch each other
-    /// unless they have a thickness.
-    #[must_use]
-    pub fn is_only_points(&self) -> bool {
-        self.edges == 0
-    }
 }
 
 impl fmt::Display for Contents {

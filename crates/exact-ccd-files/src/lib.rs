@@ -22,7 +22,7 @@
 //! | a frame, and its contents in numbers, [`MeshFile`] | [`MeshFile::read`] | [`MeshFile::parse`] | |
 //! | points with data, [`PointArray`] | | | [`write_vtp`] |
 //! | a sequence of frames, [`FrameSequence`] | [`FrameSequence::open`] | | |
-//! | a sequence of files, one for each time | [`read_pvd`], [`read_series`] | | [`write_pvd`] |
+//! | a sequence of files, one for each time | [`read_pvd`] | | [`write_pvd`] |
 //!
 //! [`FrameOrder`] has the files of a folder in the order of the numbers in their names.
 //!
@@ -64,7 +64,7 @@ pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;
 pub use read::{
     Budget, FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame,
-    parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_mesh,
+    parse_tet_mesh, read_frame, read_motion, read_pvd, read_tet_mesh,
 };
 pub use unsupported::Unsupported;
 pub use write::{

@@ -33,8 +33,6 @@
 //! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
 //! - [`intersections`] finds the places where a mesh at rest meets itself, and an [`Audit`]
 //!   certifies a sequence of frames.
-//! - [`step_size`] is the line search of an optimiser: the largest step along a direction without
-//!   contact.
 //!
 //! No result depends on the number of threads, and no input causes a panic.
 
@@ -60,9 +58,7 @@ pub use broad_phase::{
 };
 pub use exact_ccd::{CONTACT, InvalidSeparation, Options, Point, Separation};
 pub use half_space::{HalfSpace, HalfSpaceError};
-pub use line_search::{
-    FreeStep, FreeStepOptions, FreeSteps, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,
-};
+pub use line_search::{FreeStep, FreeStepOptions, FreeSteps, LineSearchError, Tolerance, advance, bisect};
 pub use mesh::{
     Frame, FrameError, MeshError, PositionsError, TetFaces, TetMesh, TetMeshError, TriangleMesh,
     check_positions,

@@ -27,11 +27,6 @@ impl Interval {
         Self { lower, upper }
     }
 
-    /// The single number x.
-    pub(crate) fn exactly(x: f64) -> Self {
-        Self::new(x, x)
-    }
-
     /// The whole line in place of an interval with a NaN, which comes from infinities that cancel.
     fn or_whole(self) -> Self {
         if self.lower <= self.upper { self } else { WHOLE }
@@ -62,7 +57,7 @@ impl Interval {
 /// The single number x.
 impl From<f64> for Interval {
     fn from(x: f64) -> Self {
-        Self::exactly(x)
+        Self::new(x, x)
     }
 }
 
@@ -197,7 +192,7 @@ mod tests {
             (y, b) in interval(),
             are_single in any::<bool>(),
         ) {
-            let [x, y] = if are_single { [a, b].map(Interval::exactly) } else { [x, y] };
+            let [x, y] = if are_single { [a, b].map(Interval::from) } else { [x, y] };
             let [a, b] = [a, b].map(exactly);
             prop_assert!(contains(x + y, &(&a + &b)));
             prop_assert!(contains(x - y, &(&a - &b)));
@@ -206,8 +201,8 @@ mod tests {
 
         #[test]
         fn exact_sums_are_not_widened(a in -1000..1000i32, b in -1000..1000i32) {
-            let [x, y] = [a, b].map(|x: i32| Interval::exactly(x.into()));
-            prop_assert_eq!(x + y, Interval::exactly((a + b).into()));
+            let [x, y] = [a, b].map(|x: i32| Interval::from(f64::from(x)));
+            prop_assert_eq!(x + y, Interval::from(f64::from(a + b)));
         }
     }
 

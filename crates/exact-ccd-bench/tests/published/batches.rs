@@ -65,8 +65,8 @@ fn all_handcrafted_queries() {
     fn check<K: DataKind>() {
         let mut queries = Vec::new();
         for file in data().handcrafted::<K>().unwrap() {
-            for sample in QueryReader::<K, _>::open(&file, Rounding::Refuse).unwrap() {
-                queries.push(sample.unwrap().query);
+            for record in QueryReader::<K, _>::open(&file, Rounding::Refuse).unwrap() {
+                queries.push(record.unwrap().sample.query);
             }
         }
         let at =

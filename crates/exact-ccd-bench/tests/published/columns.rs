@@ -14,12 +14,12 @@ use crate::{data, scenes};
 fn round_trip<K: QueryKind>(file: &Path) -> Vec<u8> {
     let parquet = tempfile::Builder::new().suffix(".parquet").tempfile().unwrap();
     let mut columns = ColumnWriter::<K, _>::new(parquet.as_file()).unwrap();
-    for record in QueryReader::open(file, Rounding::Refuse).unwrap().records() {
+    for record in QueryReader::open(file, Rounding::Refuse).unwrap() {
         columns.write(record.unwrap()).unwrap();
     }
     columns.finish().unwrap();
     let mut rows = QueryWriter::new(Vec::new(), Seventh::Contact);
-    for record in ColumnReader::<K>::open(parquet.path()).unwrap().records() {
+    for record in ColumnReader::<K>::open(parquet.path()).unwrap() {
         rows.write(&record.unwrap()).unwrap();
     }
     rows.into_inner()

@@ -15,10 +15,10 @@ fn mismatches<K: DataKind>(samples: &[Sample<K>], decide: impl Fn(&Query<K>) -> 
 }
 
 fn read_all<K: DataKind>(file: &Path) -> Vec<Sample<K>> {
-    QueryReader::open(file, Rounding::Refuse)
+    QueryReader::<K, _>::open(file, Rounding::Refuse)
         .unwrap()
-        .collect::<Result<_, _>>()
-        .unwrap()
+        .map(|record| record.unwrap().sample)
+        .collect()
 }
 
 fn handcrafted<K: DataKind>(queries: usize) {

@@ -25,8 +25,8 @@ fn exceptions<K: DataKind + Rim>(samples: &[Sample<K>]) -> Vec<usize> {
 
 fn handcrafted<K: DataKind>() -> Vec<Sample<K>> {
     let files = data().handcrafted::<K>().unwrap().into_iter();
-    let samples = files.flat_map(|file| QueryReader::open(&file, Rounding::Refuse).unwrap());
-    samples.collect::<Result<_, _>>().unwrap()
+    let records = files.flat_map(|file| QueryReader::<K, _>::open(&file, Rounding::Refuse).unwrap());
+    records.map(|record| record.unwrap().sample).collect()
 }
 
 #[test]

@@ -28,9 +28,9 @@ fn check<K: QueryKind>(expected: usize) {
             .into_iter()
             .map(|times| (times.query, times))
             .collect();
-        let samples = QueryReader::<K, _>::open(&file.queries, Rounding::Refuse).unwrap();
-        for (index, sample) in samples.enumerate() {
-            let Sample { query, truth: within } = sample.unwrap();
+        let records = QueryReader::<K, _>::open(&file.queries, Rounding::Refuse).unwrap();
+        for (index, record) in records.enumerate() {
+            let Sample { query, truth: within } = record.unwrap().sample;
             let comes_within = within.unwrap();
             let place = format!("query {index} of {}", file.queries.display());
             assert_eq!(truth.contains_key(&index), comes_within, "{place}");

@@ -18,7 +18,7 @@ const LENGTHS: [u32; 5] = [9, 12, 15, 18, 21];
 
 /// The bytes of the header of a page.
 ///
-/// The header is read and checked with its first byte: the library asks for some headers that it never reads.
+/// The header is read and checked with its first byte: the library opens some headers that it never reads.
 pub(super) struct HeaderReader {
     file: CountedFile,
     start: u64,

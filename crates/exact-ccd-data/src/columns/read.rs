@@ -17,12 +17,13 @@ use super::row::Row;
 use super::{coordinates, footer};
 use crate::error::DataError;
 use crate::query_kind::QueryKind;
-use crate::record::{Record, Sample};
+use crate::record::Record;
 
 /// The number of queries that are read at once.
 const BATCH: usize = 1024;
 
-/// Reads the queries of a Parquet file one after the other. It ends after the first error.
+/// Reads the queries of a Parquet file one after the other, with all data that the file has about them. It
+/// ends after the first error.
 ///
 /// The columns are those of [`ColumnWriter`](crate::ColumnWriter), found by name, in any order.
 /// Other software may have written them. Further columns are skipped. Columns are plain or
@@ -76,26 +77,6 @@ impl<K: QueryKind> ColumnReader<K> {
         self.file.budget().spent()
     }
 
-    /// The queries with all data that the file has about them.
-    pub fn records(mut self) -> impl Iterator<Item = Result<Record<K>, DataError>> {
-        std::iter::from_fn(move || self.next_record())
-    }
-
-    fn next_record(&mut self) -> Option<Result<Record<K>, DataError>> {
-        if self.done {
-            return None;
-        }
-        if self.batch.as_slice().is_empty() {
-            self.batch = self
-                .read_batch()
-                .unwrap_or_else(|error| vec![Err(error)])
-                .into_iter();
-        }
-        let next = self.batch.next();
-        self.done = !matches!(next, Some(Ok(_)));
-        next
-    }
-
     /// The next queries; none at the end of the file.
     fn read_batch(&mut self) -> Result<Vec<Result<Record<K>, DataError>>, DataError> {
         let wrong = |problem| DataError::columns(&self.path, problem);
@@ -137,10 +118,20 @@ impl<K: QueryKind> ColumnReader<K> {
 }
 
 impl<K: QueryKind> Iterator for ColumnReader<K> {
-    type Item = Result<Sample<K>, DataError>;
+    type Item = Result<Record<K>, DataError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        self.next_record()
-            .map(|record| record.map(|record| record.sample))
+        if self.done {
+            return None;
+        }
+        if self.batch.as_slice().is_empty() {
+            self.batch = self
+                .read_batch()
+                .unwrap_or_else(|error| vec![Err(error)])
+                .into_iter();
+        }
+        let next = self.batch.next();
+        self.done = !matches!(next, Some(Ok(_)));
+        next
     }
 }

@@ -278,10 +278,7 @@ fn queries_before_a_wrong_one_are_read() {
     let text = Foreign::all_written(&[&right, &right, &wrong, &right], FOREIGN);
     let file = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(file.path(), text).unwrap();
-    let found: Vec<_> = ColumnReader::<VertexFace>::open(file.path())
-        .unwrap()
-        .records()
-        .collect();
+    let found: Vec<_> = ColumnReader::<VertexFace>::open(file.path()).unwrap().collect();
     assert_eq!(found.len(), 3);
     assert!(found[..2].iter().all(Result::is_ok));
     let error = found[2].as_ref().unwrap_err().to_string();

@@ -37,7 +37,7 @@ impl Reader {
 
     fn read<K: QueryKind>(&self, bytes: &[u8]) -> Result<Vec<Record<K>>, DataError> {
         fs::write(self.file(), bytes).unwrap();
-        ColumnReader::open(&self.file())?.records().collect()
+        ColumnReader::open(&self.file())?.collect()
     }
 
     /// The error, without the name of the file at its beginning.

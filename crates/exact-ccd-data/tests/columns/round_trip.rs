@@ -78,7 +78,7 @@ fn assert_rows_come_back<K: QueryKind>(queries: &[([[Point; 4]; 2], bool, i64)],
     let lines = text.iter().filter(|&&byte| byte == b'\n').count();
     assert_eq!(lines, queries.len() * 2 * K::POINTS.len());
     let reader = QueryReader::<K, _>::new("rows", text.as_slice(), Rounding::Refuse).with_seventh(meaning);
-    let records: Vec<_> = reader.records().collect::<Result<_, _>>().unwrap();
+    let records: Vec<_> = reader.collect::<Result<_, _>>().unwrap();
     let mut again = QueryWriter::new(Vec::new(), meaning);
     for record in Reader::new().read::<K>(&written(&records)).unwrap() {
         again.write(&record).unwrap();

@@ -43,7 +43,7 @@ pub use mesh_file::MeshFile;
 pub use motion::{ReadMotionError, read_motion};
 pub use options::{Polygons, ReadOptions};
 pub use sequence::FrameSequence;
-pub use series::{read_pvd, read_series};
+pub use series::read_pvd;
 pub use tet_mesh::{parse_tet_mesh, read_tet_mesh};
 
 /// The contents of a file. The files that it refers to are in `folder`.

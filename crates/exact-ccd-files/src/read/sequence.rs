@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::file::parse_file;
 use super::mesh_file::{MeshFile, assemble_cells};
-use super::numpy::{self, Arrays};
+use super::numpy::Arrays;
 use super::options::{Polygons, ReadOptions};
 use super::series::{read_pvd_within, read_series_within};
+use super::{content, numpy};
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::{Format, extension};
 
@@ -60,12 +61,16 @@ impl FrameSequence {
         let source = match (extension(path).as_deref(), Format::of_path(path)) {
             (Some("pvd"), _) => timed(read_pvd_within(path, max_size)?),
             (Some("series"), _) => timed(read_series_within(path, max_size)?),
-            (_, Some(Format::Npz)) => parse_file(path, max_size, |bytes, budget| {
-                with_mesh(numpy::read_npz(bytes, budget)?, polygons)
-            })?,
-            (_, Some(Format::Npy)) => parse_file(path, max_size, |bytes, budget| {
-                with_mesh(numpy::read_npy(bytes, budget)?, polygons)
-            })?,
+            (_, Some(format @ (Format::Npz | Format::Npy))) => {
+                parse_file(path, max_size, |bytes, budget| {
+                    content::check(bytes, format)?;
+                    let arrays = match format {
+                        Format::Npz => numpy::read_npz(bytes, budget),
+                        _ => numpy::read_npy(bytes, budget),
+                    };
+                    with_mesh(arrays?, polygons)
+                })?
+            }
             _ => Source::Files(vec![(None, path.to_owned())]),
         };
         let path = path.to_owned();
@@ -158,6 +163,6 @@ impl FrameSequence {
 
 /// Arrays with the mesh of their first frame, which is that of all.
 fn with_mesh(arrays: Arrays, polygons: Polygons) -> Result<Source, ParseError> {
-    let first = MeshFile::assembled(assemble_cells(arrays.cells(0)?, Format::Npz)?, polygons)?;
+    let first = MeshFile::assembled(assemble_cells(arrays.cells()?, Format::Npz)?, polygons)?;
     Ok(Source::Arrays(Box::new(Recording { arrays, first })))
 }

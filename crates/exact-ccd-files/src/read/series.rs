@@ -20,16 +20,6 @@ pub fn read_pvd(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError
     read_pvd_within(path.as_ref(), u64::MAX)
 }
 
-/// Reads the times and files of a series of ParaView, such as `.vtu.series`. The times must increase.
-///
-/// Paths in the series are relative to its folder.
-///
-/// # Errors
-/// [`ReadError`] names the file, the line, and what was expected there.
-pub fn read_series(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError> {
-    read_series_within(path.as_ref(), u64::MAX)
-}
-
 /// The collection in a file of at most `max_size` bytes.
 pub(super) fn read_pvd_within(path: &Path, max_size: u64) -> Result<List<PathBuf>, ReadError> {
     read_list(path, max_size, vtk::read_collection)

@@ -68,7 +68,7 @@ impl<'a> From<&'a TetMesh> for UnstructuredGrid<'a> {
 
 impl UnstructuredGrid<'_> {
     /// Checks that coordinates and velocities are finite, corners are vertices, and each vertex has
-    /// a velocity and an id.
+    /// a velocity, a body and an id, where they are given.
     pub(super) fn check(&self) -> io::Result<()> {
         let count = self.positions.len();
         check_positions(count, self.positions).map_err(invalid)?;

@@ -27,7 +27,7 @@ const TETRAHEDRON: u8 = 10;
 /// # Errors
 /// The errors of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is
 /// written, if a coordinate or velocity is not finite, a corner is not a vertex, or the numbers of
-/// velocities, of ids and of vertices differ.
+/// velocities, of bodies, of ids and of vertices differ.
 pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGrid<'a>>) -> io::Result<()> {
     let grid = grid.into();
     grid.check()?;

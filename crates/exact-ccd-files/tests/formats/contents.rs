@@ -149,6 +149,35 @@ fn files_that_are_something_else_say_so() {
 }
 
 #[test]
+fn sequences_of_something_else_say_so() {
+    for (name, contents, message) in [
+        (
+            "pointer.npz",
+            &b"version https://git-lfs.github.com/spec/v1\n"[..],
+            "the contents are a pointer of Git LFS, expected numpy .npz; fetch the file itself with `git lfs \
+             pull`",
+        ),
+        (
+            "array.npz",
+            b"\x93NUMPY\x01\0",
+            "the contents are a numpy array, expected numpy .npz; rename the file to end in .npy",
+        ),
+        (
+            "archive.npy",
+            b"PK\x03\x04",
+            "the contents are a zip archive, expected numpy .npy; rename the file to end in .npz",
+        ),
+    ] {
+        assert_error(name, contents, message);
+        let error = FrameSequence::open(file(name, contents), Polygons::Refuse).unwrap_err();
+        assert!(
+            error.to_string().ends_with(&format!("{name}: {message}")),
+            "{error}"
+        );
+    }
+}
+
+#[test]
 fn known_formats_without_a_reader_name_the_export_that_works() {
     for (name, format, export) in [
         ("cloth.abc", "Alembic", "OBJ or PLY"),
@@ -181,7 +210,6 @@ fn a_file_without_a_mesh_says_what_it_has() {
          volume; choose a file with a mesh",
     );
     let points = MeshFile::parse(b"v 0 0 0\nv 1 0 0\n", Format::Obj, Polygons::default()).unwrap();
-    assert!(points.contents.is_only_points());
     assert_eq!(
         points.contents.to_string(),
         "2 vertices, 0 edges, 0 faces, 2 points, 2 components"

@@ -101,6 +101,10 @@ fn each_error_names_its_line() {
             grid("3 0 1 2", "5").replace("6 float", "6 string"),
             "line 5: expected a type of numbers such as `float` or `vtktypeint64`, found `string`",
         ),
+        (
+            format!("{HEAD}DATASET POLYDATA\n{POINTS}POLYGONS 2 3\nOFFSETS Double\n0 3\n"),
+            "line 9: expected a type of integers such as `vtktypeint64`, found `Double`",
+        ),
     ] {
         let error = parse_frame(file.as_bytes(), Format::Vtk).unwrap_err().to_string();
         assert_eq!(error, message, "{file}");

@@ -246,8 +246,9 @@ fn search(
     // All on threads of the pool: entering it from outside costs a context switch each time.
     let _ = rayon::scope(|_| {
         let mut boxes = StepBoxes::<1>::default();
-        boxes.place_at_start(step, primitives, [PrimitiveSet::Edges, PrimitiveSet::Faces]);
-        let [of_edges, of_faces] = [PrimitiveSet::Edges, PrimitiveSet::Faces].map(|set| boxes.get(set));
+        let sets = [PrimitiveSet::Edges, PrimitiveSet::Faces];
+        boxes.place_sets(step, primitives, 0.0, sets);
+        let [of_edges, of_faces] = sets.map(|set| boxes.get(set));
         broad_phase.between(of_edges, of_faces, &|pairs| {
             let pairs: Vec<_> = pairs.iter().copied().filter(meet).collect();
             sink(&pairs)

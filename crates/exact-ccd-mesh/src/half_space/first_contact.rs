@@ -230,6 +230,9 @@ mod tests {
         let tiny = f64::from_bits(1);
         assert_eq!(first(tiny, -tiny), Some([0.5; 2]));
         assert_eq!(first(f64::MAX, -f64::MAX), Some([0.5; 2]));
+        // 1 / (1 + 2⁵²) = 2⁻⁵² − 2⁻¹⁰⁴ + 2⁻¹⁵⁶ − …, where the f64 are 2⁻¹⁰⁵ apart.
+        let below = f64::EPSILON - f64::EPSILON * f64::EPSILON;
+        assert_eq!(first(tiny, -f64::MIN_POSITIVE), Some([below, below.next_up()]));
         // The exact time is 1 − 2⁻¹⁰⁷⁴ / (2⁻¹⁰⁷⁴ + MAX), and the smallest one is below all positive f64.
         assert_eq!(first(f64::MAX, -tiny), Some([1f64.next_down(), 1.0]));
         assert_eq!(first(tiny, -f64::MAX), Some([0.0, tiny]));

@@ -5,7 +5,7 @@
 pub enum Tolerance {
     /// In units of the full step.
     Absolute(f64),
-    /// In units of the free part of the step. If nothing is free after 100 halvings, the step
+    /// In units of the free part of the step, for at most 100 halvings. If nothing is free then, the step
     /// counts as blocked from the start.
     Relative(f64),
 }
@@ -14,13 +14,6 @@ pub enum Tolerance {
 const MOST_HALVINGS: usize = 100;
 
 impl Tolerance {
-    /// The number.
-    pub(super) fn value(self) -> f64 {
-        match self {
-            Self::Absolute(value) | Self::Relative(value) => value,
-        }
-    }
-
     fn is_met(self, free: f64, blocked: f64, halvings: usize) -> bool {
         match self {
             Self::Absolute(tolerance) => blocked - free <= tolerance,
@@ -33,10 +26,11 @@ impl Tolerance {
 /// Wang, Z. Ferguson, X. Jiang, M. Attene, D. Panozzo and T. Schneider, *Fast and Exact Root Parity
 /// for Continuous Collision Detection*, 2022.
 ///
-/// `is_free` decides if the step is free of contact up to a part of it. If the full step is free,
-/// the result is 1. Otherwise an interval whose lower end is free and whose upper end is not is
-/// halved until it is as narrow as the tolerance, or until no f64 lies between its ends. The lower
-/// end is the result. 0 counts as free and is not decided.
+/// `is_free` decides if the step is free of contact up to a part of it, for example by
+/// [`Candidates::collides_by`](crate::Candidates::collides_by). If the full step is free, the result is 1.
+/// Otherwise an interval whose lower end is free and whose upper end is not is halved until it is as narrow
+/// as the tolerance, or until no f64 lies between its ends, or, for a relative tolerance, 100 times. The
+/// lower end is the result. 0 counts as free and is not decided.
 ///
 /// ```
 /// use exact_ccd_mesh::{Tolerance, bisect};

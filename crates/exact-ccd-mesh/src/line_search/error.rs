@@ -13,9 +13,6 @@ pub enum LineSearchError {
     /// The direction does not fit the mesh.
     #[error("in the direction, {0}")]
     Direction(#[source] PositionsError),
-    /// The tolerance of a bisection is not positive.
-    #[error("the tolerance is {0}, expected a positive number")]
-    Tolerance(f64),
     /// The fraction of the time of impact to keep is out of range.
     #[error("the fraction of the time of impact to keep is {0}, expected a number above 0 and at most 1")]
     Keep(f64),

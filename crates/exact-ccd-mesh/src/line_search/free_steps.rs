@@ -124,7 +124,6 @@ fn free_steps(
         }
     }
     blocked.sort_unstable();
-    blocked.dedup();
     let Sizes { sizes, positions, .. } = sizes;
     Ok(FreeSteps {
         sizes,

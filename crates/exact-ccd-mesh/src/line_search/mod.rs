@@ -8,7 +8,6 @@ mod free_steps;
 mod options;
 mod retreat;
 mod sizes;
-mod step_size;
 mod watched;
 
 pub use advance::advance;
@@ -17,4 +16,3 @@ pub use error::LineSearchError;
 pub use free_step::FreeStep;
 pub use free_steps::FreeSteps;
 pub use options::FreeStepOptions;
-pub use step_size::{LineSearch, step_size};

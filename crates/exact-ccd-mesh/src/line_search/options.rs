@@ -5,7 +5,7 @@ use std::fmt;
 use super::error::LineSearchError;
 use crate::pairs::MinDistance;
 
-/// Options of [`Detector::free_step`](crate::Detector::free_step).
+/// Options of [`Detector::free_step`](crate::Detector::free_step), and of the other free steps.
 #[derive(Clone)]
 #[non_exhaustive]
 pub struct FreeStepOptions<'a> {

@@ -8,7 +8,7 @@ use exact_ccd::predicates::orient3d;
 use super::boundary::TetFaces;
 use super::connectivity::has_indices;
 use super::frame::Frame;
-use super::positions::{PositionsError, check_positions};
+use super::positions::check_positions;
 use super::tet_error::TetMeshError;
 
 /// A body of tetrahedra at one time, and its surface.
@@ -56,20 +56,6 @@ impl TetMesh {
             positions,
             tetrahedra,
             surface,
-        })
-    }
-
-    /// The same mesh at other positions. The surface keeps its orientation, even where tetrahedra
-    /// turn inside out.
-    ///
-    /// # Errors
-    /// [`PositionsError`] names the count, or the first coordinate that is not finite.
-    pub fn moved(&self, positions: Vec<Point>) -> Result<Self, PositionsError> {
-        check_positions(self.positions.len(), &positions)?;
-        Ok(Self {
-            positions,
-            tetrahedra: self.tetrahedra.clone(),
-            surface: self.surface.clone(),
         })
     }
 

@@ -103,31 +103,33 @@ impl<const T: usize> StepBoxes<T> {
 
     /// Places the boxes of all primitives of a kind of pairs for the step until `time`.
     pub(crate) fn place<K: Searched>(&mut self, step: &Step<'_>, primitives: &Primitives, time: f64) {
-        self.begin(step, primitives);
-        let [first, second] = K::SETS;
-        self.move_vertices(step, time);
-        self.place_set(step.mesh(), first);
-        if second != first {
-            self.place_set(step.mesh(), second);
-        }
+        self.place_sets(step, primitives, time, K::SETS);
     }
 
-    /// Places the boxes of the primitives of two sets at the start of the step.
-    pub(crate) fn place_at_start(
+    /// Places the boxes of all primitives of two sets for the step until `time`.
+    pub(crate) fn place_sets(
         &mut self,
         step: &Step<'_>,
         primitives: &Primitives,
+        time: f64,
         sets: [PrimitiveSet; 2],
     ) {
         self.begin(step, primitives);
-        self.move_vertices(step, 0.0);
-        for set in sets {
-            self.place_set(step.mesh(), set);
-        }
+        self.move_vertices(step, time);
+        self.place_chosen(step.mesh(), sets, |_| true);
     }
 
-    fn place_set(&mut self, mesh: &TriangleMesh, set: PrimitiveSet) {
-        self.place_some(mesh, set, |_| true);
+    /// Places the boxes of the primitives of two sets of which some vertex is chosen.
+    fn place_chosen(
+        &mut self,
+        mesh: &TriangleMesh,
+        [first, second]: [PrimitiveSet; 2],
+        is_chosen: impl Fn(u32) -> bool + Sync,
+    ) {
+        self.place_some(mesh, first, &is_chosen);
+        if second != first {
+            self.place_some(mesh, second, &is_chosen);
+        }
     }
 
     /// Places the boxes of the primitives of a set of which some vertex is chosen.
@@ -158,11 +160,7 @@ impl<const T: usize> StepBoxes<T> {
     /// Places the boxes of all primitives of a kind of pairs in a step that differs from the one before in
     /// the ends of the marked vertices, which [`move_marked`](Self::move_marked) has taken.
     pub(crate) fn place_marked<K: Searched>(&mut self, mesh: &TriangleMesh, is_marked: &[bool]) {
-        let [first, second] = K::SETS;
-        self.place_some(mesh, first, |vertex| is_marked[vertex as usize]);
-        if second != first {
-            self.place_some(mesh, second, |vertex| is_marked[vertex as usize]);
-        }
+        self.place_chosen(mesh, K::SETS, |vertex| is_marked[vertex as usize]);
     }
 
     /// Takes the ends of marked vertices. Returns false if the boxes are not those of a whole step.
@@ -222,15 +220,14 @@ impl<const T: usize> StepBoxes<T> {
         mesh: &'a TriangleMesh,
         sink: &'a PairSink<'a>,
     ) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a {
-        let is_covered = |&ids: &[u32; 2]| {
-            K::vertices(mesh, ids)
-                .is_none_or(|vertices| K::is_covered(self.primitives.other_ends(), &vertices))
-        };
+        let ends = self.primitives.other_ends();
         move |pairs: &[[u32; 2]]| {
-            if !K::SOME_ARE_COVERED {
+            let Some(is_covered) = K::IS_COVERED else {
                 return sink(pairs);
-            }
-            let pairs: Vec<_> = pairs.iter().copied().filter(|ids| !is_covered(ids)).collect();
+            };
+            let is_left =
+                |&ids: &[u32; 2]| K::vertices(mesh, ids).is_some_and(|vertices| !is_covered(ends, &vertices));
+            let pairs: Vec<_> = pairs.iter().copied().filter(is_left).collect();
             sink(&pairs)
         }
     }

@@ -66,16 +66,12 @@ pub(crate) trait Searched: PairKind {
     /// once.
     const SETS: [PrimitiveSet; 2];
 
-    /// True if [`is_covered`](Self::is_covered) holds for some of the pairs between the sets.
-    const SOME_ARE_COVERED: bool = false;
+    /// Returns true if two edges are in contact where these primitives are. None, if it is false for all
+    /// pairs between the sets.
+    const IS_COVERED: Option<fn(&OtherEnds, &Self::Vertices) -> bool> = None;
 
     /// The value of this kind.
     fn of<T>(values: &ByKind<T>) -> &T;
-
-    /// Returns true if two edges are in contact where these primitives are.
-    fn is_covered(_ends: &OtherEnds, _vertices: &Self::Vertices) -> bool {
-        false
-    }
 }
 
 #[inline]
@@ -167,11 +163,8 @@ impl PairKind for VertexEdge {
 impl Searched for VertexEdge {
     const SETS: [PrimitiveSet; 2] = [PrimitiveSet::Ends, PrimitiveSet::LooseEdges];
 
-    const SOME_ARE_COVERED: bool = true;
-
-    fn is_covered(ends: &OtherEnds, &[vertex, a, b]: &[u32; 3]) -> bool {
-        ends.has_edge_apart_from(vertex, [a, b])
-    }
+    const IS_COVERED: Option<fn(&OtherEnds, &[u32; 3]) -> bool> =
+        Some(|ends, &[vertex, a, b]| ends.has_edge_apart_from(vertex, [a, b]));
 
     fn of<T>(values: &ByKind<T>) -> &T {
         &values.vertex_edge

@@ -13,8 +13,8 @@ use crate::pairs::Searched;
 use crate::steps::StepError;
 
 impl Detector {
-    /// The clearance of each vertex at rest: the least distance of a [`Pair`](crate::Pair) whose primitives
-    /// have the vertex, or the cut-off, if all are farther apart. It is the largest f64 that is not above.
+    /// The clearance of each vertex at rest: the least distance of a [`Pair`] whose primitives have the
+    /// vertex, or the cut-off, if all are farther apart. It is the largest f64 that is not above.
     ///
     /// The pairs of a vertex are the vertex with a face, a face of the vertex with another vertex, and an
     /// edge of the vertex with another edge; with points and rods, also the others that [`Pair`] lists. So a

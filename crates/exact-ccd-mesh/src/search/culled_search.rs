@@ -17,6 +17,7 @@ use crate::broad_phase::{BoxPairs, BroadPhase};
 use crate::overlaps::{Margin, Primitives, StepBoxes};
 use crate::pairs::{CanCollide, MinDistance, Pair, Searched};
 use crate::steps::{Step, StepError};
+use crate::vector::minus;
 
 /// A search in successive steps of one mesh.
 #[derive(Clone)]
@@ -55,7 +56,7 @@ impl Memory {
     fn new(can_collide: CanCollide) -> Self {
         Self {
             narrow_phase: NarrowPhase::new(can_collide),
-            screen: Screen::new(),
+            screen: Screen::default(),
             primitives: Primitives::default(),
             resting: StepBoxes::default(),
             moving: StepBoxes::default(),
@@ -188,7 +189,7 @@ impl CulledSearch {
 
 impl CulledSearch {
     /// Searches the pairs of which a vertex is marked, in all of the step. The search before was in the same
-    /// step, but for the ends of the marked vertices.
+    /// step, but for the ends of the marked vertices, and it kept no candidates.
     pub(crate) fn run_marked(
         &mut self,
         step: &Step<'_>,
@@ -201,10 +202,8 @@ impl CulledSearch {
             narrow_phase,
             primitives,
             moving,
-            kept,
             ..
         } = memory;
-        *kept = None;
         let _ = rayon::scope(|_| {
             narrow_phase.begin(step, min_distance.clone());
             let is_placed = moving.move_marked(step, marked);
@@ -239,16 +238,12 @@ impl fmt::Debug for CulledSearch {
 /// The time until which all displacements, relative to that of the origin, are short.
 fn time_of_short_displacements(step: &Step<'_>, origin: Option<u32>) -> f64 {
     let [x0, x1] = step.positions();
-    let difference = |a: Point, b: Point| -> Point { core::array::from_fn(|axis| b[axis] - a[axis]) };
     let length = |a: Point, b: Point| {
-        difference(a, b)
-            .into_iter()
-            .fold(0.0, |most: f64, x| most.max(x.abs()))
+        let axes = minus(a, b).into_iter();
+        axes.fold(0.0, |most: f64, x| most.max(x.abs()))
     };
-    let common = origin.map_or([0.0; 3], |vertex| {
-        difference(x0[vertex as usize], x1[vertex as usize])
-    });
-    let displacements = x0.iter().zip(x1).map(|(&a, &b)| length(common, difference(a, b)));
+    let common = origin.map_or([0.0; 3], |vertex| minus(x1[vertex as usize], x0[vertex as usize]));
+    let displacements = x0.iter().zip(x1).map(|(&a, &b)| length(common, minus(b, a)));
     let (sum, longest) = displacements.fold((0.0, 0.0), |(sum, longest): (f64, f64), length| {
         (sum + length, longest.max(length))
     });

@@ -44,3 +44,27 @@ impl Kept {
         is_complete.then(|| Candidates::from_lists(self.pairs.map(Gathered::into_list)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use exact_ccd::VertexFace;
+
+    use super::*;
+
+    #[test]
+    fn more_pairs_than_the_limit_are_incomplete() {
+        let mesh = TriangleMesh::new(2, Vec::new()).expect("there are no faces");
+        let most = 2 * MOST_PER_VERTEX;
+        let kept = |parts: &[usize]| {
+            let kept = Kept::new(&mesh, Candidates::default());
+            for &part in parts {
+                kept.add::<VertexFace>(&vec![[0, 0]; part]);
+            }
+            kept.into_candidates().map(|kept| kept.vertex_face().len())
+        };
+        assert_eq!(kept(&[]), Some(0));
+        assert_eq!(kept(&[1, most - 1]), Some(most));
+        assert_eq!(kept(&[most, 1]), None);
+        assert_eq!(kept(&[most + 1]), None);
+    }
+}

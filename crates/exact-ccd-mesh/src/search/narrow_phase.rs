@@ -21,12 +21,10 @@ pub(crate) struct NarrowPhase {
 impl NarrowPhase {
     /// A narrow phase without a step, for the pairs that can collide.
     pub(crate) fn new(can_collide: CanCollide) -> Self {
-        let trajectories =
-            Trajectories::new(&[], &[]).expect("there are as many positions at both ends: none");
         Self {
             can_collide,
             min_distance: MinDistance::default(),
-            trajectories,
+            trajectories: Trajectories::default(),
         }
     }
 

@@ -21,7 +21,7 @@ use crate::steps::Step;
 /// two points is off by at most √3 · 36 ε M < 63 ε M. A product or a result that underflows, or is flushed
 /// to zero, adds less than 2⁻¹⁰²² each. What stays beyond the minimum distance and 64 ε M in q, stays beyond
 /// the minimum distance in r. The path itself is one of the motions r that are not rounded.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Screen {
     trajectories: Trajectories,
     /// The minimum distance and the margin; none, if their sum is too large.
@@ -29,15 +29,6 @@ pub(super) struct Screen {
 }
 
 impl Screen {
-    /// A screen without a step.
-    pub(super) fn new() -> Self {
-        let trajectories = Trajectories::new(&[], &[]);
-        Self {
-            trajectories: trajectories.expect("there are as many positions at both ends: none"),
-            thickened: None,
-        }
-    }
-
     /// Takes a step until a time, and the distance at which primitives touch in it.
     pub(super) fn place(&mut self, step: &Step<'_>, time: f64, min_distance: &MinDistance) {
         let [x0, _] = step.positions();
@@ -118,7 +109,7 @@ mod tests {
     /// Counts the pairs that are held back.
     fn held_back<K: PairKind>(mesh: &TriangleMesh, ids: [u32; 2], scale: f64) -> usize {
         let mut rng = Rng::with_seed(7);
-        let mut screen = Screen::new();
+        let mut screen = Screen::default();
         let mut count = 0;
         for _ in 0..10_000 {
             let [x0, direction] = near(&mut rng, scale);
@@ -169,7 +160,7 @@ mod tests {
         let x = [[0.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let step = Step::new(&face, &x, &x).expect("all positions are finite");
         let d = Separation::new(f64::MAX).expect("not negative");
-        let mut screen = Screen::new();
+        let mut screen = Screen::default();
         screen.place(&step, 1.0, &MinDistance::from(d));
         assert_eq!(
             screen.passing::<VertexFace>(&face, &CanCollide::all(), &[[0, 0]]),

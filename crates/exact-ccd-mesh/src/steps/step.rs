@@ -55,7 +55,8 @@ impl<'a> Step<'a> {
     /// The step from positions `x0` to positions `x1`, one for each vertex.
     ///
     /// # Errors
-    /// [`StepError`] names the positions that are too many, too few or not finite.
+    /// [`StepError`] names the positions that are too many, too few or not finite, or the number of
+    /// primitives if 32-bit indices do not suffice.
     pub fn new(mesh: &'a TriangleMesh, x0: &'a [Point], x1: &'a [Point]) -> Result<Self, StepError> {
         for count in [mesh.vertex_count(), mesh.edges().len(), mesh.faces().len()] {
             check_primitive_count(count)?;
@@ -96,8 +97,9 @@ impl<'a> Step<'a> {
     /// for t ≥ 1.
     ///
     /// Each coordinate lies between those at the two ends, and is at most 3 ε M away from the exact
-    /// one, M being the larger absolute value of the two. So [`Candidates`](crate::Candidates) of
-    /// this step also hold for the step from `x0` to these positions.
+    /// one, M being the larger absolute value of the two; 6 ε M if the thread rounds in another
+    /// direction than to nearest. So [`Candidates`](crate::Candidates) of this step also hold for the
+    /// step from `x0` to these positions.
     #[must_use]
     pub fn at(&self, time: f64) -> Vec<Point> {
         let [x0, x1] = self.positions;

@@ -1,8 +1,9 @@
-//! The line search on the generated examples, and on steps of known size.
+//! The exact step along a direction and bisection, on the generated examples and on steps of known size.
 
 use exact_ccd::{Ccd, Exact};
 use exact_ccd_mesh::{
-    LineSearch, LineSearchError, Motion, Point, Tolerance, TriangleMesh, advance, step, step_size,
+    Bvh, Candidates, Detector, FreeStepOptions, Motion, Point, Step, Tolerance, TriangleMesh, advance,
+    bisect, step,
 };
 
 use super::drape;
@@ -20,31 +21,44 @@ fn example(end: &str) -> Motion {
     Motion::new(start, end).expect("the examples are sound")
 }
 
-fn bisection(tolerance: f64, method: &dyn Ccd) -> LineSearch<'_> {
-    let tolerance = Tolerance::Absolute(tolerance);
-    LineSearch::Bisection { tolerance, method }
-}
-
 fn direction(motion: &Motion) -> Vec<Point> {
     let minus = |(a, b): (&Point, &Point)| core::array::from_fn(|axis| b[axis] - a[axis]);
     motion.x0.iter().zip(&motion.x1).map(minus).collect()
 }
 
-/// The largest step that the search allows on a motion, and true if the motion up to there is free,
-/// exactly.
-fn search(motion: &Motion, search: LineSearch<'_>) -> (f64, bool) {
-    let direction = direction(motion);
-    let size = step_size(&motion.mesh, &motion.x0, &direction, search).expect("the motion is sound");
-    let end = advance(&motion.x0, &direction, size);
+/// The exact step along the direction of a motion.
+fn exact(motion: &Motion) -> f64 {
+    let mut detector = Detector::new(motion.mesh.clone());
+    let options = FreeStepOptions::default().with_keep(1.0);
+    let taken = detector.free_step_along(&motion.x0, &direction(motion), &options);
+    taken.expect("the motion is sound").size
+}
+
+/// The step along the direction of a motion by bisection, with the candidates of the full step.
+fn bisection(motion: &Motion, tolerance: f64, method: &dyn Ccd) -> f64 {
+    let (x0, direction) = (&motion.x0, direction(motion));
+    let full = advance(x0, &direction, 1.0);
+    let full = Step::new(&motion.mesh, x0, &full).expect("the motion is sound");
+    let candidates = Candidates::new(full, &Bvh);
+    bisect(Tolerance::Absolute(tolerance), |size| {
+        let end = advance(x0, &direction, size);
+        let step = Step::new(&motion.mesh, x0, &end).expect("the step is sound");
+        !candidates.collides_by(step, method)
+    })
+}
+
+/// Returns true if a step along the direction of a motion is free, exactly.
+fn is_free(motion: &Motion, size: f64) -> bool {
+    let end = advance(&motion.x0, &direction(motion), size);
     let report = step(&motion.mesh, &motion.x0, &end).expect("the step is sound");
-    (size, report.is_free())
+    report.is_free()
 }
 
 #[test]
 fn the_exact_step_is_next_to_the_time_of_impact() {
     let motion = example("drape_contact.ply");
-    let (size, is_free) = search(&motion, LineSearch::Exact);
-    assert!(is_free);
+    let size = exact(&motion);
+    assert!(is_free(&motion, size));
     let end = advance(&motion.x0, &direction(&motion), 1.0);
     let report = step(&motion.mesh, &motion.x0, &end).expect("the step is sound");
     let impact = report.time_of_impact().expect("the end is beyond the sphere");
@@ -58,12 +72,12 @@ fn the_exact_step_is_next_to_the_time_of_impact() {
 #[test]
 fn bisection_ends_within_its_tolerance_below_the_exact_step() {
     let motion = example("drape_contact.ply");
-    let (exact, _) = search(&motion, LineSearch::Exact);
+    let exact = exact(&motion);
     let methods: [&dyn Ccd; 2] = [&Exact, &Odd];
     for method in methods {
         for tolerance in [0.1, 1e-3, 1e-6] {
-            let (size, is_free) = search(&motion, bisection(tolerance, method));
-            assert!(is_free);
+            let size = bisection(&motion, tolerance, method);
+            assert!(is_free(&motion, size));
             assert!(
                 size <= exact && exact - size <= tolerance,
                 "{size}, exactly {exact}, within {tolerance}"
@@ -75,8 +89,9 @@ fn bisection_ends_within_its_tolerance_below_the_exact_step() {
 #[test]
 fn a_free_step_is_taken_in_full() {
     let motion = example("drape_free.ply");
-    assert_eq!(search(&motion, LineSearch::Exact), (1.0, true));
-    assert_eq!(search(&motion, bisection(1e-3, &Exact)), (1.0, true));
+    assert!(is_free(&motion, 1.0));
+    assert_eq!(exact(&motion), 1.0);
+    assert_eq!(bisection(&motion, 1e-3, &Exact), 1.0);
 }
 
 /// An edge that passes through another edge at t = 1/3 and back at t = 1/2: an even number of
@@ -99,50 +114,43 @@ fn a_method_that_misses_two_contacts_takes_the_full_step() {
             [2.0, 0.0, 0.0],
         ],
     };
-    let (size, is_free) = search(&motion, LineSearch::Exact);
+    let size = exact(&motion);
     assert!(
-        is_free && (1.0 / 3.0 - 64.0 * f64::EPSILON..=1.0 / 3.0).contains(&size),
+        is_free(&motion, size) && (1.0 / 3.0 - 64.0 * f64::EPSILON..=1.0 / 3.0).contains(&size),
         "{size}"
     );
-    assert_eq!(search(&motion, bisection(1e-3, &Odd)), (1.0, false));
+    assert_eq!(bisection(&motion, 1e-3, &Odd), 1.0);
+    assert!(!is_free(&motion, 1.0));
 }
 
 #[test]
 fn a_mesh_in_contact_cannot_move() {
-    let mesh = TriangleMesh::new(4, vec![[0, 1, 2]]).expect("indices are in range");
-    let start = [
-        [0.0, 0.0, 0.0],
-        [1.0, 0.0, 0.0],
-        [0.0, 1.0, 0.0],
-        [0.25, 0.25, 0.0],
-    ];
-    let direction = [[0.0; 3], [0.0; 3], [0.0; 3], [0.0, 0.0, 1.0]];
-    assert_eq!(step_size(&mesh, &start, &direction, LineSearch::Exact), Ok(0.0));
-    let search = bisection(0.5, &Exact);
-    assert_eq!(step_size(&mesh, &start, &direction, search), Ok(0.0));
+    let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let at = |height: f64| [&corners[..], &[[0.25, 0.25, height]]].concat();
+    let motion = Motion {
+        mesh: TriangleMesh::new(4, vec![[0, 1, 2]]).expect("indices are in range"),
+        x0: at(0.0),
+        x1: at(1.0),
+    };
+    assert_eq!(exact(&motion), 0.0);
+    assert_eq!(bisection(&motion, 0.5, &Exact), 0.0);
 }
 
 #[test]
-fn errors_name_the_wrong_input() {
+fn errors_name_the_wrong_part_of_the_direction() {
     let mesh = TriangleMesh::new(3, vec![[0, 1, 2]]).expect("indices are in range");
     let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let message = |direction: &[Point], search| {
-        step_size(&mesh, &x, direction, search).map_err(|error| error.to_string())
+    let message = |direction: &[Point]| {
+        let taken = Detector::new(mesh.clone()).free_step_along(&x, direction, &FreeStepOptions::default());
+        taken.map_err(|error| error.to_string())
     };
     let infinite = [[0.0, 0.0, f64::INFINITY], [0.0; 3], [0.0; 3]];
-    for search in [LineSearch::Exact, bisection(0.5, &Exact)] {
-        assert_eq!(
-            message(&x[..2], search),
-            Err("in the direction, 2 positions, expected one for each of 3 vertices".to_owned())
-        );
-        assert_eq!(
-            message(&infinite, search),
-            Err("in the direction, vertex 0 has z = inf, expected a finite number".to_owned())
-        );
-    }
-    let search = bisection(0.0, &Exact);
     assert_eq!(
-        step_size(&mesh, &x, &x, search),
-        Err(LineSearchError::Tolerance(0.0))
+        message(&x[..2]),
+        Err("in the direction, 2 positions, expected one for each of 3 vertices".to_owned())
+    );
+    assert_eq!(
+        message(&infinite),
+        Err("in the direction, vertex 0 has z = inf, expected a finite number".to_owned())
     );
 }

@@ -29,7 +29,7 @@ impl Number for f64 {
 
 impl Number for Interval {
     fn times(self, n: u8) -> Self {
-        self * Self::exactly(n.into())
+        self * Self::from(f64::from(n))
     }
 }
 

@@ -102,7 +102,7 @@ impl Barycentric {
         let to_corner = triangle.map(|corner| minus(&corner, &q));
         (0..3).all(|k| {
             let area = dot(&normal, &cross(&to_corner[(k + 1) % 3], &to_corner[(k + 2) % 3]));
-            (area * Interval::exactly(self.signs[k])).upper >= 0.0
+            (area * Interval::from(self.signs[k])).upper >= 0.0
         })
     }
 }

@@ -40,7 +40,7 @@ fn normal([a, b, c]: [Point; 3]) -> Option<Point> {
 }
 
 fn is_on_one_side(corners: &[Vector<Interval>; 8], normal: Point) -> bool {
-    let normal = normal.map(Interval::exactly);
+    let normal = normal.map(Interval::from);
     let mut sides = corners.iter().map(|corner| dot(&normal, corner).sign());
     let first = sides.next().flatten();
     matches!(first, Some(Ordering::Less | Ordering::Greater)) && sides.all(|side| side == first)

@@ -9,7 +9,7 @@ pub(super) struct Roles {
     pub(super) positions: usize,
     pub(super) faces: Option<(usize, Form)>,
     pub(super) edges: Option<(usize, Form)>,
-    pub(super) tetrahedra: Option<usize>,
+    pub(super) tetrahedra: Option<(usize, Form)>,
 }
 
 /// The form in which an array has the vertices of elements.
@@ -111,7 +111,7 @@ impl Roles {
             positions,
             faces: named(archive, &[&POLYGONS, &TRIANGLES])?,
             edges: named(archive, &[&EDGES])?,
-            tetrahedra: named(archive, &[&TETRAHEDRA])?.map(|(number, _)| number),
+            tetrahedra: named(archive, &[&TETRAHEDRA])?,
         };
         if roles.faces.is_none() && roles.tetrahedra.is_none() {
             roles.check_unnamed(archive)?;
@@ -148,7 +148,7 @@ impl Roles {
             ("positions", Some(self.positions)),
             ("faces", self.faces.map(|(number, _)| number)),
             ("edges", self.edges.map(|(number, _)| number)),
-            ("tetrahedra", self.tetrahedra),
+            ("tetrahedra", self.tetrahedra.map(|(number, _)| number)),
         ] {
             let Some(number) = number else { continue };
             left_out[number] = None;

@@ -43,7 +43,7 @@ pub(in super::super) fn read_npz(bytes: &[u8], budget: &Budget) -> Result<Arrays
         role.map(read).transpose()
     };
     let (faces, edges) = (elements(roles.faces)?, elements(roles.edges)?);
-    let tetrahedra = elements(roles.tetrahedra.map(|number| (number, Form::Rows(4))))?;
+    let tetrahedra = elements(roles.tetrahedra)?;
     let description = Some(roles.describe(&archive));
     Ok(Arrays {
         faces,
@@ -83,10 +83,10 @@ impl Arrays {
         numbers.as_chunks().0.to_vec()
     }
 
-    /// The contents at a frame, from 0.
-    pub(in super::super) fn cells(&self, frame: usize) -> Result<Cells, ParseError> {
+    /// The contents at the first frame.
+    pub(in super::super) fn cells(&self) -> Result<Cells, ParseError> {
         let mut cells = Cells {
-            positions: self.positions(frame),
+            positions: self.positions(0),
             arrays: self.description.clone(),
             ..Cells::default()
         };
@@ -119,7 +119,7 @@ impl Arrays {
     /// The contents, if there is one frame only.
     pub(in super::super) fn into_single(self) -> Result<Cells, ParseError> {
         match self.frame_count {
-            1 => self.cells(0),
+            1 => self.cells(),
             count => {
                 let expected = "one frame (read a file of several as a sequence)";
                 Err(Fault::expected(expected, format!("{count} frames")).at(Place::File))

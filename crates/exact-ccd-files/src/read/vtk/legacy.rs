@@ -186,11 +186,11 @@ fn scalar(tokens: &mut Tokens) -> Result<Scalar, ParseError> {
 
 /// So many integers, after their type.
 fn integers(tokens: &mut Tokens, count: u64) -> Result<Vec<i64>, ParseError> {
-    let scalar = scalar(tokens)?;
-    match scalar.is_integer() {
-        true => tokens.integers(count, scalar),
-        false => Err(Fault::expected("a type of integers", format!("{scalar:?}")).at(tokens.place())),
-    }
+    const TYPE: &str = "a type of integers such as `vtktypeint64`";
+    let name = tokens.expect_word(TYPE)?;
+    let scalar = Scalar::named(&name.to_ascii_lowercase()).filter(|scalar| scalar.is_integer());
+    let scalar = scalar.ok_or_else(|| tokens.unexpected(TYPE, name))?;
+    tokens.integers(count, scalar)
 }
 
 /// Skips a text: a line of a text file. In a binary file, its length comes first, in 1, 2, 4 or 8 bytes, of

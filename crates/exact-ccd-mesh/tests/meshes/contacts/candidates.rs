@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, VertexFace};
+use exact_ccd::batch::{Trajectories, VertexOutOfRange};
+use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
 use exact_ccd_mesh::{
     AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, MeshError, Pair,
     Point, Step, StepError, Sweep, TriangleMesh,
@@ -263,5 +264,64 @@ fn candidates_meet_at_any_time_of_the_step() {
         assert_eq!(candidates, scene.pairs());
         let counts = candidates.counts();
         assert!(counts.vertex_edge > 0 && counts.vertex_vertex > 0);
+    }
+}
+
+/// A method that finds a contact at the same time in each query; at no time, it refuses all queries.
+struct At(Option<f64>);
+
+impl<K: Kind> Decide<K> for At {
+    fn collides(&self, _: &Query<K>) -> bool {
+        true
+    }
+
+    fn times_of_impact(
+        &self,
+        _: &Trajectories,
+        queries: &[K::Vertices],
+        sink: &mut dyn FnMut(usize, f64),
+    ) -> Result<(), VertexOutOfRange> {
+        let time = self.0.ok_or(VertexOutOfRange {
+            query: 0,
+            vertex: 0,
+            vertex_count: 0,
+        })?;
+        (0..queries.len()).for_each(|query| sink(query, time));
+        Ok(())
+    }
+}
+
+impl Ccd for At {
+    fn name(&self) -> &'static str {
+        "at"
+    }
+
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: true,
+            time: TimeGuarantee::Approximate,
+        }
+    }
+}
+
+#[test]
+fn times_of_a_method_are_in_the_step() {
+    let scene = Scene::sheets(&mut Rng::with_seed(36), 4, 0.0, 1.0);
+    let candidates = Candidates::new(scene.step(), &Bvh);
+    for (time, expected) in [
+        (Some(0.25), 0.25),
+        (Some(1.0), 1.0),
+        (Some(1.5), 1.0),
+        (Some(f64::INFINITY), 1.0),
+        (Some(-0.5), 0.0),
+        (Some(f64::NAN), 0.0),
+        (None, 0.0),
+    ] {
+        assert_eq!(
+            candidates.time_of_impact_by(scene.step(), &At(time)),
+            Some(expected),
+            "{time:?}"
+        );
     }
 }

@@ -3,8 +3,8 @@
 use exact_ccd::{CONTACT, Options, Separation, Thickness};
 use exact_ccd_mesh::{
     AllPairs, Audit, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, Frame,
-    FreeStepOptions, LineSearch, MinDistance, Pair, PairCounts, Point, Step, StepError, StepReport, Sweep,
-    ThicknessCount, TriangleMesh, Violation, step_size,
+    FreeStepOptions, MinDistance, Pair, PairCounts, Point, Step, StepError, StepReport, Sweep,
+    ThicknessCount, TriangleMesh, Violation,
 };
 use fastrand::Rng;
 
@@ -305,10 +305,12 @@ fn loose_parts_are_in_contact_for_every_search() {
         let earliest = expected.first().map(|contact| contact.impact.time.lower());
         assert_eq!(candidates.time_of_impact_by(step, &exact_ccd::Exact), earliest);
         assert_eq!(StepReport::new(step, &Bvh, &|_| ()).time_of_impact(), earliest);
-        let direction = vec![[0.0; 3]; scene.x0.len()];
-        let at_rest = step_size(&scene.mesh, &scene.x0, &direction, LineSearch::Exact).unwrap();
+        let mut detector = Detector::new(scene.mesh.clone());
+        let at_rest = detector
+            .free_step(&scene.x0, &scene.x0, &FreeStepOptions::default())
+            .unwrap();
         let touches = expected.iter().any(|contact| contact.impact.touching_at_start());
-        assert_eq!(at_rest, if touches { 0.0 } else { 1.0 });
+        assert_eq!(at_rest.size, if touches { 0.0 } else { 1.0 });
     }
 }
 
