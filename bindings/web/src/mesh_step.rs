@@ -51,8 +51,7 @@ impl MeshStep {
     /// The page of all contacts, as a JSON object of its texts.
     pub(crate) fn contacts(&mut self, distance: f64) -> Result<String, Error> {
         let separation = Separation::new(distance)?;
-        let mut options = CandidateOptions::default();
-        options.min_distance = MinDistance::uniform(separation);
+        let options = CandidateOptions::default().with_min_distance(MinDistance::uniform(separation));
         let step = self.motion.step()?;
         self.candidates = Candidates::with_options(step, &Bvh, &options)?;
         let contacts = self.candidates.collisions(step, Options::within(separation));

@@ -116,11 +116,10 @@ struct Run<'a> {
 impl<'a> Run<'a> {
     fn begin(arguments: &'a Arguments) -> Result<Self, Failure> {
         let Arguments { mesh, frames, .. } = arguments;
-        mesh.check_places()?;
+        mesh.check_places(frames)?;
         let clock = Seconds::begin();
         let mut notes = Notes::default();
         let scene = Scene::of_sequence(frames, arguments.as_given, &mesh.scene, &mut notes)?;
-        mesh.check(&scene)?;
         let names = (0..scene.frame_count()).map(|index| scene.frame_name(index).into());
         let certificate = mesh.certificate.begin(names, mesh.min_distance)?;
         if certificate.is_wanted() && mesh.all.is_some() {

@@ -83,8 +83,8 @@ enum Command {
 
 /// Runs the program with these arguments, of which the first is its name.
 ///
-/// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error. The help
-/// text and errors in the arguments end the process.
+/// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error, 3 if there is
+/// no certificate. The help text and errors in the arguments end the process.
 ///
 /// It handles no signals: those belong to the process that calls it.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {

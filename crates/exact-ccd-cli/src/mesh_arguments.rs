@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::half_spaces::HalfSpaceOption;
 use crate::output::{Output, check_folder_place, check_place};
 use crate::report::Report;
-use crate::scene::{Scene, SceneOptions};
+use crate::scene::SceneOptions;
 use crate::view::View;
 
 #[derive(clap::Args)]
@@ -53,16 +53,12 @@ impl MeshArguments {
     }
 
     /// Checks the places of the files before anything is computed.
-    pub(crate) fn check_places(&self) -> Result<(), Failure> {
+    pub(crate) fn check_places(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
+        self.output.check(inputs)?;
         let list = self.all.iter().map(ListFile::path);
         let files = list.chain(self.view.file()).chain(self.output.file());
         files.into_iter().try_for_each(check_place)?;
         self.paraview.as_deref().map_or(Ok(()), check_folder_place)
-    }
-
-    /// Refuses a scene in which nothing can touch.
-    pub(crate) fn check(&self, scene: &Scene) -> Result<(), Failure> {
-        scene.check_contents(!self.min_distance.is_zero() || self.half_spaces.is_given())
     }
 
     /// Writes the report, and returns its exit status.

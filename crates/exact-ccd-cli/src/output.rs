@@ -49,7 +49,6 @@ impl Output {
     }
 
     /// Checks that the file is none of the inputs.
-    #[cfg(any(feature = "queries", feature = "simulate"))]
     pub(crate) fn check(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
         self.file().map_or(Ok(()), |file| check_is_no_input(file, inputs))
     }
@@ -105,7 +104,6 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 }
 
 /// Checks that a file to write is none of the inputs.
-#[cfg(any(feature = "queries", feature = "simulate"))]
 pub(crate) fn check_is_no_input(file: &Path, inputs: &[PathBuf]) -> Result<(), Failure> {
     let place = |file: &Path| fs::canonicalize(file).ok();
     let output = place(file);

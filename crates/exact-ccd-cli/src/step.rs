@@ -81,7 +81,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let Arguments { mesh, .. } = arguments;
-    mesh.check_places()?;
+    mesh.check_places(&arguments.files)?;
     let mut certificate = mesh
         .certificate
         .begin(arguments.files.iter().cloned(), mesh.min_distance)?;
@@ -193,7 +193,6 @@ impl Arguments {
 
     fn read(&self, notes: &mut Notes) -> Result<(Scene, Motion), Failure> {
         let mut scene = Scene::of_pairs(&self.files, &self.mesh.scene, notes)?;
-        self.mesh.check(&scene)?;
         let (start, end) = (scene.read(0)?, scene.read(1)?);
         let motion = Motion::new(start, end).map_err(|error| scene.mismatch(1, error))?;
         Ok((scene, motion))

@@ -86,7 +86,8 @@ pub fn render_thick(frame: &Frame, view: &View, marks: &Marks, radii: &[f64]) ->
     let lengths = edges
         .iter()
         .map(|edge| edge.map(at))
-        .map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1]));
+        .map(|[a, b]| [a[0] - b[0], a[1] - b[1]])
+        .map(|[x, y]| (x * x + y * y).sqrt());
     if lengths.filter(|length| length.is_finite()).sum::<f64>() >= SHORTEST * samples * edges.len() as f64 {
         for &[a, b] in edges {
             canvas.line(lifted(a, 1.0), lifted(b, 1.0), 1.0, EDGE);

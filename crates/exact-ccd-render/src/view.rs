@@ -36,16 +36,8 @@ impl View {
     /// z axis.
     #[must_use]
     pub fn upright(bounds: &Aabb, up: Point, towards: Point, size: [u16; 2]) -> Self {
-        let corner = |corner: usize| {
-            [0, 1, 2].map(|axis| {
-                let end = if corner >> axis & 1 == 0 {
-                    bounds.lower
-                } else {
-                    bounds.upper
-                };
-                end[axis]
-            })
-        };
+        let ends = [bounds.lower, bounds.upper];
+        let corner = |corner: usize| [0, 1, 2].map(|axis: usize| ends[corner >> axis & 1][axis]);
         let camera = Camera::new(up, towards);
         camera.view(&camera.extent((0..8).map(|index| (corner(index), 0.0))), size)
     }

@@ -13,7 +13,7 @@ pub(super) fn of_system(description: &Description, error: &SystemError) -> Field
             of_body(description, body.place(), source).below(&path)
         }
         SystemError::HalfSpace { half_space, source } => {
-            let path = format!("half-space.{}.{}", half_space.place(), source.field);
+            let path = format!("half-space.{}.{}", half_space.place(), source.what);
             FieldError::new(path, source)
         }
         SystemError::Spring { spring, source } => {

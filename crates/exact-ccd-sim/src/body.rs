@@ -235,7 +235,7 @@ impl RodProperties {
 
     /// The axial stiffness E A, in N.
     #[must_use]
-    pub fn axial_stiffness(&self) -> f64 {
+    pub(crate) fn axial_stiffness(&self) -> f64 {
         self.young * self.area()
     }
 

@@ -70,8 +70,8 @@ pub enum SimulationError {
          resume with the scene of the checkpoint, or start a new run"
     )]
     OtherSystem {
-        /// The first part that differs: `positions`, `elements`, `velocities`, `materials`, `scripts`,
-        /// `half spaces`, `loads` or `springs`.
+        /// The first part that differs: `positions`, `elements`, `velocities`, `bodies`, `materials`,
+        /// `scripts`, `half spaces`, `loads` or `springs`.
         what: &'static str,
     },
     /// Two primitives intersect or touch at the start.

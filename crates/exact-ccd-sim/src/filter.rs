@@ -149,7 +149,7 @@ impl StepFilter {
         match earliest {
             None => 1.0,
             Some(time) if time > 0.0 || self.is_exact() => time.min(LARGEST_BLOCKED),
-            // A conservative time of 0 proves no contact at the start.
+            // A conservative time of 0 is no proof of contact at the start.
             Some(_) => self.bisect(candidates, step, min_distance),
         }
     }

@@ -34,8 +34,8 @@ pub(crate) struct ContactRecord {
     pub(crate) distance: Bounds,
 }
 
-/// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex in a
-/// half space at rest.
+/// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex and a
+/// half space.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum RecordKind {
@@ -137,11 +137,8 @@ impl ContactRecord {
             ids: [Some(edge), Some(face)],
             mesh_vertices: vertices.clone(),
             vertices,
-            time: Bounds::default(),
             point: first_common_point(ends, corners).map(|point| point.map(unsigned_zero)),
-            normal: None,
-            parameters: None,
-            distance: Bounds::default(),
+            ..Self::default()
         }
     }
 

@@ -46,8 +46,8 @@ pub(crate) fn records<K: QueryKind + 'static>(
     seventh: Seventh,
 ) -> Result<Records<K>, Failure> {
     let records: exact_ccd_data::Records<K> = if is_dash(file) {
-        let reader = QueryReader::new(name(file), io::stdin().lock(), rounding);
-        Box::new(reader.with_seventh(seventh).records())
+        let reader = QueryReader::<K, _>::new(name(file), io::stdin().lock(), rounding);
+        Box::new(reader.with_seventh(seventh))
     } else {
         exact_ccd_data::open(file, rounding, seventh)?
     };

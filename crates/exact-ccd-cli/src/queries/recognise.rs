@@ -100,7 +100,7 @@ fn of_folder(file: &Path) -> Option<Kind> {
 /// The kind of the queries in a Parquet file. A damaged file has the same error for each kind.
 fn of_columns(file: &Path) -> Result<Kind, Failure> {
     fn read<K: QueryKind>(file: &Path) -> Result<bool, DataError> {
-        let first = ColumnReader::<K>::open(file)?.records().next().transpose()?;
+        let first = ColumnReader::<K>::open(file)?.next().transpose()?;
         Ok(first.is_some())
     }
     let kinds = [

@@ -7,8 +7,7 @@ use std::sync::Arc;
 use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, ReadError, ReadOptions};
 
 use crate::failure::{Failure, listed};
-use crate::inputs::check_path;
-use crate::inputs::name;
+use crate::inputs::{check_path, name};
 use crate::notes::Notes;
 
 /// Frames in the order of time, each the one of a file or one of several in a file.

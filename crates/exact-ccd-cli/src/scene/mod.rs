@@ -180,19 +180,6 @@ impl Scene {
     pub(crate) fn summary(&self) -> Summary {
         Summary::new(self.contents, &self.parts, &self.rules)
     }
-
-    /// Refuses a scene in which nothing can touch.
-    pub(crate) fn check_contents(&self, has_distance: bool) -> Result<(), Failure> {
-        if self.contents.is_only_points() && !has_distance {
-            return Err(Failure::new(format_args!(
-                "{}: {}: without a face or an edge, there is nothing that can touch; \
-                 --min-distance D compares points",
-                self.frame_name(0),
-                self.contents
-            )));
-        }
-        Ok(())
-    }
 }
 
 /// The frames of all parts as one frame. The mesh is the given one, unless it is the first frame.

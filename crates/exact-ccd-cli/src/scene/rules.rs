@@ -14,8 +14,8 @@ use crate::failure::Failure;
 #[derive(Clone, clap::Args)]
 pub(crate) struct Rules {
     /// The parts A and B do not collide; may be repeated. A part is named as its file is, without
-    /// folder and extension, or by NAME=FILE in place of FILE. Objects and groups of OBJ files (`o`
-    /// and `g`) are named GROUP or PART/GROUP. A:A leaves out the pairs of a part with itself.
+    /// folder and extension, or by NAME=FILE in place of FILE. The named groups of files (OBJ, Gmsh,
+    /// `comment part` of PLY) are GROUP or PART/GROUP. A:A leaves out the pairs of a part with itself.
     #[arg(long, value_name = "A:B", conflicts_with = "only")]
     pub(super) ignore: Vec<PartPair>,
     /// Only the parts A and B collide; may be repeated.

@@ -26,8 +26,8 @@ fn canonical(queries: &[Query<VertexFace>], seventh: &[&str]) -> String {
 }
 
 fn records(folder: &Folder, name: &str) -> Vec<Record<VertexFace>> {
-    let reader = ColumnReader::open(&folder.path(name)).unwrap();
-    reader.records().map(|record| record.unwrap()).collect()
+    let reader = ColumnReader::<VertexFace>::open(&folder.path(name)).unwrap();
+    reader.map(|record| record.unwrap()).collect()
 }
 
 /// Runs the program, which succeeds without output.

@@ -164,6 +164,14 @@ fn no_answer_replaces_a_mesh() {
             assert_eq!(read("start.ply"), before);
         }
     }
+    // A collection of frames has the extension of no mesh file.
+    let list = r#"<VTKFile type="Collection"><Collection><DataSet file="start.ply"/></Collection></VTKFile>"#;
+    folder.write("frames.pvd", list);
+    for command in [&["audit", "frames.pvd"][..], &["step", "frames.pvd", "end.ply"]] {
+        let run = folder.run(&[command, &["--output", "frames.pvd"]].concat());
+        assert!(run.error().contains("would replace this input"), "{run:?}");
+        assert_eq!(read("frames.pvd"), list.as_bytes());
+    }
     folder.write("vf.csv", "0,1,0,1,0,1,1\n".repeat(8));
     let before = read("vf.csv");
     for output in ["vf.csv", "./vf.csv"] {

@@ -144,7 +144,7 @@ fn assert_converts<K: QueryKind + PartialEq>(queries: &[Query<K>]) {
     }
     assert_eq!(folder.read("again.csv"), folder.read("q.csv"));
     let records = ColumnReader::<K>::open(&folder.path("q.parquet")).unwrap();
-    let read: Vec<_> = records.map(|sample| sample.unwrap().query).collect();
+    let read: Vec<_> = records.map(|record| record.unwrap().sample.query).collect();
     assert_eq!(read, queries);
     let run = |name| answers(&folder, K::SHORT, "0.5", name);
     assert_eq!(run("q.parquet"), run("q.csv"));

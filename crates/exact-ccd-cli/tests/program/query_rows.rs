@@ -33,7 +33,7 @@ pub(crate) fn file<K: QueryKind>(queries: &[Query<K>]) -> Vec<u8> {
 pub(crate) fn points_in<K: DataKind>(folder: &Folder, name: &str) -> Vec<[[Point; 4]; 2]> {
     QueryReader::<K, _>::open(&folder.path(name), Rounding::Refuse)
         .unwrap()
-        .map(|sample| sample.unwrap())
+        .map(|record| record.unwrap().sample)
         .inspect(|sample| assert_eq!(sample.truth, None))
         .map(|sample| *sample.query.points())
         .collect()

@@ -318,18 +318,23 @@ fn files_larger_than_allowed_are_refused() {
 }
 
 #[test]
-fn points_alone_are_an_error_that_says_what_was_read() {
+fn points_alone_touch_where_they_coincide() {
     let folder = Folder::new();
-    folder.write("points.obj", "v 0 0 0\nv 1 0 0\n");
-    let error = "points.obj: 2 vertices, 0 edges, 0 faces, 2 points, 2 components: without a face or an edge, there is \
-                 nothing that can touch; --min-distance D compares points";
-    for command in [
-        &["step", "points.obj", "points.obj"][..],
-        &["audit", "points.obj"],
-    ] {
-        assert_eq!(folder.run(command).error(), error);
-        let run = folder.run(&[command, &["--min-distance", "2"]].concat());
-        assert_eq!(run.status, 1, "{run:?}");
+    folder.write("start.obj", "v 0 0 0\nv 2 0 0\n");
+    folder.write("swapped.obj", "v 2 0 0\nv 0 0 0\n");
+    for command in ["step", "audit"] {
+        let run = |end: &str, options: &[&str]| {
+            let run = folder.run(&[&[command, "start.obj", end, "--json"], options].concat());
+            (run.status, json_of(&run)["contact"].clone())
+        };
+        let (status, contact) = run("swapped.obj", &[]);
+        assert_eq!(
+            (status, &contact["kind"], &contact["ids"]),
+            (1, &json!("vv"), &json!([0, 1]))
+        );
+        assert_eq!(contact["time"], json!({"lower": 0.5, "upper": 0.5}));
+        assert_eq!(run("start.obj", &[]), (0, Value::Null));
+        assert_eq!(run("start.obj", &["--min-distance", "2"]).0, 1);
     }
 }
 

@@ -433,7 +433,7 @@ fn errors_have_the_names_of_bodies() {
     let vertical = ground.replace("[0.0, 1.0, 0.0]", "[0.0, 0.0, 0.0]");
     let vertical = parse(&format!("{named}{vertical}")).err().unwrap();
     assert!(
-        vertical.contains("half-space `ground`, normal: `normal` is [0.0, 0.0, 0.0], expected"),
+        vertical.contains("half-space `ground`, normal: the normal is [0.0, 0.0, 0.0], expected"),
         "{vertical}"
     );
     // An empty name is none.

@@ -59,7 +59,6 @@ pub(crate) enum Part {
 impl Weights {
     /// The weights of a surface, from its positions at rest and the part of each vertex.
     pub(crate) fn new(mesh: &TriangleMesh, rest: &[Point], parts: &[Part]) -> Self {
-        let face_edge_count = mesh.edges().len() - mesh.loose_edges().len();
         let mut vertices = vec![0.0; mesh.vertex_count()];
         let mut edges = vec![0.0; mesh.edges().len()];
         let mut sides = Vec::new();
@@ -118,11 +117,6 @@ impl Weights {
                 is_flat_vertex[end as usize] &= is_flat_edge[edge];
             }
         }
-        debug_assert!(
-            sides
-                .last()
-                .is_none_or(|side| (side[0] as usize) < face_edge_count)
-        );
         Self {
             vertices,
             edges,

@@ -1,7 +1,7 @@
 //! Errors of bodies, scripts, loads, springs and half spaces.
 
 use exact_ccd::InvalidThickness;
-use exact_ccd_mesh::MeshError;
+use exact_ccd_mesh::{HalfSpaceError, MeshError};
 
 use super::body_error::BodyError;
 use super::designation::Designation;
@@ -32,7 +32,7 @@ pub enum SystemError {
         /// The half space.
         half_space: Designation,
         /// The point or the normal.
-        source: OutOfRange,
+        source: HalfSpaceError,
     },
     /// A load is out of range.
     #[error("load {load}: {source}")]

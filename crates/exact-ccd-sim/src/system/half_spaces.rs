@@ -5,7 +5,6 @@ use exact_ccd_mesh::{Point, Separation, Step};
 use super::geometry::Geometry;
 use super::{Designation, System, SystemError};
 use crate::half_space::{HalfSpace, Plane};
-use crate::range::OutOfRange;
 
 impl System {
     /// The same system with half spaces as obstacles, in place of those that it has.
@@ -15,13 +14,9 @@ impl System {
     pub fn with_half_spaces(mut self, half_spaces: Vec<HalfSpace>) -> Result<Self, SystemError> {
         self.geometry.half_spaces = half_spaces;
         for (number, half_space) in self.geometry.half_spaces.iter().enumerate() {
-            half_space.check().map_err(|error| SystemError::HalfSpace {
+            half_space.check().map_err(|source| SystemError::HalfSpace {
                 half_space: self.geometry.half_space_designation(number),
-                source: OutOfRange {
-                    field: error.what,
-                    found: format!("{:?}", error.value),
-                    expected: error.expected.to_owned(),
-                },
+                source,
             })?;
         }
         Ok(self)

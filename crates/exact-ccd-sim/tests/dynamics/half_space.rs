@@ -79,7 +79,7 @@ fn a_start_within_a_half_space_is_an_error() {
     ] {
         let error = above(0.1).with_half_spaces(vec![half_space]).unwrap_err();
         assert!(
-            matches!(&error, SystemError::HalfSpace { source, .. } if source.field == what),
+            matches!(&error, SystemError::HalfSpace { source, .. } if source.what == what),
             "{error}"
         );
     }
