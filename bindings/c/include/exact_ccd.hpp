@@ -117,7 +117,7 @@ public:
     View(const Container& container)
         : data_(reinterpret_cast<const T*>(container.data())), size_(container.size())
     {
-        static_assert(sizeof(Element) == N * sizeof(T) && std::is_trivially_copyable_v<Element>,
+        static_assert(sizeof(Element) == N * sizeof(T) && std::is_standard_layout_v<Element>,
                       "an element consists of N numbers");
     }
 

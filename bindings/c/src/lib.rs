@@ -1,6 +1,6 @@
 //! The C interface of `exact-ccd`: the functions of `exact_ccd.h`.
 //!
-//! Every function returns a [`Status`], and writes its results through pointers. The functions are
+//! A function that can fail returns a [`Status`], and writes its results through pointers. The functions are
 //! documented here as C programmers read them; the header is made from the sources by cbindgen.
 //!
 //! Rules for all functions:

@@ -42,6 +42,8 @@ struct Triangles {
     }
 };
 
+bool nothing(std::size_t, std::size_t) { return false; }
+
 void filters()
 {
     const Triangles scene;
@@ -60,7 +62,10 @@ void filters()
     CHECK(is_free());
     mesh.can_collide = [](std::size_t a, std::size_t b) { return a + b == 3 && a * b == 0; };
     CHECK(!is_free());
-    mesh.can_collide = ipc::CollisionFilter();
+    // A plain function that is not the default one.
+    mesh.can_collide = nothing;
+    CHECK(is_free());
+    mesh.can_collide = ipc::CollisionMesh().can_collide;
     CHECK(!is_free());
 }
 
@@ -77,6 +82,9 @@ void step_sizes()
     CHECK(size < 0.5 && size > 0.5 - 1e-15);
     const MatrixXd x = scene.x0 + size * (scene.x1 - scene.x0);
     CHECK(detector.is_step_collision_free(scene.x0, x));
+    const auto [same_size, positions] = detector.free_step(scene.x0, scene.x1, 0.0, 1.0);
+    CHECK(same_size == size && positions == x);
+    CHECK(detector.free_step(scene.x0, scene.x0).second == scene.x0);
 }
 
 MatrixXd plane(std::initializer_list<std::array<double, 2>> rows)
@@ -98,6 +106,8 @@ void two_dimensions()
     CHECK(!detector.is_step_collision_free(x0, x1));
     CHECK(detector.compute_collision_free_stepsize(x0, x1) == 0.45);
     CHECK(detector.compute_collision_free_stepsize(x0, x1, 0.5) == 0.225);
+    const auto [size, x] = detector.free_step(x0, x1);
+    CHECK(size == 0.45 && x == x0 + size * (x1 - x0));
     CHECK(!detector.has_intersections(x0) && !detector.has_intersections(x1));
     // The vertex and one end of the edge are enough; both ends of the edge are not.
     fold.can_collide = [](std::size_t a, std::size_t b) { return a + b == 2 && a != b; };
@@ -182,10 +192,12 @@ void arguments()
     const MatrixXd fewer = scene.x0.topRows(5), flat = scene.x0.leftCols(2);
     CHECK(throws([&] { detector.is_step_collision_free(scene.x0, fewer); }));
     CHECK(throws([&] { detector.has_intersections(flat); }));
+#ifndef IPC_BEFORE_1_6
     mesh.planes.emplace_back(Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, 0));
     CHECK(throws([&] { detector.is_step_collision_free(scene.x0, scene.x1); }));
     CHECK(throws([&] { detector.compute_collision_free_stepsize(scene.x0, scene.x1); }));
     CHECK(throws([&] { detector.has_intersections(scene.x0); }));
+#endif
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 
 #include "check.h"
 
+template <>
+struct exact_ccd::is_element<Eigen::Vector3d, double, 3> : std::true_type {};
+
 namespace {
 
 using Eigen::Dynamic;
@@ -20,6 +23,8 @@ static_assert(std::is_constructible_v<Points, Positions>);
 static_assert(std::is_constructible_v<Points, Eigen::Map<const Positions>>);
 static_assert(std::is_constructible_v<Faces, Rows<std::uint32_t, 3>>);
 static_assert(std::is_constructible_v<Numbers, Eigen::VectorXd>);
+static_assert(std::is_constructible_v<Points, std::vector<Eigen::Vector3d>>);
+static_assert(!std::is_constructible_v<Points, std::vector<Eigen::Vector4d>>);
 
 template <typename View, typename Matrix>
 bool is_refused(const Matrix& matrix)
@@ -46,6 +51,9 @@ int main()
     faces << 0, 1, 2, 3, 4, 5;
     exact_ccd::Detector detector(exact_ccd::Mesh(6, faces));
     CHECK(detector.free_step(x0, Eigen::Map<const Positions>(x1.data(), 6, 3)).size == 0.45);
+    const Eigen::MatrixXd of_columns = x0;
+    const std::vector<Eigen::Vector3d> vectors(x1.rowwise().begin(), x1.rowwise().end());
+    CHECK(detector.free_step(Positions(of_columns), vectors).size == 0.45);
     detector.set_thickness(Eigen::VectorXd::Constant(6, 0.25).eval());
     CHECK(detector.free_step(x0, x1).size == 0.225);
 

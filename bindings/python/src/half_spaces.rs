@@ -1,6 +1,6 @@
 //! Half spaces that no vertex may enter.
 
-use exact_ccd_mesh::{HalfSpace, HalfSpaceError, Separation};
+use exact_ccd_mesh::{HalfSpace, Separation};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -19,16 +19,9 @@ impl HalfSpaces {
         let rows: &[[f64; 6]] = rows.as_slice()?.as_chunks().0;
         let half_space = |(number, &[x, y, z, nx, ny, nz]): (usize, &[f64; 6])| {
             let half_space = HalfSpace::new([x, y, z], [nx, ny, nz]);
-            half_space.check().map_err(|error| {
-                let HalfSpaceError {
-                    what,
-                    value,
-                    expected,
-                } = error;
-                refused(format_args!(
-                    "the half space {number} has the {what} {value:?}, expected {expected}"
-                ))
-            })?;
+            half_space
+                .check()
+                .map_err(|error| refused(format_args!("half space {number}: {error}")))?;
             Ok(half_space)
         };
         Ok(Self(

@@ -54,6 +54,8 @@ def test_groups_of_files(tmp_path) -> None:
     np.savez(tmp_path / "recording.npz", positions=frames(3, 1, -3), faces=FACES)
     assert audit(tmp_path / "recording.npz", groups=[0] * 6).is_free
     assert not audit(tmp_path / "recording.npz", groups=[0, 0, 0, 1, 1, 1]).is_free
+    # A name that is not in its shortest form.
+    assert not audit(f"{tmp_path}/.//recording.npz", groups=[0, 0, 0, 1, 1, 1]).is_free
 
 
 def test_an_iterator_that_reuses_its_array() -> None:

@@ -52,7 +52,7 @@ def test_the_page(tmp_path) -> None:
 def test_errors() -> None:
     for message, rows in {
         "row 0 of half_spaces": [[[0, 0, 2**63 - 1], [0, 0, 1]]],
-        "half space 1 has the normal": [np.eye(2, 3), np.zeros((2, 3))],
+        "half space 1: the normal is": [np.eye(2, 3), np.zeros((2, 3))],
         "half_spaces has the shape": [[0, 0, 1]],
     }.items():
         with pytest.raises(ValueError, match=message):

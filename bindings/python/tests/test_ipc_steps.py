@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
 from itertools import combinations
 from types import SimpleNamespace
 from typing import Optional
@@ -155,7 +157,8 @@ def test_detectors_are_kept() -> None:
 
     def detector(distance: float, x: np.ndarray = x0) -> exact_ccd.Detector:
         ipc.is_step_collision_free(mesh, x, x, distance)
-        return steps._detector(mesh, distance)
+        with steps._detector(mesh, distance) as kept:
+            return kept
 
     contact, near = detector(0.0), detector(0.25)
     assert detector(0.0) is contact and detector(0.25) is near is not contact
@@ -168,6 +171,14 @@ def test_detectors_are_kept() -> None:
     for distance in range(1, 9):
         detector(distance)
     assert detector(8.0) is detector(8.0) and detector(0.0) is not contact
+
+    # A rule that has its mesh does not keep it alive.
+    mesh.can_collide = lambda i, j, mesh=mesh: mesh is not None
+    assert not ipc.is_step_collision_free(mesh, x0, x0[::-1])
+    alive = weakref.ref(mesh)
+    del mesh, detector, contact, near
+    gc.collect()
+    assert alive() is None
 
 
 def test_a_rod_that_folds_through_its_neighbour() -> None:

@@ -29,6 +29,12 @@ CASES = {
     ).free_steps(X0, X1, pinned=np.zeros(6, bool)),
     "number of vertices is -1, expected an integer from 0": lambda: Mesh(-1, []),
     "number of vertices is 1180591620717411303424": lambda: Mesh(2**70, []),
+    "min_distance is -1.0, expected a finite number of at least 0": lambda: ipc.Candidates().is_step_collision_free(
+        Mesh(6, FACES), X0, X1, -1.0
+    ),
+    "min_distance is -2.0, expected a finite number of at least 0": lambda: ipc.point_point_ccd(
+        [0, 0], [1, 0], [1, 0], [0, 0], min_distance=-2.0
+    ),
     "threads is -1, expected an integer from 1 to 1024": lambda: Detector(Mesh(6, FACES), threads=-1),
     "threads is 0": lambda: PAIR.collides(threads=0),
     "threads is 1180591620717411303424": lambda: PAIR.time_of_impact(threads=2**70),

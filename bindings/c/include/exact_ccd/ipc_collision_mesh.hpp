@@ -1,5 +1,5 @@
 // Both phases of continuous collision detection for an ipc::CollisionMesh, by exact-ccd. Needs the IPC
-// Toolkit, version 1.6, and Eigen.
+// Toolkit, version 1.4 or later, and Eigen.
 //
 //   exact_ccd::CollisionDetector detector(mesh);
 //   const double step = detector.compute_collision_free_stepsize(x0, x1, min_distance);
@@ -12,6 +12,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <ipc/collision_mesh.hpp>
@@ -59,6 +60,9 @@ public:
     /// of impact multiplied by `conservative_rescaling`, which is above 0 and at most 1. For a size below 1,
     /// the motion to x0 + size * (x1 - x0), each operation rounded, is certified to be free of contact; with 1,
     /// that to x1: take x1, not the sum. The size is 0 if no positive one is certified.
+    ///
+    /// Compilers fuse the product and the sum where the processor can, on ARM by default, on x86 with
+    /// `-march=native`: compile that line with `-ffp-contract=off`, or take the positions of `free_step`.
     double compute_collision_free_stepsize(
         Eigen::ConstRef<Eigen::MatrixXd> vertices_t0,
         Eigen::ConstRef<Eigen::MatrixXd> vertices_t1,
@@ -67,6 +71,24 @@ public:
     {
         begin(vertices_t0, vertices_t1, min_distance);
         return steps_.free_step(x0_, x1_, conservative_rescaling).size;
+    }
+
+    /// The same size, and the positions there, to which the motion is certified to be free of contact.
+    std::pair<double, Eigen::MatrixXd> free_step(
+        Eigen::ConstRef<Eigen::MatrixXd> vertices_t0,
+        Eigen::ConstRef<Eigen::MatrixXd> vertices_t1,
+        double min_distance = 0.0,
+        double conservative_rescaling = ExactCCD::DEFAULT_CONSERVATIVE_RESCALING)
+    {
+        begin(vertices_t0, vertices_t1, min_distance);
+        const auto step = steps_.free_step(x0_, x1_, conservative_rescaling);
+        Eigen::MatrixXd x(vertices_t0.rows(), vertices_t0.cols());
+        for (Eigen::Index i = 0; i < x.rows(); ++i) {
+            for (Eigen::Index j = 0; j < x.cols(); ++j) {
+                x(i, j) = step.positions[i][j];
+            }
+        }
+        return {step.size, std::move(x)};
     }
 
     /// As ipc::has_intersections, exactly: a common point of an edge and a face, in two dimensions of two
@@ -143,18 +165,43 @@ private:
                && static_cast<const CollisionDetector*>(detector)->allows(a, 2, b, 2);
     }
 
-    // The filter of a mesh without one allows all pairs; it need not be called.
-    static bool is_default(const ipc::CollisionFilter& filter)
+    // The filter is a function up to version 1.5, and then a class that converts to one.
+    static Filter function_of(const Filter& filter) { return filter; }
+
+    template <typename Class>
+    static Filter function_of(const Class& filter)
     {
-        return filter.operator Filter().target_type() == ipc::CollisionFilter().operator Filter().target_type();
+        return filter.operator Filter();
+    }
+
+    // The filter of a mesh without one allows all pairs; it need not be called.
+    static bool is_default(const Filter& filter)
+    {
+        using Pointer = bool (*)(std::size_t, std::size_t);
+        static const Filter all = function_of(ipc::CollisionMesh().can_collide);
+        const Pointer *given = filter.target<Pointer>(), *expected = all.target<Pointer>();
+        return filter.target_type() == all.target_type() && (!given || *given == *expected);
+    }
+
+    // There are planes from version 1.6 on.
+    template <typename CollisionMesh>
+    static auto has_planes(const CollisionMesh& mesh, int) -> decltype(!mesh.planes.empty())
+    {
+        return !mesh.planes.empty();
+    }
+
+    template <typename CollisionMesh>
+    static bool has_planes(const CollisionMesh&, long)
+    {
+        return false;
     }
 
     void obey_mesh()
     {
-        if (!mesh_.planes.empty()) {
+        if (has_planes(mesh_, 0)) {
             throw std::invalid_argument("exact_ccd: planes are not supported: add triangles in their place");
         }
-        if (!is_flat() && has_filter_ == is_default(mesh_.can_collide)) {
+        if (!is_flat() && has_filter_ == is_default(function_of(mesh_.can_collide))) {
             has_filter_ = !has_filter_;
             steps_.set_can_collide(has_filter_ ? are_allowed : nullptr, this);
         }

@@ -1,5 +1,5 @@
-// exact-ccd in place of the continuous collision detection of the IPC Toolkit, version 1.6, whose
-// ipc::NarrowPhaseCCD has `conservative_rescaling`. Needs the headers of the IPC Toolkit and Eigen.
+// exact-ccd in place of the continuous collision detection of the IPC Toolkit, version 1.4 or later. Needs the
+// headers of the IPC Toolkit and Eigen.
 //
 //   exact_ccd::ExactCCD narrow_phase;           // wherever an ipc::NarrowPhaseCCD is expected
 //   ipc::compute_collision_free_stepsize(mesh, x0, x1, min_distance, broad_phase, narrow_phase);
@@ -24,6 +24,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include <ipc/ccd/narrow_phase_ccd.hpp>
 
@@ -31,12 +32,26 @@
 
 namespace exact_ccd {
 
+namespace detail {
+
+// ipc::NarrowPhaseCCD with `conservative_rescaling`, which it has from version 1.6 on.
+template <typename Base, typename = void>
+struct Rescaled : Base {
+    double conservative_rescaling = 1;
+};
+
+template <typename Base>
+struct Rescaled<Base, std::void_t<decltype(Base::conservative_rescaling)>> : Base {};
+
+}  // namespace detail
+
 /// The narrow phase, pair by pair. In two dimensions, z is 0.
 ///
 /// `toi` is at most `tmax`, 0 if the primitives are within `min_distance` at the start, and infinite if
 /// there is no contact until `tmax`. Coordinates that are not finite, a negative `min_distance` and a
-/// `tmax` that is not a number throw exact_ccd::Error; then `toi` keeps its value.
-class ExactCCD : public ipc::NarrowPhaseCCD {
+/// `tmax` that is not a number throw exact_ccd::Error; then `toi` keeps its value. It has no state but the
+/// rescaling: one object serves all threads.
+class ExactCCD : public detail::Rescaled<ipc::NarrowPhaseCCD> {
 public:
     static constexpr double DEFAULT_CONSERVATIVE_RESCALING = 0.9;
 

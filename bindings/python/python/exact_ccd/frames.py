@@ -25,9 +25,6 @@ class Rules(NamedTuple):
     can_collide: Optional[Callable[[int, int], object]]
 
 
-NO_RULES = Rules(None, None)
-
-
 class FileSystem(Protocol):
     """The method of ``pyarrow.fs.FileSystem`` that is needed to read a file."""
 
@@ -43,7 +40,7 @@ class Frames(Protocol):
         """The positions in the order of time, read one frame at a time."""
         ...
 
-    def mesh(self, rules: Rules = NO_RULES) -> Mesh:
+    def mesh(self, rules: Rules) -> Mesh:
         """The mesh of all frames, with the pairs that can collide."""
         ...
 
@@ -66,7 +63,7 @@ class ArrayFrames:
     def __iter__(self) -> Iterator[NDArray[Any]]:
         return iter(self.positions)
 
-    def mesh(self, rules: Rules = NO_RULES) -> Mesh:
+    def mesh(self, rules: Rules) -> Mesh:
         """The mesh of all frames, with the pairs that can collide."""
         if self.positions.ndim != 3:
             raise ValueError(f"frames has the shape {self.positions.shape}, expected (T, V, 3)")
@@ -101,8 +98,8 @@ class FileFrames:
             return
         sequence = _native.FrameSequence(file)
         for frame in range(len(sequence)):
-            place = fspath(sequence.file(frame))
-            yield place, frame if place == file else 0
+            place = sequence.file(frame)
+            yield fspath(place), frame if Path(place) == Path(file) else 0
 
     def _weld(self) -> None:
         """One vertex in place of all that coincide in every frame."""
@@ -135,7 +132,7 @@ class FileFrames:
                 name, sequence = file, _native.FrameSequence(file)
             yield MeshFile(*sequence.read(frame))
 
-    def mesh(self, rules: Rules = NO_RULES) -> Mesh:
+    def mesh(self, rules: Rules) -> Mesh:
         """The mesh of all frames, with the pairs that can collide."""
         count = len(self._first.vertices) if self._kept is None else len(self._kept)
         return Mesh(count, self._faces, self._edges, *rules)

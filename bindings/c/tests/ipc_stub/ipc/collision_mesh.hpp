@@ -1,5 +1,5 @@
-// The members of ipc::CollisionMesh and ipc::CollisionFilter (IPC Toolkit 1.6) that
-// exact_ccd/ipc_collision_mesh.hpp uses, with their types, without the toolkit.
+// The members of ipc::CollisionMesh and ipc::CollisionFilter (IPC Toolkit 1.6, or with IPC_BEFORE_1_6 those of 1.4
+// and 1.5) that exact_ccd/ipc_collision_mesh.hpp uses, with their types, without the toolkit.
 
 #pragma once
 
@@ -13,6 +13,7 @@
 
 namespace ipc {
 
+#ifndef IPC_BEFORE_1_6
 // As in the toolkit, a class that converts to std::function, and is callable itself.
 class CollisionFilter {
 public:
@@ -32,9 +33,12 @@ public:
 private:
     std::function<bool(std::size_t, std::size_t)> function_;
 };
+#endif
 
 class CollisionMesh {
 public:
+    CollisionMesh() = default;
+
     explicit CollisionMesh(Eigen::MatrixXd rest_positions,
                            Eigen::MatrixXi edges = Eigen::MatrixXi(),
                            Eigen::MatrixXi faces = Eigen::MatrixXi())
@@ -47,10 +51,18 @@ public:
     const Eigen::MatrixXi& edges() const { return edges_; }
     const Eigen::MatrixXi& faces() const { return faces_; }
 
+#ifdef IPC_BEFORE_1_6
+    std::function<bool(std::size_t, std::size_t)> can_collide = default_can_collide;
+
+private:
+    static bool default_can_collide(std::size_t, std::size_t) { return true; }
+
+#else
     CollisionFilter can_collide;
     std::vector<Eigen::Hyperplane<double, 3>> planes;
 
 private:
+#endif
     Eigen::MatrixXd rest_positions_;
     Eigen::MatrixXi edges_, faces_;
 };

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from math import inf
 from typing import Any, Optional
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _native
 from .._arrays import Floats, Indices, as_array, number
 from ..queries import Kind, Queries
+from .pairs import check_distance
 from .primitives import AnyMesh, SurfaceMesh, ends, primitives, rule_of, surface
 from .rescaling import choose_rescaling
 from .stencils import (
@@ -241,15 +241,16 @@ class Candidates:
 
     def _earliest(self, mesh: SurfaceMesh, x0: Floats, x1: Floats, min_distance: float) -> Optional[float]:
         """The first time at which a pair that can collide comes within the distance."""
+        distance, rule = check_distance("min_distance", min_distance), rule_of(mesh)
         first: Optional[float] = None
         fold: tuple[Kind, Indices, float] = ("ve", self._folds, 0.0)
-        for kind, pairs, d in [*((kind, pairs, min_distance) for kind, pairs in self._pairs.items()), fold]:
+        for kind, pairs, d in [*((kind, pairs, distance) for kind, pairs in self._pairs.items()), fold]:
             times = Queries(kind, x0, x1, pairs).time_of_impact(separation=d)
             near = np.flatnonzero(~np.isnan(times))
             for row in near[np.argsort(times[near], kind="stable")]:
                 if first is not None and times[row] >= first:
                     break
-                if allows(mesh, kind, pairs[row]):
+                if allows(rule, kind, pairs[row]):
                     first = float(times[row])
                     break
         return first
@@ -265,19 +266,12 @@ def _stencil(kind: Kind, ids: NDArray[np.uint32]) -> Candidate:
     return stencil(*ids[::direction].tolist())
 
 
-def allows(mesh: SurfaceMesh, kind: Kind, vertices: NDArray[np.uint32]) -> bool:
+def allows(
+    can_collide: Optional[Callable[[int, int], object]], kind: Kind, vertices: NDArray[np.uint32]
+) -> bool:
     """Return True if any vertex of the first primitive and any of the second can collide."""
-    can_collide = rule_of(mesh)
     if can_collide is None:
         return True
     size = 2 if kind == "ee" else 1
     a, b = vertices[:size].tolist(), vertices[size:].tolist()
     return any(can_collide(v, w) for v in a for w in b)
-
-
-def check_distance(name: str, value: ArrayLike) -> float:
-    """Return a distance; refuse a number that is not finite or below 0."""
-    distance = number(name, value)
-    if not 0.0 <= distance < inf:
-        raise ValueError(f"{name} is {distance}, expected a finite number of at least 0")
-    return distance

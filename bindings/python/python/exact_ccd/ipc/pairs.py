@@ -18,7 +18,7 @@ def _ccd(
 ) -> tuple[bool, float]:
     """The decision for one query, and its time; infinity if there is no contact until `tmax`."""
     check_rescaling(conservative_rescaling)
-    distance, last = number("min_distance", min_distance), number("tmax", tmax)
+    distance, last = check_distance("min_distance", min_distance), number("tmax", tmax)
     if isnan(last):
         raise ValueError("tmax is nan, expected a number")
     x = in_space(coordinates("points", points))
@@ -37,6 +37,14 @@ def coordinates(name: str, points: Union[ArrayLike, tuple[ArrayLike, ...]]) -> F
     """The points, each with its two or three coordinates."""
     array = as_array(name, points)
     return floats(name, array, (None, 2 if array.ndim == 2 and array.shape[1] == 2 else 3))
+
+
+def check_distance(name: str, value: ArrayLike) -> float:
+    """Return a distance; refuse a number that is not finite or below 0."""
+    distance = number(name, value)
+    if not 0.0 <= distance < inf:
+        raise ValueError(f"{name} is {distance}, expected a finite number of at least 0")
+    return distance
 
 
 def point_point_ccd(

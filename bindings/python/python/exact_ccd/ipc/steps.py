@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import threading
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Optional
 
 import numpy as np
@@ -14,9 +15,10 @@ from .. import _native
 from ..detectors import Detector
 from ..meshes import Mesh
 from ..queries import Queries
-from .candidates import Candidates, allows, check_distance
+from .candidates import Candidates, allows
 from .collision_mesh import CollisionMesh
-from .primitives import AnyMesh, SurfaceMesh, ends, primitives, rule_of, surface
+from .pairs import check_distance
+from .primitives import AnyMesh, ends, primitives, rule_of, surface
 from .rescaling import choose_rescaling
 
 
@@ -59,7 +61,8 @@ def is_step_collision_free(
     """
     x0, x1, dim = ends(surface(mesh), vertices_t0, vertices_t1)
     if dim == 3:
-        return not _detector(mesh, min_distance).collides(x0, x1)
+        with _detector(mesh, min_distance) as detector:
+            return not detector.collides(x0, x1)
     candidates = _candidates(mesh, vertices_t0, vertices_t1, min_distance)
     return candidates.is_step_collision_free(mesh, vertices_t0, vertices_t1, min_distance)
 
@@ -105,7 +108,8 @@ def compute_collision_free_stepsize(
     rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
     x0, x1, dim = ends(surface(mesh), vertices_t0, vertices_t1)
     if dim == 3:
-        return _detector(mesh, min_distance).free_step(x0, x1, keep=rescaling).size
+        with _detector(mesh, min_distance) as detector:
+            return detector.free_step(x0, x1, keep=rescaling).size
     return _candidates(mesh, vertices_t0, vertices_t1, min_distance).compute_collision_free_stepsize(
         mesh, vertices_t0, vertices_t1, min_distance, conservative_rescaling=rescaling
     )
@@ -133,13 +137,15 @@ def has_intersections(mesh: AnyMesh, vertices: ArrayLike, broad_phase: object = 
     given = surface(mesh)
     x, _, dim = ends(given, vertices, vertices)
     if dim == 3:
-        return _detector(mesh, 0.0)._native.has_intersections(x[None])
+        with _detector(mesh, 0.0) as detector:
+            return detector._native.has_intersections(x[None])
     edges = primitives(given).edges
     pairs = _native.overlaps(edges, edges, x, x, 0.0, None)
     pairs = pairs[pairs[:, 0] < pairs[:, 1]]
     fours = np.hstack([edges[pairs[:, 0]], edges[pairs[:, 1]]])
     meet = Queries("ee", x, x, fours).collides()
-    return any(allows(given, "ee", four) for four in fours[meet])
+    rule = rule_of(given)
+    return any(allows(rule, "ee", four) for four in fours[meet])
 
 
 def _candidates(
@@ -153,11 +159,25 @@ def _candidates(
     return candidates
 
 
+class _Rule:
+    """The rule of the mesh of the current call: a mesh may have another one in the next call."""
+
+    now: Optional[Callable[[int, int], object]] = None
+
+    def __call__(self, v: int, w: int) -> object:
+        """Ask the rule."""
+        return self.now is None or self.now(v, w)
+
+
+_Detectors = dict[tuple[float, bool], tuple[Detector, _Rule]]
+"""The detectors of a mesh, by the distance, and by True with a rule."""
+
+
 class _Cache(threading.local):
     """The detectors of the meshes of a thread, whose faces and edges never change."""
 
     def __init__(self) -> None:
-        self.detectors = weakref.WeakKeyDictionary[AnyMesh, dict[tuple[float, bool], Detector]]()
+        self.detectors = weakref.WeakKeyDictionary[AnyMesh, _Detectors]()
 
 
 _cache = _Cache()
@@ -166,40 +186,40 @@ _MOST_DETECTORS = 4
 """The number of detectors that are kept for each mesh: the last ones in use."""
 
 
-def _detector(mesh: AnyMesh, min_distance: float) -> Detector:
-    """The detector of a mesh in three dimensions."""
-    key = check_distance("min_distance", min_distance), rule_of(surface(mesh)) is not None
-    if isinstance(mesh, Mesh):
-        # A detector has the rule of its mesh, and the rule may have the mesh.
-        is_kept = mesh.can_collide is None
-    else:
-        is_kept = isinstance(mesh, CollisionMesh) or type(mesh).__module__.split(".")[0] == "ipctk"
-    if not is_kept:
-        return _new(mesh, lambda: mesh, *key)
-    kept = _cache.detectors.setdefault(mesh, {})
+@contextmanager
+def _detector(mesh: AnyMesh, min_distance: float) -> Iterator[Detector]:
+    """The detector of a mesh in three dimensions, with the rule that the mesh has now."""
+    rule = rule_of(surface(mesh))
+    key = check_distance("min_distance", min_distance), rule is not None
+    kept: _Detectors = _cache.detectors.setdefault(mesh, {}) if _is_kept(mesh) else {}
     found = kept.pop(key, None)
-    # The mesh is not kept alive by its own detector.
-    detector = kept[key] = found or _new(mesh, weakref.ref(mesh), *key)
+    detector, asked = kept[key] = found or _new(mesh, *key)
     if len(kept) > _MOST_DETECTORS:
         del kept[next(iter(kept))]
-    return detector
+    asked.now = rule
+    try:
+        yield detector
+    finally:
+        # The rule may have the mesh, which its own detector does not keep alive.
+        asked.now = None
 
 
-def _new(
-    mesh: AnyMesh, reference: Callable[[], Optional[AnyMesh]], distance: float, has_rule: bool
-) -> Detector:
+def _is_kept(mesh: AnyMesh) -> bool:
+    """Return True if the faces and edges of a mesh never change, and its detector does not have it."""
+    if isinstance(mesh, Mesh):
+        # A detector has the rule of its mesh.
+        return mesh.can_collide is None
+    kinds = type(mesh).__mro__
+    return isinstance(mesh, CollisionMesh) or any(kind.__module__.split(".")[0] == "ipctk" for kind in kinds)
+
+
+def _new(mesh: AnyMesh, distance: float, has_rule: bool) -> tuple[Detector, _Rule]:
+    rule = _Rule()
     if isinstance(mesh, Mesh):
         # Another object with the same compiled part.
         own = object.__new__(Mesh)
         own.__dict__.update(mesh.__dict__)
-        return Detector(own, min_distance=distance)
-
-    def can_collide(v: int, w: int) -> object:
-        # The rule of a mesh may be replaced between two calls.
-        now = reference()
-        rule = getattr(now, "can_collide", None)
-        return rule is None or rule(v, w)
-
-    every = primitives(mesh)
-    rule = can_collide if has_rule else None
-    return Detector(Mesh(mesh.num_vertices, every.faces, every.edges, can_collide=rule), min_distance=distance)
+    else:
+        every = primitives(mesh)
+        own = Mesh(mesh.num_vertices, every.faces, every.edges, can_collide=rule if has_rule else None)
+    return Detector(own, min_distance=distance), rule

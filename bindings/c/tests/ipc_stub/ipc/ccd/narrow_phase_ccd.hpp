@@ -1,4 +1,4 @@
-// The interface of the IPC Toolkit (1.6) that exact_ccd/ipc_toolkit.hpp uses, without the toolkit.
+// The interface of the IPC Toolkit (1.6, or with IPC_BEFORE_1_6 that of 1.4 and 1.5) that exact_ccd/ipc_toolkit.hpp uses, without the toolkit.
 
 #pragma once
 
@@ -61,7 +61,9 @@ public:
                                const double min_distance = 0.0,
                                const double tmax = 1.0) const = 0;
 
+#ifndef IPC_BEFORE_1_6
     double conservative_rescaling;
+#endif
 };
 
 }  // namespace ipc
