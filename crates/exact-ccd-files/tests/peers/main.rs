@@ -1,7 +1,7 @@
 //! Files that trimesh, meshio, pyvista and numpy write, read as the same motion.
 //!
 //! `write.py` writes them, with the Python of the environment variable `EXACT_CCD_PYTHON`, or
-//! `python3`. `scripts/check-peers` runs the test, which is ignored elsewhere, with all packages that it
+//! `python3`. `scripts/check peers` runs the test, which is ignored elsewhere, with all packages that it
 //! needs.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
@@ -65,7 +65,7 @@ fn assert_frames(path: &Path, expected: &[(Vec<[Point; 3]>, Contents); 2]) {
 }
 
 #[test]
-#[ignore = "needs Python with trimesh, meshio, pyvista and scipy: run scripts/check-peers"]
+#[ignore = "needs Python with trimesh, meshio, pyvista and scipy: run scripts/check peers"]
 fn all_tools_write_the_same_motion() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("peers");
     let list = written(&folder);

@@ -207,8 +207,8 @@ fn impacts_next_to_ends<K: Kind>(place: impl Fn([Point; 4], [f64; 2]) -> K::Poin
         let origin = vector();
         let sides = [vector(), vector()].map(unit);
         let normal = unit(cross(sides[0], sides[1]));
-        // Half of the sides are long, and half of the distances are small: a rounding of the place of an end is
-        // much of a small distance.
+        // Half of the sides are long, and half of the distances are small: a rounding of the place of an end
+        // is much of a small distance.
         let mut power = |[least, most]: [i32; 2]| libm::ldexp(1.0, -random.i32(least..=most));
         let [a, b] = sides.map(|side| scaled(side, power([0, if index % 2 == 0 { 0 } else { 16 }])));
         let d = power([if index % 4 < 2 { 23 } else { 0 }, 26]);
