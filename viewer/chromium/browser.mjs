@@ -40,7 +40,7 @@ export function launch() {
  * @param {string} [cwd] the folder in which it runs
  */
 export function run(options, input = "", cwd = ROOT) {
-  if (!existsSync(PROGRAM)) throw new Error(`${PROGRAM} is missing: run \`cargo build --features full\`, or set EXACT_CCD`);
+  if (!existsSync(PROGRAM)) throw new Error(`${PROGRAM} is missing: run \`cargo build --release --features full\`, or set EXACT_CCD`);
   const { status, stdout, stderr } = spawnSync(PROGRAM, options, { cwd, encoding: "utf8", input });
   if (status !== 0 && status !== 1) throw new Error(`exact-ccd ${options.join(" ")}: ${stderr}`);
   return stdout;

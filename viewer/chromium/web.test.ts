@@ -1,6 +1,6 @@
 /** The page with the kernel in it, against the program. */
 
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { type Browser, type Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { pointCount } from "../src/web/entry";
@@ -71,7 +71,7 @@ function program(kind: string, all: number[][], options: string[]): string[][] {
   return lines.map((line) => line.split(",").slice(1));
 }
 
-describe.skipIf(!existsSync(WEB_PAGE))(`the page with the kernel in it (scripts/build-web makes ${WEB_PAGE})`, () => {
+describe(`the page with the kernel in it (scripts/build-web makes ${WEB_PAGE})`, () => {
   let browser: Browser;
   let page: Page;
   let problems: string[];

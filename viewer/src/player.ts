@@ -27,6 +27,7 @@ export function play(store: Store, frameCount: () => number): void {
   };
   store.observe(({ playing, moment }, change) => {
     const steps = frameCount() - 1;
+    if (change.playing === true && steps < 1) store.set({ playing: false });
     if (change.playing !== true || last !== null || steps < 1) return;
     last = performance.now();
     if (playing && moment.frame + moment.t >= steps) store.set({ moment: { frame: 0, t: 0 } });

@@ -9,11 +9,26 @@ export function short(number: number): string {
   return Number(number.toPrecision(7)).toString();
 }
 
+/** The names of the points of a query, as in its `points`. */
+const POINT_NAMES = {
+  "vertex-face": ["p", "v₁", "v₂", "v₃"],
+  "edge-edge": ["a₀", "a₁", "b₀", "b₁"],
+  "vertex-edge": ["p", "p", "a", "b"],
+  "vertex-vertex": ["p", "p", "q", "q"],
+};
+
+/** The name of a vertex of a primitive: its id in the file, or that of a point of a query. */
+export function vertexName({ query }: Page, { vertices, labels }: Primitive, i: number): string {
+  return query === null ? String(labels[i]) : POINT_NAMES[query.kind][vertices[i]];
+}
+
 /** The name of a primitive with its vertices, and the body or the half space that it is of, if that has a name. */
-export function primitiveText({ kind, id, vertices, labels }: Primitive, page: Page): string {
+export function primitiveText(primitive: Primitive, page: Page): string {
+  const { kind, id, vertices } = primitive;
   const what = kind.replace("-", " ");
   const name = id === null ? what : `${what} ${id}`;
-  const text = labels.length > 1 ? `${name} (vertices ${labels.join(", ")})` : name;
+  const names = vertices.map((_, i) => vertexName(page, primitive, i));
+  const text = names.length > 1 ? `${name} (vertices ${names.join(", ")})` : name;
   const owner = kind === "half-space" ? page.halfSpaces[id ?? 0]?.name : bodyOf(page, vertices[0])?.name;
   return owner ? `${text} of ${owner}` : text;
 }

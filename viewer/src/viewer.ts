@@ -141,6 +141,7 @@ export class Viewer {
     document.documentElement.dataset["theme"] = state.theme;
     byId("opacity", HTMLInputElement).value = String(state.opacity);
     byId("play", HTMLButtonElement).textContent = state.playing ? "❚❚" : "▶";
+    byId("play", HTMLButtonElement).setAttribute("aria-label", state.playing ? "Stop" : "Play");
     const press = (id: string, pressed: boolean): void => {
       byId(id, HTMLButtonElement).setAttribute("aria-pressed", String(pressed));
     };
@@ -152,7 +153,7 @@ export class Viewer {
     const chosen = state.contact === null ? undefined : page.contacts[state.contact];
     byId("selected", HTMLElement).hidden = chosen === undefined;
     if (chosen !== undefined) showFacts(byId("details", HTMLElement), page, chosen);
-    byId("scroller", HTMLElement).setAttribute("aria-activedescendant", `contact-${String(state.contact)}`);
+    byId("scroller", HTMLElement).setAttribute("aria-activedescendant", state.contact === null ? "" : `contact-${state.contact}`);
   }
 
   private select(contact: number | null): void {

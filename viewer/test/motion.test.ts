@@ -1,29 +1,14 @@
-import { describe, expect, it } from "vitest";
+import { afterEach, describe, expect, it, vi } from "vitest";
 import { Frames, momentAt, vertexAt } from "../src/frames";
 import { type Page } from "../src/page";
 import { Incidence } from "../src/incidence";
 import { momentOf, timeOf } from "../src/panel/history";
 import { groupsOf, looseVertices, partsOf } from "../src/parts";
+import { play } from "../src/player";
+import { Store } from "../src/state";
+import { pageOf, STATE } from "./examples";
 
-const page = (count: number): Page => ({
-  format: 2,
-  title: "",
-  verdict: "",
-  summary: [],
-  up: [0, 0, 1],
-  vertices: 1,
-  faces: 0,
-  edges: 0,
-  center: [10, 20, 30],
-  scale: 2,
-  bodies: [],
-  halfSpaces: [],
-  history: null,
-  frames: Array.from({ length: count }, (_, number) => ({ number, label: "" })),
-  contacts: [],
-  contactCount: 0,
-  query: null,
-});
+const page = (count: number): Page => ({ ...pageOf([...Array(count).keys()]), center: [10, 20, 30], scale: 2 });
 
 describe("moments", () => {
   it("are a frame and a time of its step", () => {
@@ -36,6 +21,17 @@ describe("moments", () => {
   });
   it("are all the same in a single frame", () => {
     expect(momentAt(0.5, 1)).toEqual({ frame: 0, t: 0 });
+  });
+});
+
+describe("playing", () => {
+  afterEach(() => vi.unstubAllGlobals());
+  it.each([[0, false], [1, false], [2, true], [9, true]])("of %s frames lasts: %s", (count, lasts) => {
+    vi.stubGlobal("requestAnimationFrame", () => 0);
+    const store = new Store(STATE);
+    play(store, () => count);
+    store.set({ playing: true });
+    expect(store.state.playing).toBe(lasts);
   });
 });
 

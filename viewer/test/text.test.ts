@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { type Contact, type Page, parsePage, type Primitive } from "../src/page";
+import { type Contact, type Page, parsePage, type Primitive, type Query } from "../src/page";
 import { answerOf, facts } from "../src/panel/details";
-import { vertexName } from "../src/scene/stage";
 import { takes } from "../src/keys";
-import { contactIds, momentText, primitiveText, short, timeText } from "../src/text";
+import { contactIds, momentText, primitiveText, short, timeText, vertexName } from "../src/text";
+import { pageOf } from "./examples";
 
 const contact: Contact = {
   frame: 1,
@@ -21,25 +21,7 @@ const contact: Contact = {
   parameters: [0.25, 0.5],
 };
 
-const page = (numbers: number[]): Page => ({
-  format: 2,
-  title: "",
-  verdict: "",
-  summary: [],
-  up: [0, 0, 1],
-  vertices: 10,
-  faces: 4,
-  edges: 0,
-  center: [0, 0, 0],
-  scale: 1,
-  bodies: [],
-  halfSpaces: [],
-  history: null,
-  frames: numbers.map((number) => ({ number, label: `${number} s` })),
-  contacts: [contact],
-  contactCount: 1,
-  query: null,
-});
+const page = (numbers: number[]): Page => ({ ...pageOf(numbers), contacts: [contact], contactCount: 1 });
 
 describe("texts", () => {
   it("of primitives have their vertices", () => {
@@ -68,6 +50,24 @@ describe("texts", () => {
     const [vertex, face] = contact.primitives;
     expect(vertexName(page([0, 1]), vertex, 0)).toBe("7");
     expect([0, 1, 2].map((i) => vertexName(page([0, 1]), face, i))).toEqual(["1", "2", "9"]);
+  });
+  it("of a query have the names of its points, in the list and in the scene", () => {
+    const of = (kind: Query["kind"], ...all: number[][]): string[][] => {
+      const primitives = all.map((vertices): Primitive => {
+        return { kind: vertices.length === 1 ? "vertex" : vertices.length === 2 ? "edge" : "face", id: null, vertices, labels: vertices };
+      }) as Query["primitives"];
+      const query: Query = { kind, points: [[], []], primitives, stage: "", separation: 0, times: [], distances: [] };
+      const shown = { ...page([0, 1]), query };
+      return primitives.map((primitive) => [
+        primitiveText(primitive, shown),
+        ...primitive.vertices.map((_, i) => vertexName(shown, primitive, i)),
+      ]);
+    };
+    expect(of("vertex-face", [0], [1, 2, 3])).toEqual([["vertex", "p"], ["face (vertices v₁, v₂, v₃)", "v₁", "v₂", "v₃"]]);
+    expect(of("edge-edge", [0, 1], [2, 3])).toEqual([["edge (vertices a₀, a₁)", "a₀", "a₁"], ["edge (vertices b₀, b₁)", "b₀", "b₁"]]);
+    // A vertex in place of an edge occurs twice among the points.
+    expect(of("vertex-edge", [0], [2, 3])).toEqual([["vertex", "p"], ["edge (vertices a, b)", "a", "b"]]);
+    expect(of("vertex-vertex", [0], [2])).toEqual([["vertex", "p"], ["vertex", "q"]]);
   });
   it("of contact times have all digits, and the frames if there are more than two", () => {
     expect(timeText(page([0, 1]), { ...contact, frame: 0 })).toBe("t = 0.123456789012345");

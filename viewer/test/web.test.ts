@@ -1,10 +1,11 @@
 import { describe, expect, it } from "vitest";
+import { NumberField } from "../src/web/editor";
 import { POINTS, pointCount, replaced } from "../src/web/entry";
 import { rounded } from "../src/web/handles";
 import { Latest } from "../src/web/kernel";
 import { decode, hexadecimal, neighbour, parseNumber } from "../src/web/numbers";
 import { PRESETS } from "../src/web/presets";
-import { compare } from "../src/web/verdict";
+import { compare, VerdictPanel } from "../src/web/verdict";
 
 const EXTREMES = [0, -0, 1, -1, 0.1, -1 / 3, 1e300, Number.MAX_VALUE, Number.MIN_VALUE, -(2 ** -1022), 2 ** -1022 - 2 ** -1074, 5e-310, 2 ** 53 + 2];
 
@@ -41,6 +42,57 @@ describe("numbers", () => {
   });
 });
 
+describe("a field for a number", () => {
+  /** The part of an element that a field uses. */
+  class Input extends EventTarget {
+    value = "";
+    title = "";
+    ariaInvalid = "";
+    validationMessage = "";
+    setCustomValidity(message: string): void {
+      this.validationMessage = message;
+    }
+    enter(text: string): void {
+      this.value = text;
+      this.dispatchEvent(new Event("input"));
+    }
+    press(key: string, shiftKey = false): void {
+      this.dispatchEvent(Object.assign(new Event("keydown"), { key, shiftKey }));
+    }
+  }
+  const fieldOf = (value: number): { input: Input; field: NumberField; entered: number[] } => {
+    const [input, entered] = [new Input(), [] as number[]];
+    const field = new NumberField(input as unknown as HTMLInputElement, (x) => entered.push(x));
+    field.show(value);
+    return { input, field, entered };
+  };
+
+  it("shows a number that came from elsewhere", () => {
+    expect([0, -0, 0.1].map((x) => fieldOf(x).input.value)).toEqual(["0", "-0", "0.1"]);
+  });
+  it.each([["ArrowUp", Number.MAX_VALUE], ["ArrowDown", -Number.MAX_VALUE]])("has a largest number: %s at %s", (key, most) => {
+    const { input, entered } = fieldOf(most);
+    for (const shift of [false, true]) input.press(key, shift);
+    expect(entered).toEqual([]);
+    expect(input.value).toBe(String(most));
+    input.press(key === "ArrowUp" ? "ArrowDown" : "ArrowUp", true);
+    expect(entered).toEqual([Math.sign(most) * (Number.MAX_VALUE - 2 ** 971)]);
+  });
+  it.each(["x", ""])("does not keep a text that is no number: '%s'", (text) => {
+    const { input, field, entered } = fieldOf(0);
+    input.enter(text);
+    expect([input.ariaInvalid, entered]).toEqual(["true", []]);
+    field.show(0);
+    expect([input.value, input.ariaInvalid, input.validationMessage]).toEqual(["0", "false", ""]);
+  });
+  it("keeps the notation of a number", () => {
+    const { input, field, entered } = fieldOf(0);
+    input.enter("0x1.8p0");
+    field.show(1.5);
+    expect([input.value, entered]).toEqual(["0x1.8p0", [1.5]]);
+  });
+});
+
 describe("the judgement of the root finder", () => {
   it.each([
     [null, false, null, "same"],
@@ -53,6 +105,15 @@ describe("the judgement of the root finder", () => {
     [0.5, true, null, "wrong"],
   ])("exact %s, contact %s at %s: %s", (exact, contact, time, level) => {
     expect(compare(exact, { contact, time }).level).toBe(level);
+  });
+  it("is beside its time", () => {
+    const elements = [0, 1, 2].map(() => ({ dataset: {} }) as HTMLElement);
+    const panel = new VerdictPanel(elements[0], elements[1], elements[2]);
+    const texts = [{ contact: true, time: 0.5 }, { contact: true, time: null }, { contact: false, time: null }, null, undefined].map((finder) => {
+      panel.show(0.5, finder);
+      return elements[1].textContent;
+    });
+    expect(texts).toEqual(["t = 0.5", "t = not a number", "no contact", "has no such kind", "…"]);
   });
 });
 

@@ -1,6 +1,6 @@
 /** The marks of the selected contact: its two primitives, the paths of their vertices, the point and the normal. */
 
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, type Material, Mesh, MeshBasicMaterial, Points, PointsMaterial } from "three";
+import { DoubleSide, Group, type Material, Mesh, MeshBasicMaterial, Points, PointsMaterial } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -8,7 +8,7 @@ import { type MarkColours } from "../colours";
 import { type Point } from "../page";
 import { add, cross, length, mix, subtract, times, unit } from "../vector";
 import { disc } from "./disc";
-import { squareOf } from "./planes";
+import { geometryOf, squareOf } from "./planes";
 
 /** Points at both ends of a step. */
 export interface Moving {
@@ -130,10 +130,4 @@ export class Marks {
 /** The greatest distance of a corner from the first one of its primitive. */
 function sizeOf(corners: Point[][]): number {
   return Math.max(...corners.flatMap((own) => own.map((vertex) => length(subtract(vertex, own[0])))), 0);
-}
-
-function geometryOf(points: Point[]): BufferGeometry {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points.flat()), 3));
-  return geometry;
 }

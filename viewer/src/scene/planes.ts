@@ -64,7 +64,8 @@ export class Planes {
   }
 }
 
-function geometryOf(points: Point[]): BufferGeometry {
+/** Points in one array. */
+export function geometryOf(points: Point[]): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points.flat()), 3));
   return geometry;

@@ -6,13 +6,14 @@ import { type Frames, type Moment, vertexAt } from "../frames";
 import { type Page, type Point, type Primitive } from "../page";
 import { type Shown } from "../source";
 import { type Change, type State } from "../state";
+import { vertexName } from "../text";
 import { mix, subtract } from "../vector";
 import { disc } from "./disc";
 import { type Label, type Labels } from "./labels";
 import { type Marked, type Moving, Marks } from "./marks";
 import { MovingMesh } from "./mesh";
 import { namesOf } from "./names";
-import { type Plane, Planes } from "./planes";
+import { geometryOf, type Plane, Planes } from "./planes";
 import { contactPose, overview } from "./pose";
 import { View } from "./view";
 
@@ -39,8 +40,15 @@ export class Stage {
   private shown: Shown | null = null;
   private middle: Point = [0, 0, 0];
   private radius = 1;
+  /** The direction upwards: that of the first data, until a key changes it. */
+  private up: Point = [0, 0, 1];
   private ends: Ends = [new Float32Array(), new Float32Array()];
   private frame = -1;
+  /** The number of changes, and that of the last one that is drawn. */
+  private changes = 0;
+  private drawn = 0;
+  /** The number of times that the camera was aimed. */
+  private aims = 0;
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -66,6 +74,7 @@ export class Stage {
     const { page, frames, elements, groups } = shown;
     const before = this.shown?.frames;
     this.shown = shown;
+    if (before === undefined) this.up = page.up;
     this.setEnds([frames.first, frames.first], page);
     if (before !== undefined) {
       const moved = (point: Point): Point => frames.toPage(before.toWorld(point));
@@ -84,7 +93,7 @@ export class Stage {
   private setEnds(ends: Ends, page: Page): void {
     this.ends = ends;
     [this.middle, this.radius] = ballAround(...ends);
-    this.view.setSpace(page.up, Math.hypot(...this.middle) + 2 * this.radius, this.radius);
+    this.view.setSpace(this.up, Math.hypot(...this.middle) + 2 * this.radius, this.radius);
     const frames = this.shown?.frames;
     const planes = page.halfSpaces.map(({ point, normal }): Plane => ({ point: frames?.toPage(point) ?? point, normal }));
     this.planes.draw(planes, this.middle, this.radius);
@@ -93,17 +102,17 @@ export class Stage {
   /** The camera on everything. */
   fit(atOnce = false): void {
     if (this.shown === null) return;
-    this.view.go(overview(this.middle, this.radius, this.shown.page.up), atOnce);
+    this.aims++;
+    this.view.go(overview(this.middle, this.radius, this.up), atOnce);
   }
 
   /** Makes the next axis the direction upwards, and moves the camera to see everything: z, y, x, and those again. */
   turnUp(): void {
     if (this.shown === null) return;
-    const { page } = this.shown;
-    const most = [0, 1, 2].reduce((a, b) => (Math.abs(page.up[b]) > Math.abs(page.up[a]) ? b : a));
+    const most = [0, 1, 2].reduce((a, b) => (Math.abs(this.up[b]) > Math.abs(this.up[a]) ? b : a));
     const axes: Point[] = [[0, 0, 1], [1, 0, 0], [0, 1, 0]];
-    page.up = axes[most];
-    this.setEnds(this.ends, page);
+    this.up = axes[most];
+    this.setEnds(this.ends, this.shown.page);
     this.fit(true);
   }
 
@@ -117,16 +126,21 @@ export class Stage {
       return (1 - moment.t) * from + moment.t * to;
     });
     const [middle, radius] = ballAround(own);
-    this.view.go(overview(middle, Math.max(radius, 0.02 * this.radius), page.up), false);
+    this.aims++;
+    this.view.go(overview(middle, Math.max(radius, 0.02 * this.radius), this.up), false);
   }
 
   /** The camera on the selected contact. */
   async near({ contact }: State, atOnce = false): Promise<void> {
-    if (this.shown === null || contact === null) return this.fit(atOnce);
-    const { page, frames } = this.shown;
+    const { shown } = this;
+    if (shown === null || contact === null) return this.fit(atOnce);
+    const { page, frames } = shown;
     const { time, frame } = page.contacts[contact];
+    const aim = ++this.aims;
     const ends = await frames.ends({ frame, t: time });
-    const { primitives, closest, normal } = marked(this.shown, page.contacts[contact], ends);
+    // A later choice moves the camera.
+    if (shown !== this.shown || aim !== this.aims) return;
+    const { primitives, closest, normal } = marked(shown, page.contacts[contact], ends);
     const isHalfSpace = page.contacts[contact].primitives[1].kind === "half-space";
     const at = primitives.flatMap(({ start, end, around }) => {
       const now = ({ start, end }: Moving): Point[] => start.map((vertex, i) => mix(vertex, end[i], time));
@@ -134,11 +148,10 @@ export class Stage {
       return page.query !== null && this.showsPaths ? [...now({ start, end }), ...start, ...end] : now({ start, end });
     });
     const place = closest === null ? this.middle : mix(closest[0], closest[1], 0.5);
-    const { up, query } = page;
-    const fraction = query === null && !isHalfSpace ? AMONG_OTHERS : ALONE;
+    const fraction = page.query === null && !isHalfSpace ? AMONG_OTHERS : ALONE;
     // A half space is seen from its outer side, and a mesh from outside.
     const inside = isHalfSpace && normal !== null ? subtract(place, normal) : this.middle;
-    this.view.go(contactPose(place, normal, at, inside, this.radius, up, fraction), atOnce);
+    this.view.go(contactPose(place, normal, at, inside, this.radius, this.up, fraction), atOnce);
   }
 
   /** Draws a changed state. */
@@ -146,22 +159,24 @@ export class Stage {
     const { shown } = this;
     if (shown === null) return;
     const { moment, theme } = state;
-    if (moment.frame !== this.frame) {
-      const ends = await shown.frames.ends(moment);
-      if (shown !== this.shown) return;
-      // A later change overtakes this one.
-      this.setEnds(ends, shown.page);
-      this.frame = moment.frame;
-      this.mesh.setEnds(ends);
-    }
-    this.mesh.setTime(moment.t);
-    this.places.geometry.setDrawRange(0, countUntil(shown.page, moment));
     if (change.hidden !== undefined) this.mesh.hide(state.hidden);
     if (change.opacity !== undefined) this.mesh.setOpacity(state.opacity);
     if (change.theme !== undefined) this.view.setBackground(MARKS[theme].background);
     if (change.wireframe !== undefined || change.theme !== undefined) {
       this.mesh.setWires(state.wireframe, MARKS[theme].wire);
     }
+    const number = ++this.changes;
+    if (moment.frame !== this.frame) {
+      const ends = await shown.frames.ends(moment);
+      // A later change may be drawn already.
+      if (shown !== this.shown || number < this.drawn) return;
+      this.setEnds(ends, shown.page);
+      this.frame = moment.frame;
+      this.mesh.setEnds(ends);
+    }
+    this.drawn = number;
+    this.mesh.setTime(moment.t);
+    this.places.geometry.setDrawRange(0, countUntil(shown.page, moment));
     this.drawMarks(shown, state);
     this.view.request();
   }
@@ -213,25 +228,10 @@ function countUntil({ contacts }: Page, { frame, t }: Moment): number {
 
 /** All contact points, in the order and the colours of their times. */
 function placesOf({ page: { contacts }, frames, place }: Shown): BufferGeometry {
-  const geometry = new BufferGeometry();
-  const places = contacts.flatMap(({ closest }) => frames.toPage(closest[0]));
-  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(places), 3));
+  const geometry = geometryOf(contacts.map(({ closest }) => frames.toPage(closest[0])));
   const colours = contacts.flatMap((_, i) => viridis(place(i)).map((x) => (x / 255) ** 2.2));
   geometry.setAttribute("color", new BufferAttribute(Float32Array.from(colours), 3));
   return geometry;
-}
-
-/** The names of the points of a query, as in its `points`. */
-export const POINT_NAMES = {
-  "vertex-face": ["p", "v₁", "v₂", "v₃"],
-  "edge-edge": ["a₀", "a₁", "b₀", "b₁"],
-  "vertex-edge": ["p", "p", "a", "b"],
-  "vertex-vertex": ["p", "p", "q", "q"],
-};
-
-/** The name of a vertex of a primitive: its id in the file, as in the list of contacts. */
-export function vertexName({ query }: Page, { vertices, labels }: Primitive, i: number): string {
-  return query === null ? String(labels[i]) : POINT_NAMES[query.kind][vertices[i]];
 }
 
 /** The middle of the box around positions, and the radius of a ball around them. */

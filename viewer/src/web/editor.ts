@@ -8,7 +8,7 @@ import { type Kind } from "./protocol";
 
 /** A field for a number. It accepts decimals and hexadecimal floats. */
 export class NumberField {
-  private value = 0;
+  private value = Number.NaN;
 
   /** `change` is called with numbers that are entered; `least` is the least one allowed. */
   constructor(
@@ -28,6 +28,7 @@ export class NumberField {
       event.preventDefault();
       const direction = event.key === "ArrowUp" ? 1 : -1;
       const step = event.shiftKey ? neighbour(this.value, direction) : stepped(this.value, direction);
+      if (!Number.isFinite(step)) return;
       this.set(Math.max(step, this.least));
       change(this.value);
     });
@@ -41,9 +42,9 @@ export class NumberField {
     this.input.ariaInvalid = "false";
   }
 
-  /** Shows a number that came from elsewhere, unless it is the one in the field. */
+  /** Shows a number that came from elsewhere, unless it is the one in the field, in any notation. */
   show(value: number): void {
-    if (!Object.is(value, this.value) || this.input.value === "") this.set(value);
+    if (!Object.is(value, this.value) || this.input.validationMessage !== "") this.set(value);
   }
 
   private parse(): number | string {

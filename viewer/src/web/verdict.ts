@@ -37,7 +37,7 @@ export class VerdictPanel {
   show(exact: number | null, finder: Verdict | null | undefined): void {
     this.exact.textContent = exact === null ? "no contact" : `t = ${exact}`;
     const unknown = finder === null ? "has no such kind" : "…";
-    this.finder.textContent = !finder ? unknown : finder.contact ? `t = ${String(finder.time)}` : "no contact";
+    this.finder.textContent = !finder ? unknown : finder.contact ? `t = ${finder.time ?? "not a number"}` : "no contact";
     const { level, text } = finder ? compare(exact, finder) : { level: "none", text: "" };
     this.difference.dataset["level"] = level;
     this.difference.textContent = finder ? `${MARKS[level as Difference["level"]]} ${text}` : "";
