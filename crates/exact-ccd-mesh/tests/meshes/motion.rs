@@ -1,6 +1,6 @@
 //! Two frames as the start and the end of one motion.
 
-use exact_ccd_mesh::{Frame, Motion, Point};
+use exact_ccd_mesh::{Frame, Motion, MotionError, Point};
 
 const TRIANGLE: [Point; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
@@ -52,6 +52,8 @@ fn welding_keeps_vertices_that_separate() {
     let [a, b, c] = TRIANGLE;
     let weld = |start, end| Motion::weld(start, end).unwrap();
     assert_eq!(weld(soup(&[a, b, b]), soup(&[a, b, c])).mesh.faces(), [[0, 1, 2]]);
+    // Nor those that come together.
+    assert_eq!(weld(soup(&[a, b, c]), soup(&[a, b, b])).mesh.faces(), [[0, 1, 2]]);
     let collapsed = weld(soup(&[a, b, b]), soup(&[a, c, c]));
     assert_eq!(collapsed.mesh.faces(), [[0, 1, 1]]);
     assert_eq!(collapsed.mesh.edges(), [[0, 1]]);
@@ -92,4 +94,7 @@ fn numbers_that_differ_are_not_welded() {
     assert_eq!(welding.first_vertices(), [0, 2, 3, 4]);
     let new = [0, 1, 2, 3, 4, 5].map(|vertex| welding.vertex_of(vertex));
     assert_eq!(new, [Some(0), Some(0), Some(1), Some(2), Some(3), None]);
+    let mesh = frame(&TRIANGLE, &[[0, 1, 2]]).mesh;
+    let other = MotionError::VertexCount { start: 5, end: 3 };
+    assert_eq!(welding.mesh(&mesh), Err(other));
 }

@@ -197,6 +197,7 @@ fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
         })
         .collect();
     assert_eq!(nonsense.counts().total(), 12);
+    assert!(!nonsense.is_empty() && Candidates::default().is_empty());
     assert!(!nonsense.collides(scene.step(), CONTACT));
     assert!(!nonsense.collides_by(scene.step(), &Odd));
     assert_eq!(nonsense.collisions(scene.step(), CONTACT), []);
@@ -324,4 +325,59 @@ fn times_of_a_method_are_in_the_step() {
             "{time:?}"
         );
     }
+}
+
+#[test]
+fn each_pair_is_kept_once() {
+    let pairs = |i, j| {
+        [
+            Pair::VertexFace { vertex: i, face: j },
+            Pair::EdgeEdge { a: i, b: j },
+            Pair::VertexEdge { vertex: i, edge: j },
+            Pair::VertexVertex { a: i, b: j },
+        ]
+    };
+    let kept: Candidates = [[4, 7], [4, 7], [7, 4]]
+        .into_iter()
+        .flat_map(|[i, j]| pairs(i, j))
+        .collect();
+    assert_eq!(
+        (kept.vertex_face(), kept.vertex_edge()),
+        (&[[4, 7], [7, 4]][..], &[[4, 7], [7, 4]][..])
+    );
+    assert_eq!(
+        (kept.edge_edge(), kept.vertex_vertex()),
+        (&[[4, 7]][..], &[[4, 7]][..])
+    );
+}
+
+/// All vertices reach their faces at t = 1/3, which is no f64: the least pair is the earliest, wherever the
+/// search begins.
+#[test]
+fn of_equal_times_the_least_pair_is_the_earliest() {
+    let count = 3000;
+    // Neighbours have far numbers.
+    let place = |i: u32| {
+        [
+            f64::from(i * 1009 % count % 50),
+            f64::from(i * 1009 % count / 50),
+            0.0,
+        ]
+    };
+    let corners =
+        |i: u32| [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]].map(|[x, y]| [place(i)[0] + x, place(i)[1] + y, 0.0]);
+    let at = |z: f64| -> Vec<Point> {
+        let vertices = (0..count).map(|i| [place(i)[0] + 0.125, place(i)[1] + 0.125, z]);
+        (0..count).flat_map(corners).chain(vertices).collect()
+    };
+    let faces = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = TriangleMesh::new(4 * count as usize, faces).unwrap();
+    let (x0, x1) = (at(1.0), at(-2.0));
+    let least = Pair::VertexFace {
+        vertex: 3 * count,
+        face: 0,
+    };
+    let contact = Detector::new(mesh).collision(&x0, &x1, CONTACT).unwrap().unwrap();
+    assert_eq!(contact.pair, least);
+    assert!(!contact.impact.time.is_exact());
 }

@@ -566,3 +566,33 @@ fn blocked_pairs_are_sorted_and_vertices_at_rest_are_not_held_back() {
     assert_eq!(blocked.blocked, expected);
     assert_eq!((blocked.sizes[3], blocked.sizes[4]), (0.0, 1.0));
 }
+
+/// Two vertices meet, and are held back, so that a rod meets the place of one of them, beside two vertices that
+/// touch at rest or do not.
+#[test]
+fn what_is_held_back_may_meet_a_rod() {
+    let mesh = TriangleMesh::with_edges(6, Vec::new(), &[[2, 3]]).unwrap();
+    let mut detector = Detector::new(mesh);
+    let options = FreeStepOptions::default().with_keep(0.5);
+    for x in [9.0, 8.0] {
+        let rest = [[9.0; 3], [x, 9.0, 9.0]];
+        let at = |p: f64, q: f64, rod: f64| {
+            let moving = [[p, 0.0, 0.0], [q, 0.0, 0.0], [0.5, -1.0, rod], [0.5, 1.0, rod]];
+            [&moving[..], &rest].concat()
+        };
+        let (x0, x1) = (at(0.0, 4.0, 1.0), at(4.0, 0.0, -1.0));
+        let steps = detector.free_steps(&x0, &x1, &[], &options).unwrap();
+        let blocked: &[Pair] = if x == 9.0 {
+            &[Pair::VertexVertex { a: 4, b: 5 }]
+        } else {
+            &[]
+        };
+        assert_eq!(steps.blocked, blocked, "{steps:?}");
+        let found = detector.collisions(&x0, &steps.positions, CONTACT).unwrap();
+        assert_eq!(
+            found.iter().map(|contact| contact.pair).collect::<Vec<_>>(),
+            blocked
+        );
+        assert!(steps.sizes[1] == 0.25 && steps.rounds > 2, "{steps:?}");
+    }
+}
