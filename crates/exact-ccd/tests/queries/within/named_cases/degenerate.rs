@@ -1,6 +1,6 @@
 //! Faces without area, edges without length, motion at a constant distance.
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexEdge};
+use exact_ccd::{EdgeEdge, Point, Query, Separation, VertexEdge};
 
 use super::{FACE, is_within, vertex_against};
 
@@ -70,5 +70,29 @@ fn an_edge_along_an_axis_that_grows_from_a_point() {
     for [start, end] in [[a, b], [b, a]] {
         let query = Query::<VertexEdge>::new([p, a, start], [p, a, end]).unwrap();
         is_within(&query, 1.0, &[]);
+    }
+}
+
+/// A vertex beside an edge on a diagonal, by about 0.73 · 2⁻⁵⁵: of the differences of coordinates, one is rounded
+/// up and the other one down, so that the vertex seems to be 2⁻⁵³ / √2 away.
+#[test]
+fn a_vertex_beside_a_diagonal_edge_is_as_near_as_it_is() {
+    let power = |exponent: i32| 2.0_f64.powi(exponent);
+    for scale in [0, -10, -40, 30].map(power) {
+        for (axes, sign) in [[0, 1], [1, 2], [2, 0]]
+            .into_iter()
+            .flat_map(|axes| [(axes, 1.0), (axes, -1.0)])
+        {
+            let place = |x: f64, y: f64| {
+                let mut point = [0.0; 3];
+                (point[axes[0]], point[axes[1]]) = (scale * x, scale * sign * y);
+                point
+            };
+            let vertex = place(-power(-55), -power(-54) - power(-60));
+            let points = [vertex, place(-1.0, -1.0), place(0.5, 0.5)];
+            let query = Query::<VertexEdge>::new(points, points).unwrap();
+            let within = |d: f64| query.collides(Separation::new(scale * d * power(-55)).unwrap());
+            assert!(within(0.75) && !within(0.7), "{scale} {axes:?} {sign}");
+        }
     }
 }
