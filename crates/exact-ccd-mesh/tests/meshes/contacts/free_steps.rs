@@ -567,8 +567,8 @@ fn blocked_pairs_are_sorted_and_vertices_at_rest_are_not_held_back() {
     assert_eq!((blocked.sizes[3], blocked.sizes[4]), (0.0, 1.0));
 }
 
-/// Two vertices meet, and are held back, so that a rod meets the place of one of them, beside two vertices that
-/// touch at rest or do not.
+/// Two vertices meet, and are held back, so that a rod meets the place of one of them, beside two vertices
+/// that touch at rest or do not.
 #[test]
 fn what_is_held_back_may_meet_a_rod() {
     let mesh = TriangleMesh::with_edges(6, Vec::new(), &[[2, 3]]).unwrap();

@@ -73,8 +73,8 @@ fn an_edge_along_an_axis_that_grows_from_a_point() {
     }
 }
 
-/// A vertex beside an edge on a diagonal, by about 0.73 · 2⁻⁵⁵: of the differences of coordinates, one is rounded
-/// up and the other one down, so that the vertex seems to be 2⁻⁵³ / √2 away.
+/// A vertex beside an edge on a diagonal, by about 0.73 · 2⁻⁵⁵: of the differences of coordinates, one is
+/// rounded up and the other one down, so that the vertex seems to be 2⁻⁵³ / √2 away.
 #[test]
 fn a_vertex_beside_a_diagonal_edge_is_as_near_as_it_is() {
     let power = |exponent: i32| 2.0_f64.powi(exponent);
