@@ -43,6 +43,7 @@ struct Triangles {
 };
 
 bool nothing(std::size_t, std::size_t) { return false; }
+int no_pair(std::size_t, std::size_t) { return 0; }
 
 void filters()
 {
@@ -62,8 +63,10 @@ void filters()
     CHECK(is_free());
     mesh.can_collide = [](std::size_t a, std::size_t b) { return a + b == 3 && a * b == 0; };
     CHECK(!is_free());
-    // A plain function that is not the default one.
+    // Plain functions that are not the default one.
     mesh.can_collide = nothing;
+    CHECK(is_free());
+    mesh.can_collide = no_pair;
     CHECK(is_free());
     mesh.can_collide = ipc::CollisionMesh().can_collide;
     CHECK(!is_free());

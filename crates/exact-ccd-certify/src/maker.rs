@@ -112,6 +112,7 @@ impl Maker {
         rest: bool,
         earliest: Option<&Contact>,
     ) -> Result<(), MakerError> {
+        // The positions are as many as the vertices, and finite.
         exact_ccd_mesh::Step::new(mesh, positions[0], positions[1])?;
         let [free, contact] = times(earliest);
         let distance = self.distance.get();

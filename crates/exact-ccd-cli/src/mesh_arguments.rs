@@ -53,8 +53,8 @@ impl MeshArguments {
     }
 
     /// Checks the places of the files before anything is computed.
-    pub(crate) fn check_places(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
-        self.output.check(inputs)?;
+    pub(crate) fn check_places(&self, moving: &[PathBuf]) -> Result<(), Failure> {
+        self.output.check(&self.scene.inputs(moving))?;
         let list = self.all.iter().map(ListFile::path);
         let files = list.chain(self.view.file()).chain(self.output.file());
         files.into_iter().try_for_each(check_place)?;

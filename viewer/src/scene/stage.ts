@@ -165,6 +165,7 @@ export class Stage {
     if (change.wireframe !== undefined || change.theme !== undefined) {
       this.mesh.setWires(state.wireframe, MARKS[theme].wire);
     }
+    this.view.request();
     const number = ++this.changes;
     if (moment.frame !== this.frame) {
       const ends = await shown.frames.ends(moment);

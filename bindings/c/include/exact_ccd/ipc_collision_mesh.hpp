@@ -61,8 +61,8 @@ public:
     /// the motion to x0 + size * (x1 - x0), each operation rounded, is certified to be free of contact; with 1,
     /// that to x1: take x1, not the sum. The size is 0 if no positive one is certified.
     ///
-    /// Compilers fuse the product and the sum where the processor can, on ARM by default, on x86 with
-    /// `-march=native`: compile that line with `-ffp-contract=off`, or take the positions of `free_step`.
+    /// Compilers may fuse the product and the sum, GCC on ARM by default, on x86 with `-march=native`: compile
+    /// that line with `-ffp-contract=off`, or take the positions of `free_step`.
     double compute_collision_free_stepsize(
         Eigen::ConstRef<Eigen::MatrixXd> vertices_t0,
         Eigen::ConstRef<Eigen::MatrixXd> vertices_t1,
@@ -174,13 +174,21 @@ private:
         return filter.operator Filter();
     }
 
-    // The filter of a mesh without one allows all pairs; it need not be called.
+    // The filter of a mesh without one allows all pairs; it need not be called. It has a type of its own from
+    // version 1.6 on. Before, it is a function, with a result of type int in version 1.4.
     static bool is_default(const Filter& filter)
     {
-        using Pointer = bool (*)(std::size_t, std::size_t);
         static const Filter all = function_of(ipc::CollisionMesh().can_collide);
-        const Pointer *given = filter.target<Pointer>(), *expected = all.target<Pointer>();
-        return filter.target_type() == all.target_type() && (!given || *given == *expected);
+        return filter.target_type() == all.target_type() && is_same<int>(filter, all) && is_same<bool>(filter, all);
+    }
+
+    // False for two different functions with this type of result. Both filters have targets of one type.
+    template <typename Result>
+    static bool is_same(const Filter& filter, const Filter& other)
+    {
+        using Function = Result (*)(std::size_t, std::size_t);
+        const Function *given = filter.target<Function>(), *expected = other.target<Function>();
+        return !given || *given == *expected;
     }
 
     // There are planes from version 1.6 on.

@@ -318,7 +318,7 @@ class Detector(Searcher):
         x0, x1 : array of shape (V, 3)
             As for :meth:`collides`.
         keep : float
-            The part of the time of a contact that its vertices take, above 0 and at most 1; its power k in round k.
+            The part of the time of a contact that its vertices take, above 0 and at most 1; its power k in the k-th round that holds vertices back.
         pinned : array of shape (N,), optional
             The indices of vertices that go all the way, such as those of obstacles and scripts.
 

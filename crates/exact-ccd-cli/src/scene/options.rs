@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::part::named;
 use super::rules::Rules;
 
 /// The options `--with`, `--ignore`, `--only`, `--weld`, `--triangles-only` and `--max-size`.
@@ -27,4 +28,15 @@ pub(crate) struct SceneOptions {
     /// data, or data that a file names several times. The memory of reading is proportional to it.
     #[arg(long, value_name = "BYTES")]
     pub(super) max_size: Option<u64>,
+}
+
+impl SceneOptions {
+    /// The files that are read, given those of the parts that move.
+    pub(crate) fn inputs(&self, moving: &[PathBuf]) -> Vec<PathBuf> {
+        moving
+            .iter()
+            .chain(&self.others)
+            .map(|path| named(path).1)
+            .collect()
+    }
 }

@@ -167,7 +167,12 @@ fn no_answer_replaces_a_mesh() {
     // A collection of frames has the extension of no mesh file.
     let list = r#"<VTKFile type="Collection"><Collection><DataSet file="start.ply"/></Collection></VTKFile>"#;
     folder.write("frames.pvd", list);
-    for command in [&["audit", "frames.pvd"][..], &["step", "frames.pvd", "end.ply"]] {
+    for command in [
+        &["audit", "frames.pvd"][..],
+        &["audit", "a=frames.pvd"],
+        &["audit", "start.ply", "--with", "frames.pvd"],
+        &["step", "frames.pvd", "end.ply"],
+    ] {
         let run = folder.run(&[command, &["--output", "frames.pvd"]].concat());
         assert!(run.error().contains("would replace this input"), "{run:?}");
         assert_eq!(read("frames.pvd"), list.as_bytes());

@@ -14,15 +14,15 @@ pub(super) fn is_beyond(normal: Point, point: Point, x: Point, d: Separation) ->
 }
 
 /// The filter, which needs the default [`environment`]. With the unit roundoff u, each of the three
-/// products nᵢ (xᵢ − pᵢ) has two rounding errors and takes part in two sums, so that the error of their sum
-/// s is at most γ₄ S, where S is the sum of the absolute values of the exact products and γ₄ = 4u / (1 −
-/// 4u) (N. Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, section 3.1). The computed S is
-/// at least (1 − u)⁴ S. The squares of |n| have one rounding error each and two sums, of positive terms,
-/// underflow adds at most 3u to their normal sum, the square root halves these 6u and adds one error, and
-/// the product by d adds another: 5u in all, relative to the result r. The difference s − r has another
-/// error, of u |s − r|. So the sign of s − r is right if |s − r| > 8u (S + r), up to underflow of
-/// the four other products, which adds at most 2⁻¹⁰⁷⁵ each: `MIN_POSITIVE` = 2⁻¹⁰²² covers that. Overflow
-/// gives an infinite bound or NaN, which prove nothing.
+/// products nᵢ (xᵢ − pᵢ) has two rounding errors and takes part in two sums, so that the error of their
+/// sum s is at most γ₄ S, where S is the sum of the absolute values of the exact products and γ₄ = 4u /
+/// (1 − 4u) (N. Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, section 3.1). The
+/// computed S is at least (1 − u)⁴ S. The squares of |n| have one rounding error each and two sums, of
+/// positive terms, underflow adds at most 3u to their normal sum, the square root halves these 6u and
+/// adds one error, and the product by d adds another: less than 6u in all, relative to the result r. The
+/// difference s − r has another error, of u |s − r|. So the sign of s − r is right if |s − r| > 8u (S +
+/// r), up to underflow of the four other products, which adds at most 2⁻¹⁰⁷⁵ each: `MIN_POSITIVE` =
+/// 2⁻¹⁰²² covers that. Overflow gives an infinite bound or NaN, which prove nothing.
 fn in_floating_point(normal: Point, point: Point, x: Point, d: Separation) -> Option<bool> {
     let product = |axis: usize| normal[axis] * (x[axis] - point[axis]);
     let products = [product(0), product(1), product(2)];

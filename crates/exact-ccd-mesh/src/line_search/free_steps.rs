@@ -40,10 +40,10 @@ impl Detector {
     /// vertices is certified to be free of contact.
     ///
     /// In each round, the step to the positions so far is searched for contact. A contact at time t holds
-    /// back the vertices that approach the other primitive, to first order: in round k, their sizes are
-    /// multiplied by t `keep`ᵏ, and by the least of these factors if several contacts hold a vertex back. The
-    /// next round searches the pairs of which a vertex has been held back. The last one finds no contact,
-    /// which is the certificate.
+    /// back the vertices that approach the other primitive, to first order: in the k-th round that does so,
+    /// their sizes are multiplied by t `keep`ᵏ, and by the least of these factors if several contacts hold a
+    /// vertex back. The next round searches the pairs of which a vertex has been held back. The last one
+    /// finds no contact, which is the certificate.
     ///
     /// No size falls below that of [`free_step`](Self::free_step), to which the step of all vertices is
     /// certified. So the rounds end: from round 32 on, a contact brings vertices to that size, and from round

@@ -6,11 +6,11 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use dashu_int::IBig;
 
-/// Σ cᵢ tⁱ uⁿ⁻ⁱ with u = 1 − t, for the degree n: the sum of degree n of the Bernstein polynomials, without
+/// Σ cᵢ tⁱ sⁿ⁻ⁱ with s = 1 − t, for the degree n: the sum of degree n of the Bernstein polynomials, without
 /// their binomial factors. Only polynomials of one degree are added.
 ///
 /// The linear interpolant of two values has these as coefficients. With the ratio τ = t / u, the polynomial
-/// is uⁿ Σ cᵢ τⁱ: in the inside of the step, it has the sign and the roots of a polynomial in τ > 0.
+/// is sⁿ Σ cᵢ τⁱ: in the inside of the step, it has the sign and the roots of a polynomial in τ > 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Polynomial(Vec<IBig>);
 
@@ -58,7 +58,7 @@ impl Polynomial {
     }
 
     /// The polynomial without its roots at t = 0 and t = 1, whatever their multiplicity, and in the least
-    /// degree: without factors t + u, which are 1.
+    /// degree: without factors t + s, which are 1.
     pub(super) fn reduced(&self) -> Self {
         let [start, end] = self.end_zeros();
         let mut reduced = self.0[start..self.0.len() - end].to_vec();
@@ -68,7 +68,7 @@ impl Polynomial {
         Self(reduced)
     }
 
-    /// The numbers of zeros at both ends of the coefficients, which are factors t and u, of a polynomial that
+    /// The numbers of zeros at both ends of the coefficients, which are factors t and s, of a polynomial that
     /// is not zero.
     pub(super) fn end_zeros(&self) -> [usize; 2] {
         let is_inner = |c: &IBig| !c.is_zero();
@@ -110,7 +110,7 @@ impl Polynomial {
     }
 }
 
-/// The quotient by t + u, if it leaves no remainder: cᵢ = qᵢ + qᵢ₋₁.
+/// The quotient by t + s, if it leaves no remainder: cᵢ = qᵢ + qᵢ₋₁.
 fn without_one(coefficients: &[IBig]) -> Option<Vec<IBig>> {
     let (last, others) = coefficients.split_last()?;
     let mut quotient = Vec::with_capacity(others.len());

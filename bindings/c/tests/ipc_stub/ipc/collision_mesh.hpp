@@ -55,7 +55,8 @@ public:
     std::function<bool(std::size_t, std::size_t)> can_collide = default_can_collide;
 
 private:
-    static bool default_can_collide(std::size_t, std::size_t) { return true; }
+    // Of type bool from version 1.5 on.
+    static int default_can_collide(std::size_t, std::size_t) { return true; }
 
 #else
     CollisionFilter can_collide;

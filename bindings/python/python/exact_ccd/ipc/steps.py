@@ -165,7 +165,7 @@ class _Rule:
     now: Optional[Callable[[int, int], object]] = None
 
     def __call__(self, v: int, w: int) -> object:
-        """Ask the rule."""
+        """Return the answer of the rule; True without one."""
         return self.now is None or self.now(v, w)
 
 
@@ -193,21 +193,21 @@ def _detector(mesh: AnyMesh, min_distance: float) -> Iterator[Detector]:
     key = check_distance("min_distance", min_distance), rule is not None
     kept: _Detectors = _cache.detectors.setdefault(mesh, {}) if _is_kept(mesh) else {}
     found = kept.pop(key, None)
-    detector, asked = kept[key] = found or _new(mesh, *key)
+    detector, own_rule = kept[key] = found or _new(mesh, *key)
     if len(kept) > _MOST_DETECTORS:
         del kept[next(iter(kept))]
-    asked.now = rule
+    # A signal handler may be called within a call, and call this one.
+    before, own_rule.now = own_rule.now, rule
     try:
         yield detector
     finally:
         # The rule may have the mesh, which its own detector does not keep alive.
-        asked.now = None
+        own_rule.now = before
 
 
 def _is_kept(mesh: AnyMesh) -> bool:
-    """Return True if the faces and edges of a mesh never change, and its detector does not have it."""
+    """Return True if a detector of the mesh can be kept: its primitives never change, and it is not kept alive."""
     if isinstance(mesh, Mesh):
-        # A detector has the rule of its mesh.
         return mesh.can_collide is None
     kinds = type(mesh).__mro__
     return isinstance(mesh, CollisionMesh) or any(kind.__module__.split(".")[0] == "ipctk" for kind in kinds)

@@ -10,7 +10,7 @@ use crate::exact::polynomial::Polynomial;
 use crate::exact::roots::roots;
 use crate::exact::split::Split;
 
-/// (t − u)ᵐ a 2ᵐᵏ − (t + u)ᵐ. The roots are near t / u = 1 ± 2¹⁻ᵏ, for a = 1.
+/// (t − s)ᵐ a 2ᵐᵏ − (t + s)ᵐ. The roots are near t / s = 1 ± 2¹⁻ᵏ, for a = 1.
 fn flat(power: usize, factor: u32, halvings: usize) -> Polynomial {
     let power_of = |base: [i32; 2]| {
         let base = Polynomial::new(base.map(IBig::from).to_vec());

@@ -62,16 +62,16 @@ impl Feature {
         }
     }
 
-    /// Returns true if the excess vanishes at a time of the step at which the feature exists, but not at all
-    /// times.
+    /// Returns true if the excess vanishes at a time inside the step at which the feature exists, but not at
+    /// all times. An end of the step may count too: callers decide both ends apart.
     pub(super) fn crosses(&self) -> bool {
         let mut roots = self.roots().into_iter();
         roots.any(|root| self.exists(&Narrowing::new(root)))
     }
 
-    /// The times of the step at which the excess vanishes, in increasing order; none if it is zero at all
-    /// times, or if the feature certainly exists at none inside the step: a guard has no coefficient above 0,
-    /// and one below.
+    /// The times of the step at which the excess vanishes, in increasing order. There are none if it is zero
+    /// at all times, or if a guard has a coefficient below 0 and none above: the feature exists at no time
+    /// inside the step then. It may exist at an end, which callers decide apart.
     pub(super) fn roots(&self) -> Vec<Instant> {
         let is_negative =
             |guard: &Polynomial| !guard.is_zero() && guard.coefficients().iter().all(|c| *c <= IBig::ZERO);

@@ -1,4 +1,5 @@
-// The interface of the IPC Toolkit (1.6, or with IPC_BEFORE_1_6 that of 1.4 and 1.5) that exact_ccd/ipc_toolkit.hpp uses, without the toolkit.
+// The interface of the IPC Toolkit (1.6, or with IPC_BEFORE_1_6 that of 1.4 and 1.5) that
+// exact_ccd/ipc_toolkit.hpp uses, without the toolkit.
 
 #pragma once
 
