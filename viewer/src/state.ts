@@ -22,6 +22,20 @@ export interface State {
 
 export type Change = Partial<State>;
 
+/** The state at the start. */
+export const INITIAL: State = {
+  moment: { frame: 0, t: 0 },
+  contact: null,
+  playing: false,
+  theme: "light",
+  opacity: 1,
+  wireframe: true,
+  paths: true,
+  labels: true,
+  names: true,
+  hidden: new Set(),
+};
+
 export class Store {
   private readonly observers: ((state: State, change: Change) => void)[] = [];
 

@@ -15,7 +15,7 @@ import { Labels } from "./scene/labels";
 import { magnified, moved, turned } from "./scene/pose";
 import { Stage } from "./scene/stage";
 import { type Shown } from "./source";
-import { type Change, type State, Store } from "./state";
+import { type Change, INITIAL, type State, Store } from "./state";
 
 /** Meshes up to this number of faces open with the edges of their faces. */
 const FEW_FACES = 60_000;
@@ -41,18 +41,7 @@ export class Viewer {
 
   constructor() {
     const dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
-    this.store = new Store({
-      moment: { frame: 0, t: 0 },
-      contact: null,
-      playing: false,
-      theme: dark ? "dark" : "light",
-      opacity: 1,
-      wireframe: true,
-      paths: true,
-      labels: true,
-      names: true,
-      hidden: new Set(),
-    });
+    this.store = new Store({ ...INITIAL, theme: dark ? "dark" : "light" });
     const choose = (moment: Moment): void => this.store.set({ moment, playing: false });
     this.stage = new Stage(byId("scene", HTMLCanvasElement), new Labels(byId("labels", HTMLElement)));
     this.slider = new Slider(byId("slider", HTMLInputElement), byId("ticks", HTMLCanvasElement), byId("moment", HTMLElement), choose);

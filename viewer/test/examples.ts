@@ -1,7 +1,6 @@
-/** Data and a state for tests. */
+/** Data for tests. */
 
 import { type Page } from "../src/page";
-import { type State } from "../src/state";
 
 /** A page without contacts, whose frames have these numbers. */
 export const pageOf = (numbers: number[]): Page => ({
@@ -23,17 +22,3 @@ export const pageOf = (numbers: number[]): Page => ({
   contactCount: 0,
   query: null,
 });
-
-/** The state at the start. */
-export const STATE: State = {
-  moment: { frame: 0, t: 0 },
-  contact: null,
-  playing: false,
-  theme: "light",
-  opacity: 1,
-  wireframe: true,
-  paths: true,
-  labels: true,
-  names: true,
-  hidden: new Set(),
-};

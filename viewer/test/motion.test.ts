@@ -5,8 +5,8 @@ import { Incidence } from "../src/incidence";
 import { momentOf, timeOf } from "../src/panel/history";
 import { groupsOf, looseVertices, partsOf } from "../src/parts";
 import { play } from "../src/player";
-import { Store } from "../src/state";
-import { pageOf, STATE } from "./examples";
+import { INITIAL, Store } from "../src/state";
+import { pageOf } from "./examples";
 
 const page = (count: number): Page => ({ ...pageOf([...Array(count).keys()]), center: [10, 20, 30], scale: 2 });
 
@@ -28,7 +28,7 @@ describe("playing", () => {
   afterEach(() => vi.unstubAllGlobals());
   it.each([[0, false], [1, false], [2, true], [9, true]])("of %s frames lasts: %s", (count, lasts) => {
     vi.stubGlobal("requestAnimationFrame", () => 0);
-    const store = new Store(STATE);
+    const store = new Store(INITIAL);
     play(store, () => count);
     store.set({ playing: true });
     expect(store.state.playing).toBe(lasts);

@@ -8,8 +8,8 @@ import { type Label, type Labels } from "../src/scene/labels";
 import { type Pose } from "../src/scene/pose";
 import { Stage } from "../src/scene/stage";
 import { type Shown } from "../src/source";
-import { type State } from "../src/state";
-import { pageOf, STATE } from "./examples";
+import { INITIAL, type State } from "../src/state";
+import { pageOf } from "./examples";
 
 /** A view without WebGL, which keeps what it is told. */
 const StillView = vi.hoisted(() => class {
@@ -60,14 +60,14 @@ function motion(count: number): { shown: Shown; arrive: (...frames: number[]) =>
   return { shown, arrive };
 }
 
-const at = (frame: number): State => ({ ...STATE, moment: { frame, t: 0 } });
+const at = (frame: number): State => ({ ...INITIAL, moment: { frame, t: 0 } });
 
 describe("frames that arrive late", () => {
   it("are not drawn over a later choice", async () => {
     const { stage, drawn } = stageOf();
     const { shown, arrive } = motion(100);
     stage.show(shown);
-    void stage.update(at(0), STATE);
+    void stage.update(at(0), INITIAL);
     await arrive(1);
     void stage.update(at(60), {});
     void stage.update(at(0), {});

@@ -4,7 +4,7 @@ use exact_ccd::{Point, Separation, Separations};
 use exact_ccd_check::certificate::{CONTACT, FREE, MAGIC, REST};
 use exact_ccd_check::grid::Grid;
 use exact_ccd_check::motion::Motion;
-use exact_ccd_check::{Failure, Kind, Mesh, tree};
+use exact_ccd_check::{Kind, Mesh, tree};
 use exact_ccd_mesh::{Contact, MinDistance, Pair, StepError, TriangleMesh};
 use rayon::prelude::*;
 
@@ -24,9 +24,6 @@ pub struct Maker {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MakerError {
-    /// The positions are not those of a mesh in motion.
-    #[error("{0}: pass as many finite positions as the mesh has vertices")]
-    Motion(Failure),
     /// The step is none, or an edge passes through a face at its start.
     #[error(transparent)]
     Step(#[from] StepError),
@@ -112,13 +109,12 @@ impl Maker {
         rest: bool,
         earliest: Option<&Contact>,
     ) -> Result<(), MakerError> {
-        // The positions are as many as the vertices, and finite.
         exact_ccd_mesh::Step::new(mesh, positions[0], positions[1])?;
         let [free, contact] = times(earliest);
         let distance = self.distance.get();
-        let motion = Motion::new(positions[0], positions[1], distance).map_err(MakerError::Motion)?;
+        let motion = Motion::new(positions[0], positions[1], distance).expect("a step has finite positions");
         let mesh = Mesh::new(positions[0].len(), mesh.faces().to_vec(), mesh.loose_edges())
-            .map_err(MakerError::Motion)?;
+            .expect("a step has the vertices of its mesh");
         self.steps += 1;
         let flag = |is_on: bool, flag: u8| if is_on { flag } else { 0 };
         self.bytes

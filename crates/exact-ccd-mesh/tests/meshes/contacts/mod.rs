@@ -8,6 +8,7 @@ mod distance;
 mod every_pair;
 mod free_step;
 mod free_steps;
+mod held_back;
 mod points;
 mod scene;
 mod start_check;
