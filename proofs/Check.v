@@ -162,8 +162,7 @@ Proof.
     destruct k; try contradiction; exact separate.
 Qed.
 
-(** Rest: no edge pierces a face at t = 0. *)
-Theorem table_rest rows ids p : check_table EdgeFace rows = true -> pair_of EdgeFace ids = Some p -> ~ pierces V m p 0.
+Lemma table_rest_counted rows ids p : check_table EdgeFace rows = true -> pair_of EdgeFace ids = Some p -> ~ pierces V m p 0.
 Proof.
   destruct ids as (a, b); intros holds counted.
   destruct (pair_of_primitives mesh made EdgeFace a b p counted) as (fit & listed & contact & _); specialize (contact eq_refl).
@@ -178,8 +177,17 @@ Proof.
       pierces_within, piercing.
 Qed.
 
-(** Contact: with the tables of all kinds, the named pair is the first within the distance, after T and not
-    after T⁺. *)
+(** Rest: no edge pierces a face at t = 0. *)
+Theorem table_rest rows a b xs ys : check_table EdgeFace rows = true -> edge mesh a = Some xs -> face mesh b = Some ys ->
+  ~ pierces V m {| first := xs; second := ys; has_distance := false |} 0.
+Proof.
+  intros holds a_is b_is; destruct (edge_and_face mesh made a b xs ys a_is b_is) as [counted|(x & in_edge & in_face)].
+  - exact (table_rest_counted rows (a, b) _ holds counted).
+  - exact (common_vertex V m {| first := xs; second := ys; has_distance := false |} x 0 in_edge in_face).
+Qed.
+
+(** Contact: with the tables of all kinds, the named pair is within the distance after T and not after T⁺, and no
+    pair that counts is until T. *)
 Theorem first_contact rows k ids p after witness : moment until < moment after ->
   (forall k, k <> EdgeFace -> check_table k (rows k) = true) ->
   k <> EdgeFace -> pair_of k ids = Some p -> is_contact V m k p until after witness = true ->

@@ -1,8 +1,8 @@
 (** The example by hand of docs/certificates.md, computed with the restated functions: a vertex that falls
     on a slope. *)
 
-From Coq Require Import ZArith List.
-Require Import Vectors Motion Floats Separation Near InContact Grid Moving Mesh.
+From Coq Require Import Reals ZArith List Permutation Lra Lia.
+Require Import Vectors Motion Floats Separation Near InContact Grid Moving Mesh Tree Check.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -68,3 +68,54 @@ Proof. vm_compute; reflexivity. Qed.
 (** The component of the normal on the axis y is 0. *)
 Example no_contact_by_another_axis : is_contact nat slope VertexFace vertex_and_face half one (Coplanar (Some Y) None) = false.
 Proof. vm_compute; reflexivity. Qed.
+
+(** ** The whole certificate *)
+
+(** A tree of any leaves: each is split off from the rest. *)
+Fixpoint comb (first : leaf id) (rest : list (leaf id)) : tree id :=
+  let one := Leaf id (fst first) (snd first) in
+  match rest with [] => one | second :: others => Two id one (comb second others) (all_of id first rest) end.
+
+Lemma comb_built first rest : build id (first :: rest) (comb first rest).
+Proof.
+  revert first; induction rest as [|second rest IH]; intros (p, b); [constructor|].
+  apply (build_more id (p, b) (second :: rest) ((p, b) :: second :: rest) [(p, b)] (second :: rest)); [reflexivity|reflexivity|constructor|apply IH].
+Qed.
+
+Definition trees (k : kind) (side : bool) : option (tree id) :=
+  match map (leaf_for slope slope_mesh before k) (primitives slope_mesh k side) with
+  | [] => None
+  | first :: rest => Some (comb first rest)
+  end.
+
+Definition rows (k : kind) : list (id * id * row) := match k with VertexFace => [((3, 0)%nat, OnGrid g)] | _ => [] end.
+
+Definition accepted (k : kind) (rows : list (id * id * row)) : bool :=
+  check_table slope slope_mesh before trees (fun pairs => pairs) k rows.
+
+Example all_tables : forallb (fun k => accepted k (rows k)) [VertexFace; EdgeEdge; VertexEdge; VertexVertex; EdgeFace] = true.
+Proof. vm_compute; reflexivity. Qed.
+
+Example a_pair_is_left_out : accepted VertexFace [] = false.
+Proof. vm_compute; reflexivity. Qed.
+
+(** The assumptions of the theorems hold here, so that none contradicts another. *)
+Theorem example_statement :
+  (exists t, moment before < t <= moment after /\ within nat slope vertex_and_face t)%R
+  /\ forall k ids p t, k <> EdgeFace -> pair_of slope_mesh k ids = Some p -> (0 <= t <= moment before)%R -> ~ within nat slope p t.
+Proof.
+  apply (first_contact slope ltac:(simpl; lia) slope_mesh) with
+    (tree_of := trees) (sort := fun pairs => pairs) (rows := rows) (k := VertexFace) (ids := (3, 0)%nat) (witness := Point [8; 6; 1; 1]).
+  - split; [reflexivity|split].
+    + intros a b c v [[= <- <- <-]|[]] here; simpl in *; lia.
+    + intros a b v here there; simpl in *.
+      repeat match goal with H : _ \/ _ |- _ => destruct H | H : False |- _ => destruct H | H : (_, _) = _ |- _ => injection H as <- <- end; lia.
+  - intros k side; unfold trees.
+    destruct (map (leaf_for slope slope_mesh before k) (primitives slope_mesh k side)); [reflexivity|apply comb_built].
+  - intros l; reflexivity.
+  - unfold before, after; rewrite !time_value by (unfold one_bits; lia); apply real_of_bits_less; unfold one_bits; lia.
+  - intros k moving; destruct k; try (vm_compute; reflexivity); congruence.
+  - discriminate.
+  - reflexivity.
+  - exact in_contact_after.
+Qed.

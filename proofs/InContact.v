@@ -14,7 +14,6 @@ Inductive proof :=
 Section Contact.
 Variable V : Type.
 Variable m : motion V.
-Hypothesis distance_not_negative : (0 <= distance V m)%Z.
 
 (** [is_contact]. *)
 Definition is_contact (k : kind) (p : pair V) (before after : time) (witness : proof) : bool :=

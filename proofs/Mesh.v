@@ -175,3 +175,20 @@ Proof.
       exists (x, y, y), (u, v, w); split; [|split; [|split; simpl; tauto]];
       [apply (edge_primitive m _ _ _ 0); assumption || lia|apply face_primitive, f] end.
 Qed.
+
+(** An edge and a face are a pair that counts, or have a common vertex. *)
+Theorem edge_and_face m : is_mesh m -> forall a b xs ys, edge m a = Some xs -> face m b = Some ys ->
+  pair_of m EdgeFace (a, b) = Some {| first := xs; second := ys; has_distance := false |} \/ exists x, In x xs /\ In x ys.
+Proof.
+  intros (_ & _ & edges_valid) a b xs ys a_is b_is.
+  destruct (existsb (fun x => existsb (Nat.eqb x) ys) xs) eqn:common.
+  - right; apply existsb_exists in common as (x & in_edge & in_face).
+    apply existsb_exists in in_face as (y & in_face & equal); apply Nat.eqb_eq in equal; subst y; exists x; auto.
+  - left; unfold pair_of; rewrite a_is, b_is.
+    replace (forallb _ xs) with true; [simpl; rewrite orb_true_r; reflexivity|symmetry].
+    apply forallb_forall; intros x here; apply andb_true_intro; split.
+    + apply negb_true_iff; destruct (existsb (Nat.eqb x) ys) eqn:in_face; [|reflexivity].
+      rewrite <- common; symmetry; apply existsb_exists; exists x; auto.
+    + apply Nat.ltb_lt; unfold edge in a_is; destruct (nth_error (edges m) a) as [(u, w)|] eqn:found; [|discriminate].
+      injection a_is as <-; apply (edges_valid u w x (nth_error_In _ _ found)), here.
+Qed.

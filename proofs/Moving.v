@@ -104,7 +104,6 @@ Qed.
 Section Moving.
 Variable V : Type.
 Variable m : motion V.
-Hypothesis distance_not_negative : (0 <= distance V m)%Z.
 
 Definition touches (p : pair V) (t : R) :=
   exists a, hull (place V m (first V p) t) a /\ hull (place V m (second V p) t) a.

@@ -44,6 +44,44 @@ Proof.
     rewrite !Rplus_0_r, <- !Rplus_assoc, !same; ring.
 Qed.
 
+(** A linear function has one value at the point of the edge and of the face. *)
+Lemma common_height g e0 e1 f0 f1 f2 v w0 w1 w2 t : (forall k, (1 - v) * position V m e0 t k + v * position V m e1 t k
+    = w0 * position V m f0 t k + w1 * position V m f1 t k + w2 * position V m f2 t k) ->
+  let height x := dot g (position V m x t) in
+  (1 - v) * height e0 + v * height e1 = w0 * height f0 + w1 * height f1 + w2 * height f2.
+Proof.
+  intros same height; unfold height, dot; pose proof (same X) as x; pose proof (same Y) as y; pose proof (same Z3) as z.
+  replace ((1 - v) * (g X * position V m e0 t X + g Y * position V m e0 t Y + g Z3 * position V m e0 t Z3)
+    + v * (g X * position V m e1 t X + g Y * position V m e1 t Y + g Z3 * position V m e1 t Z3))
+    with (g X * ((1 - v) * position V m e0 t X + v * position V m e1 t X)
+      + g Y * ((1 - v) * position V m e0 t Y + v * position V m e1 t Y)
+      + g Z3 * ((1 - v) * position V m e0 t Z3 + v * position V m e1 t Z3)) by ring.
+  rewrite x, y, z; ring.
+Qed.
+
+(** An edge and a face with a common vertex need no proof. *)
+Theorem common_vertex p x t : In x (first V p) -> In x (second V p) -> ~ pierces p t.
+Proof.
+  intros in_edge in_face
+    (e0 & e1 & f0 & f1 & f2 & v & w0 & w1 & w2 & first & second & inner & least0 & least1 & least2 & total & same & volume).
+  rewrite first in in_edge; rewrite second in in_face; apply volume.
+  set (normal := cross (minus (position V m f1 t) (position V m f0 t)) (minus (position V m f2 t) (position V m f0 t))).
+  pose proof (common_height normal e0 e1 f0 f1 f2 v w0 w1 w2 t same) as common; cbv zeta in common.
+  set (height := fun y => dot normal (position V m y t)) in *.
+  assert (height f1 = height f0) as level1 by (unfold height, normal, dot, cross, minus; simpl; ring).
+  assert (height f2 = height f0) as level2 by (unfold height, normal, dot, cross, minus; simpl; ring).
+  assert (height x = height f0) as level by (simpl in in_face; destruct in_face as [<-|[<-|[<-|[]]]]; congruence).
+  fold (height e0) (height e1) (height f0) (height f1) (height f2) in common.
+  rewrite level1, level2 in common.
+  replace (w0 * height f0 + w1 * height f0 + w2 * height f0) with (height f0) in common
+    by (transitivity ((w0 + w1 + w2) * height f0); [rewrite total|]; ring).
+  assert (height e0 = height e1) as flat.
+  { simpl in in_edge; destruct in_edge as [<-|[<-|[]]].
+    - apply Rmult_eq_reg_l with v; lra.
+    - apply Rmult_eq_reg_l with (1 - v); lra. }
+  transitivity (height e1 - height e0); [unfold height, dot, minus; simpl; ring|lra].
+Qed.
+
 (** A direction that is not 0, in which no vertex of the face is beyond one of the edge, excludes piercing. *)
 Lemma supported g p t :
   (exists k, g k <> 0) ->
@@ -56,14 +94,8 @@ Proof.
   set (height := fun x => dot g (position V m x t)).
   assert (forall x y, In x [e0; e1] -> In y [f0; f1; f2] -> 0 <= height x - height y) as order
     by (intros x y x_here y_here; specialize (all x y x_here y_here); unfold height, dot, minus in *; lra).
-  assert ((1 - v) * height e0 + v * height e1 = w0 * height f0 + w1 * height f1 + w2 * height f2) as common.
-  { unfold height, dot; pose proof (same X) as x; pose proof (same Y) as y; pose proof (same Z3) as z.
-    replace ((1 - v) * (g X * position V m e0 t X + g Y * position V m e0 t Y + g Z3 * position V m e0 t Z3)
-      + v * (g X * position V m e1 t X + g Y * position V m e1 t Y + g Z3 * position V m e1 t Z3))
-      with (g X * ((1 - v) * position V m e0 t X + v * position V m e1 t X)
-        + g Y * ((1 - v) * position V m e0 t Y + v * position V m e1 t Y)
-        + g Z3 * ((1 - v) * position V m e0 t Z3 + v * position V m e1 t Z3)) by ring.
-    rewrite x, y, z; ring. }
+  assert ((1 - v) * height e0 + v * height e1 = w0 * height f0 + w1 * height f1 + w2 * height f2) as common
+    by (apply common_height; exact same).
   assert (forall y, In y [f0; f1; f2] -> 0 <= (1 - v) * (height e0 - height y) + v * (height e1 - height y)) as mixed
     by (intros y here; assert (0 <= (1 - v) * (height e0 - height y) /\ 0 <= v * (height e1 - height y));
         [split; apply Rmult_le_pos; try lra; apply order; simpl; tauto|lra]).

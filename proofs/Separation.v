@@ -18,9 +18,6 @@ Proof. unfold integer_dot, dot, real; now rewrite !plus_IZR, !mult_IZR. Qed.
 Lemma integer_square_not_negative a : (0 <= integer_dot a a)%Z.
 Proof. unfold integer_dot; nia. Qed.
 
-Lemma integer_square_zero a : integer_dot a a = 0%Z -> forall k, a k = 0%Z.
-Proof. unfold integer_dot; intros zero k; destruct k; nia. Qed.
-
 Section Separation.
 Variable V : Type.
 Variable m : motion V.

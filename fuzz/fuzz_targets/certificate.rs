@@ -4,14 +4,17 @@
 
 use arbitrary::{Result, Unstructured};
 use exact_ccd::Separation;
-use exact_ccd_check::{Mesh, check, ply::Frame};
+use exact_ccd_check::{Kind, Mesh, check, ply::Frame};
 use exact_ccd_fuzz::positions;
-use exact_ccd_mesh::{Bvh, Detector, IntersectionOptions, Meeting, Options, TriangleMesh, intersections};
+use exact_ccd_mesh::{
+    Bvh, Detector, IntersectionOptions, Meeting, Options, Pair, TriangleMesh, intersections,
+};
 use libfuzzer_sys::fuzz_target;
 
 const MAGIC: &[u8] = b"exact-ccd certificate 1\n";
 const FACES: [[u32; 3]; 2] = [[0, 1, 2], [3, 4, 5]];
-const RODS: [[u32; 2]; 1] = [[6, 7]];
+/// A rod and a loose vertex, or two connected rods.
+const RODS: [&[[u32; 2]]; 2] = [&[[6, 7]], &[[6, 7], [7, 8]]];
 const VERTICES: usize = 9;
 
 fuzz_target!(|bytes: &[u8]| {
@@ -21,8 +24,9 @@ fuzz_target!(|bytes: &[u8]| {
 
 fn decide(mut bytes: Unstructured) -> Result<()> {
     let [x0, x1] = positions(&mut bytes, VERTICES)?;
-    let d = f64::from(bytes.int_in_range(0..=2)?) / 2.0;
-    let mesh = Mesh::new(VERTICES, FACES.to_vec(), &RODS).expect("all vertices exist");
+    let halves = bytes.int_in_range(0..=2)?;
+    let (d, rods) = (f64::from(halves) / 2.0, RODS[usize::from(halves == 2)]);
+    let mesh = Mesh::new(VERTICES, FACES.to_vec(), rods).expect("all vertices exist");
     let frame = |positions: &[_]| {
         Ok(Frame {
             mesh: mesh.clone(),
@@ -33,7 +37,7 @@ fn decide(mut bytes: Unstructured) -> Result<()> {
     let Ok(proved) = check(&certificate, [frame(&x0), frame(&x1)]) else {
         return Ok(());
     };
-    let mesh = TriangleMesh::with_edges(VERTICES, FACES.to_vec(), &RODS).expect("all vertices exist");
+    let mesh = TriangleMesh::with_edges(VERTICES, FACES.to_vec(), rods).expect("all vertices exist");
     let mut detector = Detector::new(mesh);
     let options = Options::within(Separation::new(d).expect("it is a distance"));
     for step in &proved.steps {
@@ -41,9 +45,12 @@ fn decide(mut bytes: Unstructured) -> Result<()> {
             let collides = detector.collides(&x0, &x1, options.until(until));
             assert_eq!(collides, Ok(false), "{proved:?}: {x0:?}, {x1:?}");
         }
-        if let Some(until) = step.head.contact {
-            let collides = detector.collides(&x0, &x1, options.until(until));
-            assert_eq!(collides, Ok(true), "{proved:?}: {x0:?}, {x1:?}");
+        if let (Some(until), Some(named)) = (step.head.contact, step.contact) {
+            let found = detector
+                .collisions(&x0, &x1, options.until(until))
+                .expect("they are positions");
+            let is_found = found.iter().any(|contact| name(contact.pair) == named);
+            assert!(is_found, "{proved:?}: {x0:?}, {x1:?}");
         }
         if step.head.rest {
             let crossing = IntersectionOptions::default().with_meeting(Meeting::Crossing);
@@ -52,4 +59,15 @@ fn decide(mut bytes: Unstructured) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// The name of a pair in certificates.
+fn name(pair: Pair) -> (Kind, [u32; 2]) {
+    let kind = match pair {
+        Pair::VertexFace { .. } => Kind::VertexFace,
+        Pair::EdgeEdge { .. } => Kind::EdgeEdge,
+        Pair::VertexEdge { .. } => Kind::VertexEdge,
+        Pair::VertexVertex { .. } => Kind::VertexVertex,
+    };
+    (kind, pair.ids())
 }

@@ -3,7 +3,7 @@
 #![no_main]
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd::{EdgeEdge, Query, Separation, VertexFace};
+use exact_ccd::{ContactTime, EdgeEdge, Query, Separation, VertexFace};
 use exact_ccd_curved::{Answer, Polynomial, SearchOptions, Trajectory, time_of_impact};
 use exact_ccd_fuzz::{coordinate, positions};
 use libfuzzer_sys::fuzz_target;
@@ -38,18 +38,12 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     if let Ok(query) = Query::<VertexFace>::new(four(&x0), four(&x1))
         && let Ok(answer) = time_of_impact::<VertexFace, _>(&lines, d, &options)
     {
-        assert_exact(
-            &answer,
-            query.collision(d).map(|collision| collision.time().upper()),
-        );
+        assert_exact(&answer, query.collision(d).map(|collision| collision.time()));
     }
     if let Ok(query) = Query::<EdgeEdge>::new(four(&x0), four(&x1))
         && let Ok(answer) = time_of_impact::<EdgeEdge, _>(&lines, d, &options)
     {
-        assert_exact(
-            &answer,
-            query.collision(d).map(|collision| collision.time().upper()),
-        );
+        assert_exact(&answer, query.collision(d).map(|collision| collision.time()));
     }
     Ok(())
 }
@@ -62,14 +56,16 @@ fn assert_ordered(answer: &Answer) {
     );
 }
 
-/// Checks that the free times of an answer are free by the exact query.
-fn assert_exact(answer: &Answer, first: Option<f64>) {
+/// Checks that the free times of an answer are free by the exact query, and that its contact is one.
+fn assert_exact(answer: &Answer, first: Option<ContactTime>) {
     assert_ordered(answer);
     match first {
         Some(first) => assert!(
-            !answer.is_free() && answer.free_until <= first,
-            "{answer:?}, {first}"
+            !answer.is_free()
+                && answer.free_until <= first.upper()
+                && answer.within.is_none_or(|within| first.lower() <= within.by),
+            "{answer:?}, {first:?}"
         ),
-        None => assert!(answer.free_until >= 0.0),
+        None => assert_eq!(answer.within, None, "{answer:?}"),
     }
 }

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use arbitrary::{Result, Unstructured};
 use exact_ccd_fuzz::file;
 use exact_ccd_scene::{Scene, SceneError, import};
-use exact_ccd_sim::{StepFilter, System};
+use exact_ccd_sim::{Settings, StepFilter, System};
 use libfuzzer_sys::fuzz_target;
 
 const TEXT: &[&str] = &[
@@ -93,7 +93,7 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     };
     let path = FOLDER.join(name);
     fs::write(&path, file(bytes, words)?).expect("a scene");
-    let exact = |_: &str, _: &System| Ok(StepFilter::default());
+    let exact = |_: &mut Settings, _: &System| Ok(StepFilter::default());
     if let Ok(Some(imported)) = import(&path, None) {
         let scene = Scene::parse(&imported.toml, &path, Some(&imported.meshes), &exact);
         if let Err(SceneError::Field { message, .. }) = scene {

@@ -46,12 +46,9 @@ impl Head {
         }
         let free = if flags & FREE == 0 { None } else { Some(bytes.time()?) };
         let contact = if flags & CONTACT == 0 { None } else { Some(bytes.time()?) };
-        let are_adjacent = match (free, contact) {
-            (_, None) => true,
-            (None, Some(time)) => time == 0.0,
-            (Some(free), Some(contact)) => contact.to_bits() == free.to_bits() + 1,
-        };
-        if !are_adjacent {
+        // The first f64 that may be T⁺.
+        let first = free.map_or(0, |time| time.to_bits() + 1);
+        if contact.is_some_and(|time| time.to_bits() != first) {
             return unreadable("the times before and after a contact are not adjacent f64");
         }
         Ok(Self { rest: flags & REST != 0, free, contact })

@@ -1,9 +1,10 @@
 //! The statements of a certificate, proved or refused.
 //!
 //! A table has the proofs of one kind of pairs, sorted. The pairs that need a proof are found here, and
-//! each must be in the table. There are at most as many as the table has bytes, or the certificate is
-//! unreadable: the sizes of the files bound the memory. Pairs of neighbours need no proof, and are found
-//! too, so that the time is at most that of all pairs of primitives.
+//! each must be in the table. There are at most as many as the certificate has bytes, or it is
+//! unreadable: the sizes of the files bound the memory, at up to some 400 bytes for a coordinate, as the
+//! least exponent of all coordinates and of d is the unit of all. Pairs of neighbours need no proof, and
+//! are found too, so that the time is at most that of all pairs of primitives.
 
 use std::fmt;
 
@@ -57,15 +58,15 @@ pub fn check(
     for frame in frames {
         let next = frame?;
         if last.mesh != next.mesh || next.mesh.vertex_count as usize != next.positions.len() {
-            return unreadable(format!("frames {} and {} are not of one mesh", steps.len(), steps.len() + 1));
+            return refused(format!("frames {} and {} are not of one mesh", steps.len(), steps.len() + 1));
         }
         if let ([], Some(Step { contact, .. })) = (bytes.0, steps.last()) {
             let (end, last) = (if contact.is_some() { "contact in" } else { "end of" }, steps.len());
             let end = format!("the certificate ends with the {end} step {}, before all frames", last - 1);
             return refused(format!("{end}: leave out those after frame {last}"));
         }
-        let motion = Motion::new(&last.positions, &next.positions, distance)?;
-        let step = check_step(&mut bytes, &last.mesh, &motion);
+        let step = Motion::new(&last.positions, &next.positions, distance)
+            .and_then(|motion| check_step(&mut bytes, &last.mesh, &motion));
         steps.push(step.map_err(|failure| failure.at(format_args!("step {}", steps.len())))?);
         last = next;
     }
@@ -150,9 +151,12 @@ fn named(kind: Kind, [i, j]: [u32; 2]) -> String {
 /// One sentence for each statement, each on a line.
 impl fmt::Display for Proved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let near = match self.distance {
-            0.0 => "in contact".to_owned(),
-            d => format!("within {d:?} of each other"),
+        let (near, but) = match self.distance {
+            0.0 => ("in contact".to_owned(), ""),
+            d => (
+                format!("within {d:?} of each other"),
+                " (a vertex and an edge that an edge connects: in contact)",
+            ),
         };
         for (number, Step { head, contact, pairs }) in self.steps.iter().enumerate() {
             let next = number + 1;
@@ -161,7 +165,7 @@ impl fmt::Display for Proved {
                 writeln!(f, "  No edge pierces a face at t = 0.")?;
             }
             if let Some(until) = head.free {
-                writeln!(f, "  No two primitives that count are {near} at any time of [0, {until:?}].")?;
+                writeln!(f, "  No two primitives that count are {near}{but} at any time of [0, {until:?}].")?;
             }
             let pair = contact.map(|(kind, ids)| named(kind, ids)).unwrap_or_default();
             match (head.free, head.contact) {

@@ -22,12 +22,14 @@ fn prove(certificate: &PathBuf, frames: &[PathBuf]) -> Result<Proved, Failure> {
 }
 
 fn main() -> ExitCode {
+    // Words of a mesh file may have control characters, by which a terminal shows anything.
+    let printable = |reason: &str| reason.replace(char::is_control, "?");
     let paths: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let (status, text) = match &paths[..] {
         [certificate, frames @ ..] if frames.len() > 1 => match prove(certificate, frames) {
             Ok(proved) => (0, format!("proved, in integers:\n{proved}")),
             Err(Failure::Refused(reason)) => (1, format!("refused: {reason}\n")),
-            Err(Failure::Unreadable(reason)) => (2, format!("unreadable: {reason}\n")),
+            Err(Failure::Unreadable(reason)) => (2, format!("unreadable: {}\n", printable(&reason))),
         },
         [option] if option.as_os_str() == "--help" || option.as_os_str() == "-h" => (0, USAGE.to_owned()),
         _ => (2, USAGE.to_owned()),

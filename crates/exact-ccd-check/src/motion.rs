@@ -47,7 +47,7 @@ impl Motion {
         let mut unit = 971;
         for &x in start.as_flattened().iter().chain(end.as_flattened()).chain([&d]) {
             let Some((_, exponent)) = dyadic(x) else {
-                return unreadable("a number is infinite or not a number");
+                return unreadable("a coordinate, or the distance, is infinite or not a number");
             };
             unit = unit.min(exponent);
         }

@@ -1,6 +1,7 @@
 //! Mesh files: PLY, as text or binary, with the elements `vertex`, `face` and `edge` and nothing else.
 //!
-//! Coordinates are of any type of numbers; in text, decimal numbers, read as the nearest f64. A face
+//! Coordinates are of any type but integers of 64 bits; in text, decimal numbers, read as the nearest
+//! f64. A face
 //! with more than three corners becomes a fan of triangles from its lowest vertex. Properties beside
 //! these are skipped.
 
@@ -124,7 +125,8 @@ fn values(
     (0..index(count)?).map(|_| value(bytes, encoding, kind)).collect()
 }
 
-/// A number. Integers have at most 32 bits, so that all types are parts of f64.
+/// A number. Integers have at most 32 bits, so that f64 has all values of each type; in text, a number that
+/// its type does not have is read nevertheless.
 fn value(bytes: &mut Bytes<'_>, encoding: Encoding, kind: &str) -> Result<f64, Failure> {
     let (size, is_real) = match kind {
         "char" | "int8" | "uchar" | "uint8" => (1, false),

@@ -15,7 +15,8 @@
 //! For an edge and a face at t = 0, it suffices that g is not 0 and g · (x_i − x_j) ≥ 0. An edge that
 //! pierces a face has a point inside of itself in common with the inside of the face; there, all of
 //! these products would be 0, so that g would be orthogonal to the edge and to the plane of the face,
-//! which the edge is not in: g would be 0.
+//! which the edge is not in: g would be 0. An edge that has a vertex in common with a face does not
+//! pierce it, and needs no row: if it is not in the plane of the face, it meets the plane there only.
 
 use dashu_int::IBig;
 

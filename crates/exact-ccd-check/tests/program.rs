@@ -65,6 +65,9 @@ fn reasons() {
     let many = start.replace("vertex 4", "vertex 5");
     let few = start.replace("vertex 4", "vertex 3");
     let words = start.replace("8 0 8", "8 0 eight");
+    let deceiving = start.replace("format ascii", "x\r\u{1b}[2Kproved, in integers:\u{1b}E");
+    let infinite = start.replace("8 0 8", "8 0 inf");
+    let other = start.replace("3 0 1 2", "3 0 2 1");
     let two = start.replace("3 0 1 2", "2 0 1");
     let order = "are these its meshes, in its order?";
     for (name, certificate, frames, status, reason) in [
@@ -130,6 +133,27 @@ fn reasons() {
             "unreadable: 0.ply: vertex 2 of 4: a number is expected, not `eight`",
         ),
         (
+            "control characters",
+            CERTIFICATE,
+            &[deceiving, end.clone()],
+            2,
+            "unreadable: 0.ply: a line of a PLY header is not covered: x??[2Kproved, in integers:?E 1.0",
+        ),
+        (
+            "an infinite coordinate",
+            CERTIFICATE,
+            &[infinite, end.clone()],
+            2,
+            "unreadable: step 0: a coordinate, or the distance, is infinite or not a number",
+        ),
+        (
+            "another mesh",
+            CERTIFICATE,
+            &[start.clone(), other],
+            1,
+            "refused: frames 0 and 1 are not of one mesh",
+        ),
+        (
             "two corners",
             CERTIFICATE,
             &[start.clone(), two],
@@ -160,6 +184,27 @@ fn reasons() {
     ] {
         assert_eq!(run(name, certificate, frames), (status, format!("{reason}\n")), "{name}");
     }
+}
+
+/// A vertex and a loose edge that an edge connects are not apart by a distance, and the sentence says so.
+#[test]
+fn connected_rods_within_a_distance() {
+    let frame = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n\
+        element edge 3\nproperty int vertex1\nproperty int vertex2\nend_header\n\
+        0 0 0\n1 0 0\n0 1 0\n0 1\n1 2\n0 2\n";
+    // No rows of the first two kinds, then those of each vertex and the opposite edge.
+    let tables = b"\0\0\x03\0\x02\0\xff\xff\0\x01\x01\0\x01\0\0\x01\0\0\0\x01\0\0";
+    let until = 1.0_f64.to_le_bytes();
+    let certificate = [&CERTIFICATE[..24], &10.0_f64.to_le_bytes(), &[2], &until, tables].concat();
+    let (status, text) = run("connected rods", &certificate, &[frame.to_owned(), frame.to_owned()]);
+    assert_eq!(
+        text,
+        "proved, in integers:\n\
+         step from frame 0 to frame 1 (pairs next to each other: 3):\n  \
+         No two primitives that count are within 10.0 of each other (a vertex and an edge that an edge connects: \
+         in contact) at any time of [0, 1.0].\n"
+    );
+    assert_eq!(status, 0);
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use exact_ccd_check::bytes::Bytes;
 use exact_ccd_check::certificate::{FREE, Head, MAGIC, REST, stretches};
-use exact_ccd_mesh::{Contact, Pair};
+use exact_ccd_mesh::Contact;
 
 use crate::proof::{Scene, certify, verify};
-use crate::{Random, are_true, scene};
+use crate::{Random, are_true, kind, scene};
 
 /// Scenes that are free at first, with their certificates, which have a property, distances and
 /// earliest contacts.
@@ -220,13 +220,7 @@ fn another_pair_in_contact_is_refused_unless_it_is() {
     // The proof of contact is the last part; its kind and indices are changed together.
     let [differ, _] = mutate(8, |random, bytes, _, contact| {
         let ids = contact.pair.ids();
-        let kind = match contact.pair {
-            Pair::VertexFace { .. } => 0,
-            Pair::EdgeEdge { .. } => 1,
-            Pair::VertexEdge { .. } => 2,
-            Pair::VertexVertex { .. } => 3,
-        };
-        let key = [kind, ids[0] as u8, ids[1] as u8];
+        let key = [kind(contact.pair) as u8, ids[0] as u8, ids[1] as u8];
         if let Some(place) = bytes.windows(3).rposition(|window| window == key) {
             bytes[place + 1 + random.below(2) as usize] = random.below(14) as u8;
         }
