@@ -1,16 +1,14 @@
 //! `exact-ccd audit`: the contacts of a mesh in a sequence of frames.
 
-mod every;
-
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use exact_ccd::Point;
-use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
+use exact_ccd_mesh::{Audit, Frame, Step, Violation};
 
 use crate::certificate::Certificate;
 use crate::contacts::{ContactList, ContactRecord};
-use crate::distances::{Distances, kept};
+use crate::distances::Distances;
 use crate::failure::Failure;
 use crate::half_spaces::HalfSpaces;
 use crate::impact_files;
@@ -22,8 +20,6 @@ use crate::report::{Report, Violations};
 use crate::scene::Scene;
 use crate::seconds::Seconds;
 use crate::view::Recording;
-
-use every::EveryViolation;
 
 /// Certify that a mesh never touches itself in a sequence of frames.
 ///
@@ -57,28 +53,6 @@ pub(crate) struct Arguments {
     mesh: MeshArguments,
 }
 
-/// The search for the first violation, or for all.
-enum Examination {
-    First(Box<Audit>),
-    Every(Box<EveryViolation>),
-}
-
-impl Examination {
-    fn examine(&mut self, frame: Frame) -> Result<Vec<Violation>, MotionError> {
-        match self {
-            Self::First(audit) => Ok(audit.examine(frame)?.into_iter().collect()),
-            Self::Every(every) => every.examine(frame),
-        }
-    }
-
-    fn last(&self) -> Option<&Frame> {
-        match self {
-            Self::First(audit) => audit.last(),
-            Self::Every(every) => every.last(),
-        }
-    }
-}
-
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut run = Run::begin(arguments)?;
     let count = run.scene.frame_count();
@@ -102,7 +76,7 @@ struct Run<'a> {
     /// The next frame, read while the last one was examined.
     next: Option<Result<Frame, Failure>>,
     half_spaces: HalfSpaces,
-    examination: Examination,
+    audit: Audit,
     certificate: Certificate<'a>,
     page: Recording,
     report: Report,
@@ -130,10 +104,11 @@ impl<'a> Run<'a> {
         let half_spaces = mesh
             .half_spaces
             .around(scene.moving_vertices(), mesh.min_distance, None);
+        let audit = Audit::default().with_min_distance(mesh.min_distance);
         Ok(Self {
             arguments,
             next: None,
-            examination: arguments.examination(&scene),
+            audit: audit.with_can_collide(scene.can_collide()),
             certificate,
             page: mesh.view.recording(frames, &scene, half_spaces.all()),
             report: Report::new("audit", &scene, notes, Distances::new(mesh.min_distance, None)),
@@ -158,10 +133,10 @@ impl<'a> Run<'a> {
         let file = self.scene.frame_name(index);
         self.page.add(&name(Path::new(&file)), &frame.positions)?;
         self.clock.end(self.writing);
-        let before = self.examination.last().map(|last| last.positions.clone());
+        let before = self.audit.last().map(|last| last.positions.clone());
         let violations = self.examine_and_read(index, frame)?;
         self.report.examined = index + 1;
-        let Some(last) = self.examination.last() else {
+        let Some(last) = self.audit.last() else {
             return Ok(());
         };
         self.certificate.add_frame(before.as_deref(), last, &violations)?;
@@ -194,8 +169,14 @@ impl<'a> Run<'a> {
     /// Examines a frame, while the next one is read. The duration of reading is what remains after the
     /// examination.
     fn examine_and_read(&mut self, index: usize, frame: Frame) -> Result<Vec<Violation>, Failure> {
+        let all = self.arguments.mesh.all.is_some();
         let examine = || {
-            let violations = self.examination.examine(frame);
+            let violations = if all {
+                self.audit.examine_all(frame)
+            } else {
+                let first = self.audit.examine(frame);
+                first.map(|first| first.into_iter().collect())
+            };
             self.clock.end("examine");
             violations
         };
@@ -214,7 +195,7 @@ impl<'a> Run<'a> {
             self.report.counts.violations = Some(Violations::from(&self.list));
             self.list.write(file)?;
         }
-        if let Some(last) = self.examination.last().filter(|_| self.report.collision_free) {
+        if let Some(last) = self.audit.last().filter(|_| self.report.collision_free) {
             let count = self.scene.frame_count();
             self.arguments
                 .write_impact(&self.scene, count, [&last.positions; 2], &[])?;
@@ -273,17 +254,5 @@ impl Arguments {
         let of_step = records.iter().filter(|record| record.frame == frame);
         let list = ContactList(of_step.cloned().collect());
         impact_files::write(folder, Step::new(scene.mesh(), start, end)?, scene.ids(), &list)
-    }
-
-    fn examination(&self, scene: &Scene) -> Examination {
-        let min_distance = kept(self.mesh.min_distance, None);
-        if self.mesh.all.is_some() {
-            let is_only_frame = scene.frame_count() == 1;
-            let every = EveryViolation::new(min_distance, scene.can_collide(), is_only_frame);
-            Examination::Every(Box::new(every))
-        } else {
-            let audit = Audit::default().with_min_distance(min_distance);
-            Examination::First(Box::new(audit.with_can_collide(scene.can_collide())))
-        }
     }
 }

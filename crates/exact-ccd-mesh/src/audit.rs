@@ -58,14 +58,14 @@ pub struct Audit {
 /// A place where a mesh touches itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Violation {
-    /// An edge meets a face at rest: the least such pair.
+    /// An edge meets a face at rest. The least such pair is the first.
     Intersection {
         /// The frame, from 0.
         frame: usize,
         /// The edge and the face.
         intersection: Intersection,
     },
-    /// Two primitives touch: the earliest such contact after a frame, or in it.
+    /// Two primitives touch after a frame, or in it. The earliest such contact is the first.
     Contact {
         /// The frame at which the step begins, from 0.
         frame: usize,
@@ -91,23 +91,14 @@ impl Audit {
         Self { can_collide, ..self }
     }
 
-    /// Examines the next frame, and the step that leads to it.
+    /// Examines the next frame, and the step that leads to it, and returns the first violation.
     ///
     /// # Errors
     /// [`MotionError`] names the difference between the mesh of this frame, which it calls the end,
     /// and the mesh of the frames before; or the positions that are not finite; or the number of
     /// thicknesses that is not that of vertices. The frame counts as not examined.
     pub fn examine(&mut self, frame: Frame) -> Result<Option<Violation>, MotionError> {
-        if let Some((last, _)) = &self.last {
-            last.mesh.check_same(&frame.mesh)?;
-            return self.examine_positions(frame.positions);
-        }
-        let mut detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
-        self.min_distance.check(&frame.mesh)?;
-        let violation = self.at_rest(&frame, &mut detector)?;
-        self.last = Some((frame, detector));
-        self.frames += 1;
-        Ok(violation)
+        Ok(self.add(frame, false)?.first().copied())
     }
 
     /// [`examine`](Self::examine) for positions of the mesh of the frames before, which is not copied. Before
@@ -116,37 +107,59 @@ impl Audit {
     /// # Errors
     /// As [`examine`](Self::examine).
     pub fn examine_positions(&mut self, positions: Vec<Point>) -> Result<Option<Violation>, MotionError> {
-        let Some((last, detector)) = &mut self.last else {
-            let mesh = TriangleMesh::default();
-            return self.examine(Frame { mesh, positions });
-        };
-        let options = Options::within(self.min_distance.clone());
-        let contact = detector.collision(&last.positions, &positions, options)?;
-        last.positions = positions;
-        let frame = self.frames;
-        self.frames += 1;
-        if let Some(contact) = contact {
-            let frame = frame - 1;
-            return Ok(Some(Violation::Contact { frame, contact }));
-        }
-        if !self.can_collide.has_predicate() {
-            return Ok(None);
-        }
-        let found = first_intersection(last, &self.can_collide)?;
-        Ok(found.map(|intersection| Violation::Intersection { frame, intersection }))
+        Ok(self.add_positions(positions, false)?.first().copied())
     }
 
-    /// The violation in the first frame at rest: an intersection, or a contact of a step without motion.
-    fn at_rest(&self, frame: &Frame, detector: &mut Detector) -> Result<Option<Violation>, StepError> {
-        if let Some(intersection) = first_intersection(frame, &self.can_collide)? {
-            return Ok(Some(Violation::Intersection {
-                frame: 0,
-                intersection,
-            }));
+    /// All violations of the next frame, which is examined at rest in any case, and of the step that leads to
+    /// it, sorted by frame and time. The first violation of a sequence is that of [`examine`](Self::examine).
+    ///
+    /// A contact in the first frame is one at rest, and the step after it does not have it again. Any other
+    /// contact that lasts is one of every step in which the pair touches.
+    ///
+    /// # Errors
+    /// As [`examine`](Self::examine).
+    pub fn examine_all(&mut self, frame: Frame) -> Result<Vec<Violation>, MotionError> {
+        self.add(frame, true)
+    }
+
+    /// Adds a frame, and returns its violations, sorted by frame and time: all, or the first ones.
+    fn add(&mut self, frame: Frame, all: bool) -> Result<Vec<Violation>, MotionError> {
+        if let Some((last, _)) = &self.last {
+            last.mesh.check_same(&frame.mesh)?;
+            return self.add_positions(frame.positions, all);
         }
-        let options = Options::within(self.min_distance.clone());
-        let contact = detector.collision(&frame.positions, &frame.positions, options)?;
-        Ok(contact.map(|contact| Violation::Contact { frame: 0, contact }))
+        let mut detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
+        self.min_distance.check(&frame.mesh)?;
+        let mut found = intersections_in(&frame.mesh, &frame.positions, 0, &self.can_collide)?;
+        if all || found.is_empty() {
+            let contacts = contacts_in(&mut detector, [&frame.positions; 2], &self.min_distance, all)?;
+            let violation = |contact| Violation::Contact { frame: 0, contact };
+            found.extend(contacts.into_iter().map(violation));
+        }
+        self.last = Some((frame, detector));
+        self.frames += 1;
+        Ok(found)
+    }
+
+    fn add_positions(&mut self, positions: Vec<Point>, all: bool) -> Result<Vec<Violation>, MotionError> {
+        let Some((last, detector)) = &mut self.last else {
+            let mesh = TriangleMesh::default();
+            return self.add(Frame { mesh, positions }, all);
+        };
+        let mut contacts = contacts_in(detector, [&last.positions, &positions], &self.min_distance, all)?;
+        if all && self.frames == 1 {
+            contacts.retain(|contact| !contact.impact.touching_at_start());
+        }
+        let frame = self.frames - 1;
+        let violation = |contact| Violation::Contact { frame, contact };
+        let mut found: Vec<_> = contacts.into_iter().map(violation).collect();
+        if all || found.is_empty() && self.can_collide.has_predicate() {
+            let at_rest = intersections_in(&last.mesh, &positions, self.frames, &self.can_collide)?;
+            found.extend(at_rest);
+        }
+        last.positions = positions;
+        self.frames += 1;
+        Ok(found)
     }
 
     /// The number of frames that have been examined.
@@ -162,9 +175,29 @@ impl Audit {
     }
 }
 
-/// The least pair of an edge and a face that meet in a frame.
-fn first_intersection(frame: &Frame, can_collide: &CanCollide) -> Result<Option<Intersection>, StepError> {
+/// The edges and faces that meet in a frame of this number.
+fn intersections_in(
+    mesh: &TriangleMesh,
+    positions: &[Point],
+    frame: usize,
+    can_collide: &CanCollide,
+) -> Result<Vec<Violation>, StepError> {
     let options = IntersectionOptions::default().with_can_collide(can_collide.clone());
-    let found = intersections(&frame.mesh, &frame.positions, &Bvh, &options)?;
-    Ok(found.first().copied())
+    let found = intersections(mesh, positions, &Bvh, &options)?.into_iter();
+    let violation = |intersection| Violation::Intersection { frame, intersection };
+    Ok(found.map(violation).collect())
+}
+
+/// The contacts in a step, the earliest first: all, or that one.
+fn contacts_in(
+    detector: &mut Detector,
+    [x0, x1]: [&[Point]; 2],
+    min_distance: &MinDistance,
+    all: bool,
+) -> Result<Vec<Contact>, StepError> {
+    let options = Options::within(min_distance.clone());
+    if all {
+        return detector.collisions(x0, x1, options);
+    }
+    Ok(detector.collision(x0, x1, options)?.into_iter().collect())
 }

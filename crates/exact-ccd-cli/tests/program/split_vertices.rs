@@ -84,6 +84,26 @@ fn the_note_is_about_the_reported_pair() {
     }
 }
 
+/// Rods meet no face: the pair that touches at the start is a contact.
+#[test]
+fn an_audit_of_rods_has_the_note_in_every_mode() {
+    let folder = Folder::new();
+    for (name, z) in [("start.obj", 0.0), ("end.obj", 1.0)] {
+        let rod = format!("v 0 0 {z}\nv 1 0 {z}\n");
+        folder.write(name, format!("{rod}{rod}l 1 2\nl 3 4\n"));
+    }
+    let audit = ["audit", "start.obj", "end.obj", "--as-given"];
+    for option in [&[][..], &["--all", "all.csv"]] {
+        let run = folder.run(&[&audit[..], option].concat());
+        let pair = "contact in frame 0 (start.obj): edge 0 ";
+        assert!(run.stdout.contains(pair), "{run:?}");
+        assert!(note(&run).contains("--weld"), "{run:?}");
+    }
+    let rows = folder.read("all.csv");
+    let of_frame = rows.lines().filter(|row| row.starts_with("0,"));
+    assert_eq!(of_frame.count(), 1, "{rows}");
+}
+
 /// Vertices of two parts in one place stay apart, with --weld too, and so do loose vertices of one part.
 #[test]
 fn the_note_names_weld_only_where_it_joins() {

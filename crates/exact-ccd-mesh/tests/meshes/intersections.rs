@@ -3,15 +3,16 @@
 #[path = "../../../exact-ccd/tests/intersection/oracle.rs"]
 mod oracle;
 
-use std::ops::ControlFlow;
-
 use exact_ccd::{CONTACT, EdgeEdge, Query, Thickness, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, Audit, BoxPairs, Boxes, Bvh, CanCollide, Frame, Intersection, IntersectionOptions,
-    IntersectionsError, Meeting, MinDistance, MotionError, PairSink, Point, PositionsError, StepError, Sweep,
-    TriangleMesh, Violation, has_intersections, intersections, step,
+    AllPairs, Audit, Bvh, CanCollide, Frame, Intersection, IntersectionOptions, IntersectionsError, Meeting,
+    MinDistance, MotionError, Point, PositionsError, StepError, Sweep, TriangleMesh, Violation,
+    has_intersections, intersections, step,
 };
 use proptest::prelude::*;
+
+use crate::contacts::every_pair::EveryPair;
+use crate::contacts::scene::on_threads;
 
 /// All pairs, by the definition.
 fn expected(mesh: &TriangleMesh, positions: &[Point]) -> Vec<Intersection> {
@@ -129,10 +130,7 @@ proptest! {
 
     #[test]
     fn the_number_of_threads_does_not_matter(mesh in mesh(30, 20..60), x in positions(30, -1.0..1.0)) {
-        let on = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| intersections(&mesh, &x, &Bvh, &touching()).unwrap())
-        };
+        let on = |threads| on_threads(threads, || intersections(&mesh, &x, &Bvh, &touching()).unwrap());
         let one = on(1);
         prop_assert!(one.is_sorted());
         prop_assert_eq!(on(3), one);
@@ -150,10 +148,12 @@ proptest! {
             let last = frames.last().unwrap().iter().zip(offsets);
             frames.push(last.map(|(p, d)| [0, 1, 2].map(|k| p[k] + d[k])).collect());
         }
-        let mut audit = Audit::default();
+        let (mut audit, mut every) = (Audit::default(), Audit::default());
         for (index, x) in frames.iter().enumerate() {
             let frame = Frame::new(x.clone(), mesh.faces().to_vec()).unwrap();
+            let all = every.examine_all(frame.clone()).unwrap();
             let violation = audit.examine(frame).unwrap();
+            prop_assert_eq!(all.first(), violation.as_ref());
             prop_assert_eq!(audit.frames(), index + 1);
             match index.checked_sub(1) {
                 None => prop_assert_eq!(violation.is_some(), touches(&mesh, x)),
@@ -415,20 +415,24 @@ fn an_audit_without_a_predicate_examines_the_first_frame_at_rest() {
     assert_eq!(audit.frames(), 2);
 }
 
-/// A broad phase that passes on all pairs: boxes have the order of the edges and faces.
-struct EveryPair;
-
-impl<const T: usize> BoxPairs<T> for EveryPair {
-    fn between(&self, _: &Boxes<T>, _: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        let pairs: Vec<[u32; 2]> = (0..9)
-            .flat_map(|edge| (0..4).map(move |face| [edge, face]))
-            .collect();
-        sink(&pairs)
+/// The tip stays on the face: two edges meet it in each frame, and one vertex from the first frame on.
+#[test]
+fn contacts_that_last_are_in_every_step_and_once_in_the_first_frame() {
+    let mut audit = Audit::default();
+    let mut contacts = Vec::new();
+    for (number, count) in [3, 2, 3].into_iter().enumerate() {
+        let found = audit.examine_all(triangles(0.0)).unwrap();
+        assert_eq!(found.len(), count, "{found:?}");
+        contacts.extend(found.iter().filter_map(|violation| match violation {
+            Violation::Contact { frame, contact } => Some((*frame, contact.impact.time.lower())),
+            Violation::Intersection { frame, .. } => {
+                assert_eq!(*frame, number);
+                None
+            }
+        }));
     }
-
-    fn within(&self, _: &Boxes<T>, _: &PairSink<'_>) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
+    assert_eq!(contacts, [(0, 0.0), (1, 0.0)]);
+    assert_eq!(audit.frames(), 3);
 }
 
 /// Two faces with one common vertex, and two with a common edge.

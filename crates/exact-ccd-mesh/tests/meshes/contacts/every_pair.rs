@@ -12,7 +12,7 @@ use fastrand::Rng;
 
 use super::scene::Scene;
 
-struct EveryPair;
+pub(crate) struct EveryPair;
 
 impl<const T: usize> BoxPairs<T> for EveryPair {
     fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
