@@ -15,7 +15,7 @@ use exact_ccd_curved::{RigidMotion, Trajectory};
 const SCALE: f64 = 125.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // A quarter turn of a point at the distance 1, cut into one, two and four chords.
+    // A turn by two radians of a point at the distance 1, cut into one, two and four chords.
     let tip = RigidMotion::new([0.0; 3], [0.0, 0.0, 1.0], 2.0, [0.0; 3])?.point([1.0, 0.0, 0.0]);
     let mut svg = String::from(concat!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 960 300" font-family="sans-serif" font-size="14">"#,

@@ -18,7 +18,8 @@ pub struct Answer {
 /// A time by which two curved primitives have certainly been near each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Within {
-    /// The distance is small at some time that is not after this one.
+    /// The distance is small at some time that is not after this one. It may exceed the last time that
+    /// counts, by at most the tolerance of times.
     pub by: f64,
     /// The meaning of small.
     pub proximity: Proximity,

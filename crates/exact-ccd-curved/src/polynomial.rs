@@ -1,6 +1,6 @@
 //! Polynomial trajectories.
 
-use exact_ccd::Point;
+use exact_ccd::{Point, environment};
 use exact_ccd_mesh::vector::minus;
 
 use crate::rounding::{UNIT, above, length};
@@ -73,7 +73,7 @@ impl<const N: usize> Polynomial<N> {
         };
         let size: f64 = coefficients.iter().map(|&c| length(c)).sum();
         let offset = match degree {
-            0 => 0.0,
+            0 if environment::is_default() => 0.0,
             1..=50 => above((degree as f64 + 3.0) * UNIT * size),
             _ => f64::INFINITY,
         };

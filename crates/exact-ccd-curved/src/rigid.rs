@@ -1,6 +1,6 @@
 //! Rigid motion: rotation about an axis that moves in a straight line.
 
-use exact_ccd::Point;
+use exact_ccd::{Point, environment};
 use exact_ccd_mesh::vector::{cross, minus, unit};
 
 use crate::rounding::{FLOOR, UNIT, above, length, sum};
@@ -82,7 +82,8 @@ impl RigidMotion {
     /// The trajectory of the point that is at `start` at t = 0.
     #[must_use]
     pub fn point(&self, start: Point) -> RigidPoint {
-        if self.angle == 0.0 {
+        // Where subnormal numbers count as 0, the error below is infinite.
+        if self.angle == 0.0 && environment::is_default() {
             let [tangent, radius] = [[0.0; 3]; 2];
             return RigidPoint {
                 start,

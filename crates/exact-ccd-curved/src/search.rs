@@ -31,7 +31,7 @@ const SHORTEST: f64 = f64::EPSILON / 2.0;
 /// deviation of both primitives, are not certainly free; those within d + ε − Δ certainly come within
 /// d + ε. For contact, chords that pass through each other by more than Δ are a proof too.
 ///
-/// If the motion is straight and without error, this is one exact query.
+/// If the motion is straight, and without error at both ends, this is one exact query.
 ///
 /// # Errors
 /// [`SearchError`] names a position that is not finite, a bound that is not valid, the tolerance, or a last

@@ -1,6 +1,6 @@
 //! The answer of a step of a mesh, its options and its errors.
 
-use exact_ccd::InvalidThickness;
+use exact_ccd::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{CanCollide, Pair, StepError};
 
 use crate::answer::Answer;
@@ -37,7 +37,11 @@ pub enum CurvedStepError {
         source: StepError,
     },
     /// The deviation of a vertex, and half of d, are too large.
-    #[error("for the times from {start} to {end}: {source}")]
+    #[error(
+        "for the times from {start} to {end}, the deviation of vertex {} with half of the distance is {}, \
+         expected at most {:e}",
+        .source.vertex, .source.value, Thickness::MAX
+    )]
     Deviation {
         /// The start of the interval.
         start: f64,

@@ -145,7 +145,7 @@ translate = {center:?}
 
 fn run(name: &str, bodies: usize, steps: usize) -> Result<(), Box<dyn Error>> {
     let text = scene(name, bodies)?;
-    let exact = |_: &str, _: &exact_ccd_sim::System| Ok(StepFilter::default());
+    let exact = |_: &mut exact_ccd_sim::Settings, _: &exact_ccd_sim::System| Ok(StepFilter::default());
     let scene = Scene::parse(&text, Path::new("scene.toml"), None, &exact)?;
     let mut simulation = scene.simulation()?;
     let mut audit = Audit::default();

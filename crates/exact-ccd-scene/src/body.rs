@@ -52,6 +52,15 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, 
             return Err(FieldError::new("particles", message));
         }
         BodyKind::Particles { material }
+    } else if faces.is_empty() {
+        let field = if described.shape.is_some() {
+            "shape"
+        } else {
+            "mesh"
+        };
+        let message =
+            "the mesh has no faces, expected some: edges alone need a `rod`, points alone `particles`";
+        return Err(FieldError::new(field, message));
     } else if let Some(material) = described.shell {
         BodyKind::Shell { faces, material }
     } else if let Some(material) = described.affine {
@@ -59,13 +68,7 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, 
     } else {
         BodyKind::Obstacle { faces }
     };
-    if described.name.contains(char::is_control) {
-        let message = format!(
-            "the name {:?} has a control character, expected none",
-            described.name
-        );
-        return Err(FieldError::new("name", message));
-    }
+    check_name(&described.name)?;
     let placement = described.placement();
     placement.check()?;
     let body = Body {
@@ -77,6 +80,15 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, 
         offset: described.offset,
     };
     Ok((body, groups))
+}
+
+/// Checks that a name has no control characters.
+pub(super) fn check_name(name: &str) -> Result<(), FieldError> {
+    if name.contains(char::is_control) {
+        let message = format!("the name {name:?} has a control character, expected none");
+        return Err(FieldError::new("name", message));
+    }
+    Ok(())
 }
 
 /// The described regions of a mesh with these groups.

@@ -6,7 +6,7 @@ use exact_ccd_sim::{
     Body, Checkpoint, Load, Scripted, Settings, Simulation, SimulationError, StepFilter, System,
 };
 
-use super::body::load;
+use super::body::{check_name, load};
 use super::description::{Axis, BodyDescription, Description, Selection};
 use super::document::{Document, SceneError};
 use super::field_error::FieldError;
@@ -16,9 +16,9 @@ use super::parse::parse;
 use super::rendering::Rendering;
 use super::springs::springs;
 
-/// The filter of a CCD method, by its name in a scene file and the system of the scene; or a message with
-/// the names that there are.
-pub type FilterByName<'a> = dyn Fn(&str, &System) -> Result<StepFilter, String> + 'a;
+/// The filter of the CCD method that the settings of a scene file name, for the system of the scene; or a
+/// message with the names that there are. It may replace settings, which are checked after it.
+pub type FilterByName<'a> = dyn Fn(&mut Settings, &System) -> Result<StepFilter, String> + 'a;
 
 /// The system, the settings and the duration of a scene file.
 #[derive(Clone, Debug)]
@@ -108,14 +108,17 @@ impl Scene {
             let added = parts.add(described, folder);
             added.map_err(|error| error.below(&format!("body.{index}")))?;
         }
+        for (index, described) in description.half_space.iter().enumerate() {
+            check_name(&described.name).map_err(|error| error.below(&format!("half-space.{index}")))?;
+        }
         let springs = springs(&description)?;
         let system = System::new(&parts.bodies, &parts.scripts)
             .and_then(|system| system.with_springs(springs))
             .and_then(|system| system.with_half_spaces(description.half_space.clone()))
             .and_then(|system| system.with_loads(parts.loads))
             .map_err(|error| of_system(&description, &error))?;
-        let settings = description.settings;
-        let filter = filter_by_name(&settings.ccd, &system)
+        let mut settings = description.settings;
+        let filter = filter_by_name(&mut settings, &system)
             .map_err(|message| FieldError::new("settings.ccd", message))?;
         let mut scene = Self {
             system,

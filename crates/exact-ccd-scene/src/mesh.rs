@@ -58,17 +58,23 @@ impl Mesh {
             Shape::Line { edges, length } | Shape::Knot { edges, length } => {
                 (u64::from(*edges), "edges", std::slice::from_ref(length))
             }
-            // The sides of a lattice may have no length.
-            Shape::Points { counts, .. } => (product(&counts.map(u64::from)), "points", &[]),
+            Shape::Points { counts, size } => (product(&counts.map(u64::from)), "points", size),
         };
         if !(1..=shapes::MAX_CELLS).contains(&count) {
             let max = shapes::MAX_CELLS;
             return Err(format!("the shape has {count} {what}, expected 1 to {max}"));
         }
-        let is_positive = |length: &&f64| **length > 0.0 && length.is_finite();
-        if let Some(length) = lengths.iter().find(|length| !is_positive(length)) {
+        // The sides of a lattice of points may have no length.
+        let (least, expected) = match what {
+            "points" => (0.0, "a number not below 0"),
+            _ => (f64::from_bits(1), "a positive number"),
+        };
+        if let Some(length) = lengths
+            .iter()
+            .find(|length| !(least..=f64::MAX).contains(*length))
+        {
             return Err(format!(
-                "the shape has a length of {length} m, expected a positive number"
+                "the shape has a length of {length} m, expected {expected}"
             ));
         }
         let Body { points, kind, .. } = match shape {

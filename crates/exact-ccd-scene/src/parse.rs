@@ -51,8 +51,9 @@ fn table_for_array(text: &str) -> Option<String> {
 }
 
 /// Numeric types in messages of the TOML parser, with their names for users.
-const NUMBERS: [(&str, &str); 4] = [
+const NUMBERS: [(&str, &str); 5] = [
     ("expected usize", "expected an integer not below 0"),
+    ("expected u32", "expected an integer from 0 to 4294967295"),
     ("expected u16", "expected an integer from 0 to 65535"),
     ("expected u8", "expected an integer from 0 to 255"),
     ("expected f64", "expected a number"),
@@ -68,6 +69,9 @@ fn readable(message: &str, field: &str) -> String {
             _ => "expected a string or a table",
         };
         return expected.to_owned();
+    }
+    if let Some((start, _)) = message.split_once("expected struct ") {
+        return format!("{start}expected a table");
     }
     let number = NUMBERS.into_iter().find_map(|(from, to)| {
         let start = message.strip_suffix(from)?;

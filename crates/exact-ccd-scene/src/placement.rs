@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Point;
 use exact_ccd_mesh::vector::{DIRECTION, has_direction};
-use nalgebra::{Rotation3, Unit, Vector3};
+use nalgebra::{Rotation3, Unit, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::field_error::FieldError;
@@ -125,11 +125,12 @@ impl Rotation {
             (None, _) => return None,
             (Some((axis, degrees)), None) => (*axis, *degrees),
             _ => {
+                // Not a matrix, from which the axis of a half turn cannot be read.
                 let turn =
-                    |(axis, degrees): &(Vector3<f64>, f64)| Rotation3::new(axis * degrees.to_radians());
-                let matrix = rotations.iter().map(turn);
-                let (axis, angle) = matrix
-                    .fold(Rotation3::identity(), |matrix, turn| matrix * turn)
+                    |(axis, degrees): &(Vector3<f64>, f64)| UnitQuaternion::new(axis * degrees.to_radians());
+                let turns = rotations.iter().map(turn);
+                let (axis, angle) = turns
+                    .fold(UnitQuaternion::identity(), |product, turn| product * turn)
                     .axis_angle()?;
                 (axis.into_inner(), angle.to_degrees())
             }

@@ -9,10 +9,10 @@ use exact_ccd_mesh::{
     Aabb, Audit, Bvh, IntersectionOptions, MinDistance, Point, TriangleMesh, intersections, step,
 };
 use exact_ccd_scene::Scene;
-use exact_ccd_sim::{BodyKind, Simulation, State, Statistics, StepFilter, System, shapes};
+use exact_ccd_sim::{BodyKind, Settings, Simulation, State, Statistics, StepFilter, System, shapes};
 
-fn exact(name: &str, _: &System) -> Result<StepFilter, String> {
-    assert_eq!(name, "exact");
+fn exact(settings: &mut Settings, _: &System) -> Result<StepFilter, String> {
+    assert_eq!(settings.ccd, "exact");
     Ok(StepFilter::default())
 }
 

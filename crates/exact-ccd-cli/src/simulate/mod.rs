@@ -29,7 +29,7 @@ use std::process::ExitCode;
 
 use clap::value_parser;
 use exact_ccd_scene::Scene;
-use exact_ccd_sim::{LineSearch, Simulation, SimulationError, System};
+use exact_ccd_sim::{LineSearch, Settings, Simulation, SimulationError, System};
 
 use crate::failure::Failure;
 use crate::inputs::check_file;
@@ -171,16 +171,16 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     if let Some(name) = &arguments.method {
         filters::check(name)?;
     }
-    let by_name = |name: &str, system: &System| {
-        let name = arguments.method.as_deref().unwrap_or(name);
+    let by_name = |settings: &mut Settings, system: &System| {
+        match arguments.line_search.as_deref() {
+            Some("common") => settings.line_search = LineSearch::Common,
+            Some("vertex") => settings.line_search = LineSearch::Vertex,
+            _ => {}
+        }
+        let name = arguments.method.as_deref().unwrap_or(&settings.ccd);
         filters::by_name(name, system).map_err(|error| error.to_string())
     };
-    let mut scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
-    match arguments.line_search.as_deref() {
-        Some("common") => scene.settings.line_search = LineSearch::Common,
-        Some("vertex") => scene.settings.line_search = LineSearch::Vertex,
-        _ => {}
-    }
+    let scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
     if let Some(folder) = &arguments.dump_queries
         && !arguments.resume
         && !arguments.overwrite

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use exact_ccd_scene::Scene;
-use exact_ccd_sim::{StepFilter, System};
+use exact_ccd_sim::{Settings, StepFilter, System};
 
 /// The box of the bodies, without the bowl, and the lengths that follow from it are those of the code of
 /// *Incremental Potential Contact*, whose box has a diagonal of 8.381 m.
@@ -14,7 +14,7 @@ fn octocats_have_the_lengths_of_incremental_potential_contact() {
     let data = std::env::var_os("EXACT_CCD_DATA");
     let data = data.map_or_else(|| repository.join("../shared/data"), PathBuf::from);
     let scene = repository.join("examples/scenes/octocats.toml");
-    let exact = |_: &str, _: &System| Ok(StepFilter::default());
+    let exact = |_: &mut Settings, _: &System| Ok(StepFilter::default());
     let scene = Scene::read(scene, Some(&data.join("meshes")), &exact).unwrap();
     let size = scene.system.size();
     assert!((size - 8.381).abs() < 5e-4, "{size}");

@@ -185,6 +185,18 @@ fn the_method_can_be_chosen() {
     }
 }
 
+/// Options replace the settings before these are checked.
+#[test]
+fn a_line_search_for_a_method_without_exact_times_can_be_chosen() {
+    let folder = folder();
+    let scene = SCENE.replace("[settings]", "[settings]\nline-search = \"vertex\"");
+    folder.write("scene.toml", scene);
+    let arguments = ["simulate", "scene.toml", "--steps", "1", "--method", "parity"];
+    assert_eq!(folder.run(&arguments).status, 2);
+    let run = folder.run(&[&arguments[..], &["--line-search", "common"]].concat());
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+}
+
 #[test]
 fn a_complete_run_has_nothing_to_resume() {
     let folder = folder();

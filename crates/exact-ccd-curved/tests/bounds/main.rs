@@ -1,4 +1,4 @@
-//! Positions, deviations and sines against integers of 400 and more bits.
+//! Positions, deviations and sines against integers with 700 binary places.
 
 mod fixed;
 mod polynomials;

@@ -209,6 +209,19 @@ fn shapes_are_placed_as_in_ipc() {
     assert_placed(&scene, |[x, y, z]| [1.0 - 3.0 * y, 2.0 - 4.0 * z, 3.0 + 2.0 * x]);
 }
 
+/// A half turn about one axis and any turn about another one are a half turn.
+#[test]
+fn half_turns_are_imported() {
+    let folder = Folder::new("half-turns");
+    let with = |name: &str, angles: &str| {
+        let text = format!("shapes input 1\nbox.msh 0 9 0  {angles}  1 1 1\n");
+        folder.scene(name, &text).unwrap()
+    };
+    assert_placed(&with("straight.txt", "180 180 0"), |[x, y, z]| [-x, 9.0 - y, z]);
+    // About y by 90°: (z, y, −x), then about x by 180°.
+    assert_placed(&with("oblique.txt", "180 90 0"), |[x, y, z]| [z, 9.0 - y, x]);
+}
+
 #[test]
 fn all_kinds_of_shapes_are_imported() {
     let folder = Folder::new("shapes");

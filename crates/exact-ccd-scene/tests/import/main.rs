@@ -17,7 +17,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_scene::{Imported, Scene, import};
-use exact_ccd_sim::{Body, BodyKind, StepFilter, System, shapes};
+use exact_ccd_sim::{Body, BodyKind, Settings, StepFilter, System, shapes};
 
 /// A folder with `box.msh`, a box of 0.5 m × 1 m × 1.5 m and 2 × 2 × 2 cells with a corner at the origin, and
 /// `floor.obj`, a square of 4 m about the origin in the plane y = 0.
@@ -61,7 +61,7 @@ impl Folder {
     }
 }
 
-fn exact(_: &str, _: &System) -> Result<StepFilter, String> {
+fn exact(_: &mut Settings, _: &System) -> Result<StepFilter, String> {
     Ok(StepFilter::default())
 }
 

@@ -28,6 +28,17 @@ fn errors_name_the_pointer() {
             "/geometry/mesh: found \"floor.obj\", expected a mesh of tetrahedra, or `\"is_obstacle\": true`",
         ),
         (
+            json!({
+                "geometry": [
+                    { "mesh": "box.msh", "volume_selection": 1 },
+                    { "mesh": "floor.obj", "is_obstacle": true, "surface_selection": 7 },
+                ],
+                "boundary_conditions": { "dirichlet_boundary": [{ "id": 7, "value": ["0.1*x*t", 0, 0] }] },
+            }),
+            "/boundary_conditions/dirichlet_boundary/0/value: exact-ccd has no counterpart of a displacement of an \
+             obstacle that depends on the place",
+        ),
+        (
             json!({ "contact": { "enabled": false } }),
             "the file: exact-ccd has no counterpart of bodies that pass through each other",
         ),

@@ -319,6 +319,12 @@ fn numbers_of_other_types_are_reported_in_words() {
             "an integer from 0 to 255",
         ),
         ("density = 300.0", "density = \"300\"", "a number"),
+        (
+            "vertices = { box = { lower = [1.9, -0.1, -0.1], upper = [2.1, 0.1, 2.0] } }",
+            "vertices = { vertices = [0, -1] }",
+            "an integer from 0 to 4294967295",
+        ),
+        ("translate = [0.0, -1.0, 0.0]", "rotate = 30.0", "a table"),
     ];
     for (from, to, expected) in cases {
         let error = error_with(from, to);

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use exact_ccd_methods::parity::RootParity;
 use exact_ccd_scene::Scene;
-use exact_ccd_sim::{StepFilter, System};
+use exact_ccd_sim::{Settings, StepFilter, System};
 
 const SCENE: &str = r#"
 duration = 0.1
@@ -56,11 +56,11 @@ shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }
 translate = [0.0, -1.0, 0.0]
 "#;
 
-fn filter(name: &str, _: &System) -> Result<StepFilter, String> {
-    match name {
+fn filter(settings: &mut Settings, _: &System) -> Result<StepFilter, String> {
+    match &settings.ccd[..] {
         "exact" => Ok(StepFilter::default()),
-        "parity" => Ok(StepFilter::new(name, Arc::new(RootParity::default()))),
-        _ => Err(format!("there is no method `{name}`")),
+        name @ "parity" => Ok(StepFilter::new(name, Arc::new(RootParity::default()))),
+        name => Err(format!("there is no method `{name}`")),
     }
 }
 
@@ -121,7 +121,7 @@ fn the_scene_of_the_documentation_is_valid() {
     let mut settings = scene.settings.clone();
     assert_eq!(settings.friction.pairs.len(), 1);
     settings.friction.pairs.clear();
-    assert_eq!(settings, exact_ccd_sim::Settings::default());
+    assert_eq!(settings, Settings::default());
     assert_eq!(scene.system.names(), ["block", "", "", "", "ring", "", "ground"]);
     scene.simulation().unwrap().step().unwrap();
 }

@@ -25,7 +25,8 @@ const COPLANAR: f64 = 1e-9;
 ///
 /// Source of the first two: M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang, D.
 /// Kaufman, *Convergent Incremental Potential Contact*, 2023. Weights here are relative to the mean area of
-/// the vertices of all bodies with mass, because the stiffness of the barrier is adapted to the scene anyway.
+/// the vertices of all bodies with mass, because the stiffness of the barrier is adapted to the scene anyway,
+/// and those of obstacles are at most 1.
 /// There, terms are also subtracted from the sum over pairs of edges. Here they are not: where edges are
 /// shorter than the contact distance, that sum could become negative.
 #[derive(Clone, Debug, Default)]

@@ -96,7 +96,8 @@ pub fn floor(cells: [u16; 2], size: [f64; 2]) -> Body {
     Body::new(points, BodyKind::Obstacle { faces })
 }
 
-/// The maximal number of cells of a box or a grid, and of edges or particles, in a scene file.
+/// The maximal number of cells of a box or a grid, of segments of a torus, and of edges or particles, in a
+/// scene file.
 pub const MAX_CELLS: u64 = 1 << 20;
 
 /// The maximal number of subdivisions of a [`sphere`], which then has 20 · 4⁶ triangles.

@@ -15,7 +15,7 @@ impl System {
     /// [`SystemError::Load`] names the first one with a number that is out of range, or a vertex that the
     /// system does not have; [`BodyError::Partly`](super::BodyError::Partly) one that accelerates a part of
     /// an affine body.
-    pub fn with_loads(self, loads: Vec<Load>) -> Result<Self, SystemError> {
+    pub fn with_loads(self, mut loads: Vec<Load>) -> Result<Self, SystemError> {
         let count = self.start.len();
         for (number, load) in loads.iter().enumerate() {
             let unknown = load.vertices.iter().find(|&&vertex| vertex as usize >= count);
@@ -27,7 +27,6 @@ impl System {
                 .and(known)
                 .map_err(|source| SystemError::Load { load: number, source })?;
         }
-        let mut loads = loads;
         for (number, load) in loads.iter_mut().enumerate() {
             // Tractions and pressures act on faces.
             if let Force::Acceleration(_) = load.force {

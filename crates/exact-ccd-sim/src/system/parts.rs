@@ -95,8 +95,7 @@ impl Parts {
                 self.add_affine(first, faces, material)?;
             }
         }
-        self.spin(first..end, added.angular_velocity.into());
-        Ok(())
+        Ok(self.spin(first..end, added.angular_velocity.into())?)
     }
 
     /// Adds a script, by its number.
@@ -126,9 +125,9 @@ impl Parts {
     }
 
     /// Adds the velocities of a rotation about the center of mass of a body.
-    fn spin(&mut self, vertices: Range<usize>, angular_velocity: Vector3<f64>) {
+    fn spin(&mut self, vertices: Range<usize>, angular_velocity: Vector3<f64>) -> Result<(), OutOfRange> {
         if angular_velocity == Vector3::zeros() {
-            return;
+            return Ok(());
         }
         let points = || {
             self.start[vertices.clone()]
@@ -143,7 +142,9 @@ impl Parts {
             .collect();
         for (velocity, turn) in self.velocities[vertices].iter_mut().zip(turns) {
             *velocity = (Vector3::from(*velocity) + turn).into();
+            check_finite("angular-velocity", velocity)?;
         }
+        Ok(())
     }
 
     fn add_solid(

@@ -1,7 +1,7 @@
 //! Prescribed motions of vertices, as scripts.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{UnitQuaternion, Vector3};
 
 use super::super::fault::{Fault, Place, Problem};
 use crate::description::{ScriptDescription, Selection};
@@ -47,7 +47,7 @@ impl Piece {
             (None, _) => None,
             (Some((axis, rate)), None) => Some((Vector3::ith(axis, 1.0), *rate)),
             _ => {
-                let about = |axis: usize| Rotation3::new(Vector3::ith(axis, angular[axis] * time_step));
+                let about = |axis: usize| UnitQuaternion::new(Vector3::ith(axis, angular[axis] * time_step));
                 let (axis, angle) = (about(0) * about(1) * about(2)).axis_angle()?;
                 Some((axis.into_inner(), angle / time_step))
             }

@@ -75,12 +75,7 @@ impl<'a> Conditions<'a> {
         }
         // Of two conditions of an obstacle, the first one counts.
         self.add_all(boundary, "obstacle_displacements", |entry| {
-            let held = held(entry, time)?;
-            if held.depends_on_place() {
-                let what = "a displacement of an obstacle that depends on the place";
-                return Err(entry.unsupported(what, "write functions of t"));
-            }
-            Ok(Effect::Obstacle(held))
+            Ok(Effect::Obstacle(held(entry, time)?))
         })?;
         self.add_all(boundary, "dirichlet_boundary", |entry| {
             Ok(Effect::Faces(held(entry, time)?))
@@ -193,7 +188,7 @@ impl<'a> Conditions<'a> {
             _ => None,
         });
         if let Some(held) = held {
-            let motion = held.script([0.0; 3])?;
+            let motion = held.script_of_all()?;
             body.script.push(ScriptDescription::new(Selection::All, motion));
         }
         Ok(())

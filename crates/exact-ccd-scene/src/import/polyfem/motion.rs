@@ -31,6 +31,15 @@ impl Held<'_> {
         self.components.iter().any(words)
     }
 
+    /// The script of an obstacle, all of which moves alike.
+    pub(super) fn script_of_all(&self) -> Result<Script, Fault> {
+        if self.depends_on_place() {
+            let what = "a displacement of an obstacle that depends on the place";
+            return Err(self.values.unsupported(what, "write functions of t"));
+        }
+        self.script([0.0; 3])
+    }
+
     /// The script of a vertex that starts at a place.
     pub(super) fn script(&self, place: Point) -> Result<Script, Fault> {
         let [x, y, z] = &self.components;

@@ -60,7 +60,8 @@ fn region(entry: &Entry<'_>, bounds: Aabb) -> Result<Region, Fault> {
             let Aabb { lower: l, upper: u } = bounds;
             let sides = [(0, l), (1, l), (0, u), (1, u), (2, l), (2, u)];
             let is_near = |(axis, corner): &(usize, Point)| (x[*axis] - corner[*axis]).abs() < tolerance;
-            Some(offset + 1 + sides.iter().position(is_near).unwrap_or(sides.len()) as i64)
+            let side = sides.iter().position(is_near).unwrap_or(sides.len());
+            Some(offset.saturating_add(1 + side as i64))
         }));
     }
     let id = entry.need("id")?.integer()?;

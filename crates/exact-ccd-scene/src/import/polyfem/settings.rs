@@ -134,7 +134,7 @@ pub(super) fn settings(
     })
 }
 
-/// The contact distance: if it is not given, at most a share of the shortest edge.
+/// The contact distance: if it is not given, and its default exceeds the shortest edge, a share of that edge.
 fn contact_distance(contact: &Entry<'_>, shortest_edge: f64) -> Result<f64, Fault> {
     let default = 1e-3;
     match contact.get("dhat") {
