@@ -28,7 +28,7 @@ def main(file: Path) -> None:
     if report.violation is None:
         print(f"free of contact: {report.frames} frames")
     else:
-        print(f"violation in frame {report.violation.frame}: {report.violation.contact}")
+        print(f"not free: {report.violation}")
 
 
 if __name__ == "__main__":

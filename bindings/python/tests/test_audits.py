@@ -20,8 +20,10 @@ def test_a_free_motion() -> None:
 
 
 def test_the_first_violation() -> None:
-    report = audit(frames(3, 1, -3, 1), FACES)
+    done = []
+    report = audit(frames(3, 1, -3, 1), FACES, progress=done.append)
     assert (report.frames, report.violation.frame, report.violation.contact.time) == (3, 1, 0.25)
+    assert sum(done) == 3
     report = audit(frames(0, 1), FACES)
     assert (report.frames, report.violation.frame, report.violation.contact) == (1, 0, None)
     assert report.violation.intersection[1] == 0

@@ -102,8 +102,14 @@ def test_nothing_to_prove(tmp_path) -> None:
     for frames in ([apart], [pierced, apart]):
         with pytest.raises(ValueError, match="nothing can be proved"):
             audit(frames, FACES, certificate=proof)
-    with pytest.raises(ValueError, match="half spaces"):
-        audit([apart, apart], FACES, half_spaces=[[[0, 0, -9], [0, 0, 1]]], certificate=proof)
+    for others in (
+        {"half_spaces": [[[0, 0, -9], [0, 0, 1]]]},
+        {"groups": [0] * 6},
+        {"can_collide": lambda a, b: True},
+        {"min_distance": np.zeros(6)},
+    ):
+        with pytest.raises(ValueError, match="^a certificate is about all pairs and one distance"):
+            audit([pierced], FACES, certificate=proof, **others)
     assert not proof.exists()
 
 

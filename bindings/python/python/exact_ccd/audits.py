@@ -146,7 +146,7 @@ def audit(
     mesh, positions = _begin(frames, faces, edges, Rules(groups, can_collide))
     detector = Detector(mesh, min_distance=min_distance, threads=threads)
     planes = None if half_spaces is None else HalfSpaces(half_spaces, min_distance)
-    parts = parts_of(certificate, half_spaces)
+    parts = parts_of(certificate, min_distance, half_spaces, groups, can_collide)
     page = None if view is None else Page("Audit", mesh)
     names = positions.names() if isinstance(positions, FileFrames) else map("frame {}".format, count())
 
@@ -163,12 +163,14 @@ def audit(
     return report
 
 
-def parts_of(certificate: Optional[FilePath], half_spaces: Optional[ArrayLike]) -> Optional[list[bytes]]:
+def parts_of(certificate: Optional[FilePath], min_distance: Any, *others: object) -> Optional[list[bytes]]:
     """The parts of a certificate, if one is wanted, before the first frame."""
     if certificate is None:
         return None
-    if half_spaces is not None:
-        raise ValueError("a certificate has no statement about half spaces: leave them out")
+    if np.ndim(min_distance) > 0 or any(other is not None for other in others):
+        raise ValueError(
+            "a certificate is about all pairs and one distance: leave out half spaces, groups, can_collide and thicknesses"
+        )
     return []
 
 
@@ -190,7 +192,8 @@ def _write(page: Page, file: FilePath, detector: Detector, report: AuditReport) 
         lines.insert(0, "free of contact")
     elif violation.contact is not None:
         page.add_contacts(detector._native, every=False)
-        lines.insert(0, f"step {violation.frame}: {line(violation.contact)}")
+        place = "frame" if report.frames == 1 else "step"
+        lines.insert(0, f"{place} {violation.frame}: {line(violation.contact)}")
     elif violation.intersection is not None:
         page.add_intersections(detector._native)
         edge, face = violation.intersection
@@ -230,12 +233,12 @@ def examine(
         done = number + 1
         if examined is not None:
             examined(frame)
+        if progress is not None:
+            progress(1)
         if violation is not None:
             return done, violation
         # A copy: the iterator may reuse its array.
         last = np.array(as_array("frame", frame), np.float64)
-        if progress is not None:
-            progress(1)
     return done, None
 
 

@@ -79,7 +79,7 @@ def audit(
         raise ValueError("steps and window must be 1 or more")
     if results is not None and can_collide is not None:
         raise ValueError("results are not kept for a function can_collide: give groups, or no results")
-    parts_of(certificate, half_spaces)
+    parts_of(certificate, min_distance, half_spaces, groups, can_collide)
     settings = Settings(distances(min_distance, None), Rules(groups, can_collide), half_spaces)
     # Errors of the mesh and of the settings are those of the caller.
     settings.detector(source, threads=None)
