@@ -15,5 +15,9 @@ fn main() {
     } else {
         // A watched folder that does not exist would cause a new build every time.
         println!("cargo::rustc-cfg=no_data");
+        if env::var_os(VARIABLE).is_some() {
+            let folder = folder.display();
+            println!("cargo::warning={VARIABLE} is no folder: {folder}. Tests of published data are ignored");
+        }
     }
 }

@@ -173,6 +173,10 @@ const ANSWERS: &[&str] = &["--package", "exact-ccd-mesh", "--test", "architectur
 fn test_programs(package: &str, folder: &Path, tree: &Path) -> Result<(), Box<dyn Error>> {
     eprintln!("compiling the tests of {package}");
     let programs = folder.join("programs");
+    // Those of tests that were there before have other mutations.
+    if programs.exists() {
+        fs::remove_dir_all(&programs)?;
+    }
     fs::create_dir_all(&programs)?;
     for tests in [&["--package", package][..], ANSWERS] {
         let built = cargo(folder, tree, &[&["test", "--no-run"], tests].concat()).output()?;

@@ -34,11 +34,12 @@ const QUERIES: usize = 1000;
 
 /// The queries, repeated until there are [`QUERIES`] of them.
 fn repeated<K: Kind>(queries: &[Query<K>]) -> Vec<Query<K>> {
+    assert!(!queries.is_empty(), "no query of this stage");
     queries.iter().cycle().take(QUERIES).cloned().collect()
 }
 
 /// The stages that decide contact.
-const CONTACT_STAGES: [Stage; 9] = [
+const CONTACT_STAGES: [Stage; 10] = [
     Stage::BoundingBox,
     Stage::Diagonals,
     Stage::Normals,
@@ -47,6 +48,7 @@ const CONTACT_STAGES: [Stage; 9] = [
     Stage::Coincident,
     Stage::Direction,
     Stage::Planar,
+    Stage::FixedWidth,
     Stage::Exact,
 ];
 

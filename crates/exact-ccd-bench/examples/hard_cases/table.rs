@@ -63,13 +63,7 @@ pub(crate) fn write(writer: impl Write + Send, rows: &[Row]) -> io::Result<()> {
             }
         }
     }
-    let columns: Vec<_> = (columns.iter_mut())
-        .map(|(name, column)| {
-            (
-                name.as_str(),
-                std::mem::replace(column, TableColumn::Reals(Vec::new())),
-            )
-        })
-        .collect();
+    let (names, columns): (Vec<String>, Vec<TableColumn<'_>>) = columns.into_iter().unzip();
+    let columns: Vec<_> = names.iter().map(String::as_str).zip(columns).collect();
     write_table(writer, &columns)
 }

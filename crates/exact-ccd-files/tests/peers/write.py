@@ -47,18 +47,14 @@ def positions(falling, resting, time):
 
 
 def write(kind, name, extension, writer, *arguments):
-    """Calls the writer for both times. A tool that cannot write a file is reported and left out."""
+    """Calls the writer for both times."""
     files = [FOLDER / f"{name}.{time}.{extension}" for time in (0, 1)]
     if extension == "gltf":
         # The buffers are in other files, with the same names for every mesh.
         files = [file.with_suffix("") / file.name for file in files]
-    try:
-        for time, file in enumerate(files):
-            file.parent.mkdir(exist_ok=True)
-            writer(str(file), time, *arguments)
-    except Exception as error:
-        print(f"{name}.{extension} is not written: {error}", file=sys.stderr)
-        return
+    for time, file in enumerate(files):
+        file.parent.mkdir(exist_ok=True)
+        writer(str(file), time, *arguments)
     print(kind, *(file.relative_to(FOLDER) for file in files))
 
 

@@ -7,6 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use exact_ccd_mesh::{Aabb, AllPairs, BoxPairs, Boxes, Bvh, Point, Sweep};
 use proptest::prelude::*;
 
+use crate::contacts::scene::on_threads;
+
 /// A box at both ends of a step.
 type Moving = [Aabb; 2];
 
@@ -268,11 +270,7 @@ fn the_pairs_are_the_same_on_any_number_of_threads() {
     let moving = lattice();
     let expected = pairs(&moving, &moving);
     for threads in [1, 2, 5] {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        let found = pool.install(|| {
+        let found = on_threads(threads, || {
             let boxes = Boxes::new(&moving).unwrap();
             [between(&Bvh, &boxes, &boxes), between(&Sweep, &boxes, &boxes)]
         });

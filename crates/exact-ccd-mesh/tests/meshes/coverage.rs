@@ -14,12 +14,8 @@ fn pairs(mesh: &TriangleMesh, takes_part: &[bool]) -> Vec<([Vec<u32>; 2], bool)>
     let options = CandidateOptions::default().with_can_collide(CanCollide::all().among(takes_part.to_vec()));
     let all = Candidates::with_options(step, &Bvh, &options).unwrap();
     let both = |pair: Pair| {
-        let first = match pair {
-            Pair::EdgeEdge { .. } => 2,
-            Pair::VertexFace { .. } | Pair::VertexEdge { .. } | Pair::VertexVertex { .. } => 1,
-        };
         let vertices = pair.vertices(mesh).unwrap();
-        let (a, b) = vertices.split_at(first);
+        let (a, b) = vertices.split_at(pair.first_len());
         let connects = |edge: &[u32; 2]| a.len() == 1 && meet(edge, a) && b.len() == 2 && meet(edge, b);
         let keeps_distance = !mesh.edges().iter().any(connects);
         ([a.to_vec(), b.to_vec()], keeps_distance)

@@ -27,10 +27,15 @@ const COUNT: u32 = 4_001;
 const SIZES: [usize; 10] = [0, 1, 7, 8, 9, 255, 256, 257, 264, COUNT as usize];
 
 /// True if batches are examined in vectors.
-const HAS_VECTORS: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
+const HAS_VECTORS: bool = cfg!(any(
+    target_arch = "x86",
+    target_arch = "x86_64",
+    all(target_arch = "aarch64", target_feature = "neon"),
+    all(target_arch = "wasm32", target_feature = "simd128"),
+));
 
 /// Values of a strategy.
-fn values<T: std::fmt::Debug>(count: u32, strategy: impl Strategy<Value = T>) -> Vec<T> {
+pub(crate) fn values<T: std::fmt::Debug>(count: u32, strategy: impl Strategy<Value = T>) -> Vec<T> {
     let values = RefCell::new(Vec::new());
     for_all(count, strategy, |value| values.borrow_mut().push(value));
     values.into_inner()
@@ -47,7 +52,7 @@ pub(crate) fn vertices<K: Kind>(count: usize) -> Vec<K::Vertices> {
 }
 
 /// Those vertices in motion.
-fn trajectories<P: AsRef<[Point]>>(queries: &[[P; 2]]) -> Trajectories {
+pub(crate) fn trajectories<P: AsRef<[Point]>>(queries: &[[P; 2]]) -> Trajectories {
     let at = |time: usize| -> Vec<Point> {
         let now = queries.iter().flat_map(|ends| ends[time].as_ref());
         now.copied().collect()

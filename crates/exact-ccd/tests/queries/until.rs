@@ -1,11 +1,10 @@
 //! Primitives that first touch after the last time that counts do not collide.
 
-use std::cell::RefCell;
-
-use exact_ccd::batch::{self, Trajectories};
-use exact_ccd::{Collision, ContactTime, Intervals, Kind, Options, Point, Query, Separation, exact};
+use exact_ccd::batch;
+use exact_ccd::{Collision, ContactTime, Intervals, Kind, Options, Query, Separation, exact};
 use proptest::prelude::*;
 
+use crate::batch::{trajectories, values, vertices};
 use crate::each_kind::for_each_kind;
 use crate::families::{Rule, cases, extreme, ordinary, rule};
 use crate::kinds::{points_of, query};
@@ -96,17 +95,10 @@ fn single_queries<K: Kind>() {
 }
 
 fn batches<K: Kind>() {
-    let queries = RefCell::new(Vec::new());
-    for_all(cases(2_000), ordinary(), |points| {
-        queries.borrow_mut().push(points.map(points_of::<K>));
-    });
-    let queries: Vec<[K::Points; 2]> = queries.into_inner();
-    let at = |time: usize| -> Vec<Point> {
-        let now = queries.iter().flat_map(|ends| ends[time].as_ref());
-        now.copied().collect()
-    };
-    let trajectories = Trajectories::new(&at(0), &at(1)).unwrap();
-    let vertices = crate::batch::vertices::<K>(queries.len());
+    let points = values(cases(2_000), ordinary()).into_iter();
+    let queries: Vec<[K::Points; 2]> = points.map(|ends| ends.map(points_of::<K>)).collect();
+    let trajectories = trajectories(&queries);
+    let vertices = vertices::<K>(queries.len());
     for d in [0.0, 0.25, 1.0].map(|d| Separation::new(d).unwrap()) {
         let first = |&[start, end]: &[K::Points; 2]| {
             let query = Query::<K>::new(start, end).unwrap();

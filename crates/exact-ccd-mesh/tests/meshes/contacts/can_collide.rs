@@ -37,12 +37,7 @@ impl Rule {
 
     fn is_allowed(&self, mesh: &TriangleMesh, pair: Pair) -> bool {
         let vertices = pair.vertices(mesh).unwrap();
-        let first = if matches!(pair, Pair::EdgeEdge { .. }) {
-            2
-        } else {
-            1
-        };
-        let (a, b) = vertices.split_at(first);
+        let (a, b) = vertices.split_at(pair.first_len());
         (self.allows)(a, b)
     }
 

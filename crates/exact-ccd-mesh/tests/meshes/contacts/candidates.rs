@@ -6,8 +6,8 @@ use std::sync::Mutex;
 use exact_ccd::batch::{Trajectories, VertexOutOfRange};
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, MeshError, Pair,
-    Point, Step, StepError, Sweep, TriangleMesh,
+    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, Pair, Point,
+    Step, StepError, Sweep, TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -202,7 +202,6 @@ fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
     assert!(!nonsense.collides_by(scene.step(), &Odd));
     assert_eq!(nonsense.collisions(scene.step(), CONTACT), []);
     assert_eq!(nonsense.time_of_impact_by(scene.step(), &Exact), None);
-    assert!(Candidates::default().is_empty());
 }
 
 /// Boxes around whole paths, as other software has, are not relative to anything that moves.
@@ -236,18 +235,6 @@ fn distances_that_are_no_distances_are_errors() {
         let candidates = Candidates::with_options(scene.step(), &Bvh, &options).unwrap();
         assert_eq!(candidates, scene.pairs());
     }
-}
-
-#[test]
-#[cfg(target_pointer_width = "64")]
-fn meshes_with_more_vertices_than_indices_are_errors() {
-    let most = u32::MAX as usize;
-    assert!(TriangleMesh::new(most, vec![]).is_ok());
-    let vertex_count = most + 1;
-    assert_eq!(
-        TriangleMesh::new(vertex_count, vec![]),
-        Err(MeshError::TooManyVertices { vertex_count })
-    );
 }
 
 /// A face, a loose edge and a loose vertex, and three others that come to the same point at the end.

@@ -8,16 +8,13 @@ use exact_ccd_mesh::{Bvh, Pair, PairCounts, Point, StepReport, TriangleMesh, ste
 use super::motions::falling_sheet;
 use super::properties::assert_searches_agree;
 use super::{motion, report};
+use crate::contacts::scene::on_threads;
 
 #[test]
 fn the_report_is_the_same_on_any_number_of_threads() {
     let motion = falling_sheet();
     let reports = [1, 2, 5].map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
+        on_threads(threads, || {
             let report = report(&motion, &Bvh);
             assert_searches_agree(&motion, &report);
             report
