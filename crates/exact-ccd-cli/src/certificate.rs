@@ -9,7 +9,7 @@ use exact_ccd_certify::Maker;
 use exact_ccd_mesh::{Contact, Frame, Motion, Point, TriangleMesh, Violation};
 
 use crate::failure::Failure;
-use crate::output::{answer, check_place, write_file};
+use crate::output::{answer, write_file};
 
 /// The option `--certificate`.
 #[derive(clap::Args)]
@@ -36,10 +36,15 @@ pub(crate) struct Certificate<'a> {
 }
 
 impl CertificateOption {
+    /// The file, if one is asked for.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        self.certificate.as_deref()
+    }
+
     /// The certificate about a distance and these files.
     ///
     /// # Errors
-    /// For files that `exact-ccd-check` does not read, and a place where no file can be written.
+    /// For files that `exact-ccd-check` does not read.
     pub(crate) fn begin(
         &self,
         files: impl IntoIterator<Item = PathBuf>,
@@ -48,7 +53,6 @@ impl CertificateOption {
         let Some(place) = self.certificate.as_deref() else {
             return Ok(Certificate::default());
         };
-        check_place(place)?;
         let is_read = |file: &Path| file.extension().is_some_and(|it| it.eq_ignore_ascii_case("ply"));
         if let Some(file) = files.into_iter().find(|file| !is_read(file)) {
             let reason = "a certificate is about uncompressed PLY files, which exact-ccd-check reads: convert the mesh to \

@@ -9,11 +9,14 @@ use crate::contacts::ContactList;
 use crate::failure::Failure;
 use crate::output::{make_folder, remove_file, write_file};
 
+/// The files in the folder.
+pub(crate) const NAMES: [&str; 2] = ["impact.vtu", "contacts.vtp"];
+
 /// Writes `impact.vtu`, the mesh at the time of the first contact, and `contacts.vtp`, the places of the
 /// contacts with their times, normals and ids. Without a contact, there is no `impact.vtu`.
 pub(crate) fn write(folder: &Path, step: Step<'_>, ids: &FileIds, list: &ContactList) -> Result<(), Failure> {
     make_folder(folder)?;
-    let impact = folder.join("impact.vtu");
+    let [impact, contacts] = NAMES.map(|name| folder.join(name));
     match list.0.first() {
         Some(first) => {
             let positions = step.at(first.toi());
@@ -38,6 +41,5 @@ pub(crate) fn write(folder: &Path, step: Step<'_>, ids: &FileIds, list: &Contact
         ("id_a", PointArray::Integers(&places.ids[0])),
         ("id_b", PointArray::Integers(&places.ids[1])),
     ];
-    let file = folder.join("contacts.vtp");
-    write_file(&file, |writer| write_vtp(writer, &places.points, &arrays))
+    write_file(&contacts, |writer| write_vtp(writer, &places.points, &arrays))
 }

@@ -1,6 +1,6 @@
 //! The arguments that `step` and `audit` have in common: the scene, the meaning of contact, and the answer.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use exact_ccd::Separation;
@@ -10,7 +10,8 @@ use crate::contacts::ListFile;
 use crate::distances;
 use crate::failure::Failure;
 use crate::half_spaces::HalfSpaceOption;
-use crate::output::{Output, check_folder_place, check_place};
+use crate::impact_files;
+use crate::output::{Output, check_distinct, check_folder_place, check_is_no_input, check_place};
 use crate::report::Report;
 use crate::scene::SceneOptions;
 use crate::view::View;
@@ -52,13 +53,23 @@ impl MeshArguments {
         self.all.is_some() || self.paraview.is_some() || self.view.file().is_some()
     }
 
-    /// Checks the places of the files before anything is computed.
+    /// Checks the places of the files before anything is computed: none is an input, or another one.
     pub(crate) fn check_places(&self, moving: &[PathBuf]) -> Result<(), Failure> {
-        self.output.check(&self.scene.inputs(moving))?;
+        let inputs = self.scene.inputs(moving);
         let list = self.all.iter().map(ListFile::path);
-        let files = list.chain(self.view.file()).chain(self.output.file());
-        files.into_iter().try_for_each(check_place)?;
-        self.paraview.as_deref().map_or(Ok(()), check_folder_place)
+        let files = list.chain(self.view.file()).chain(self.certificate.file());
+        let mut files: Vec<PathBuf> = files.chain(self.output.file()).map(Path::to_owned).collect();
+        files.iter().try_for_each(|file| check_place(file))?;
+        if let Some(folder) = &self.paraview {
+            check_folder_place(folder)?;
+            // Its files would be among the frames of the next run.
+            check_is_no_input(folder, &inputs)?;
+            files.extend(impact_files::NAMES.map(|name| folder.join(name)));
+        }
+        files
+            .iter()
+            .try_for_each(|file| check_is_no_input(file, &inputs))?;
+        check_distinct(&files)
     }
 
     /// Writes the report, and returns its exit status.

@@ -19,14 +19,16 @@ pub(crate) struct Output {
     output: PathBuf,
 }
 
-/// The name of a file for an answer on the command line, which is not that of a mesh file: where the name is
-/// left out, the first mesh behind the option would be replaced.
+/// The name of a file for an answer on the command line, which is not that of a mesh file or of a list of
+/// them: where the name is left out, the first input behind the option would be replaced.
 pub(crate) fn answer() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|file| match Format::of_path(&file) {
-        Some(_) => {
-            Err("this is the name of a mesh file, which would be replaced: name a file for the answer")
+    PathBufValueParser::new().try_map(|file| {
+        let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
+        if Format::of_path(&file).is_some() || extension == "pvd" || extension == "series" {
+            Err("this is the name of a file of meshes, which would be replaced: name a file for the answer")
+        } else {
+            Ok(file)
         }
-        None => Ok(file),
     })
 }
 
@@ -110,6 +112,19 @@ pub(crate) fn check_is_no_input(file: &Path, inputs: &[PathBuf]) -> Result<(), F
     if output.is_some() && inputs.iter().any(|input| place(input) == output) {
         let reason = "the answer would replace this input: name another file";
         return Err(Failure::of(file, reason));
+    }
+    Ok(())
+}
+
+/// Checks that no two outputs are one file. Special files such as /dev/null take several.
+pub(crate) fn check_distinct(files: &[PathBuf]) -> Result<(), Failure> {
+    let place = |file: &PathBuf| std::path::absolute(file).unwrap_or_else(|_| file.clone());
+    let is_plain = |file: &PathBuf| fs::metadata(file).map_or(true, |metadata| metadata.is_file());
+    for (number, file) in files.iter().enumerate() {
+        if is_plain(file) && files[..number].iter().any(|other| place(other) == place(file)) {
+            let reason = "two answers would be written to this file: name another one";
+            return Err(Failure::of(file, reason));
+        }
     }
     Ok(())
 }

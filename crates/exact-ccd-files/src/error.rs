@@ -178,11 +178,11 @@ pub enum Fault {
     /// The contents follow the format but are not a valid mesh of tetrahedra.
     #[error(transparent)]
     TetMesh(TetMeshError),
-    /// A file of tetrahedra has a triangle that is not a face of any of them.
-    #[error("triangle {triangle} is no face of a tetrahedron")]
+    /// A file of cells with volume has a face that is not a side of any of them.
+    #[error("face {face} is no side of a cell with volume")]
     Sheet {
-        /// The index of the triangle.
-        triangle: usize,
+        /// The number of the face in the file.
+        face: u32,
     },
 }
 

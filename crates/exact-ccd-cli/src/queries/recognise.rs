@@ -97,7 +97,7 @@ fn of_folder(file: &Path) -> Option<Kind> {
     }
 }
 
-/// The kind of the queries in a Parquet file. A damaged file has the same error for each kind.
+/// The kind of the queries in a Parquet file. A damaged file has an error of its own for each kind.
 fn of_columns(file: &Path) -> Result<Kind, Failure> {
     fn read<K: QueryKind>(file: &Path) -> Result<bool, DataError> {
         let first = ColumnReader::<K>::open(file)?.next().transpose()?;
@@ -115,9 +115,12 @@ fn of_columns(file: &Path) -> Result<Kind, Failure> {
     if kinds.iter().all(|(_, read)| matches!(read, Ok(false))) {
         return Err(no_queries());
     }
-    let errors = kinds.map(|(_, read)| read.err().map(|error| error.to_string()));
-    match &errors[0] {
-        Some(error) if errors.iter().all(|other| *other == errors[0]) => Err(Failure::new(error)),
+    let errors = kinds.map(|(_, read)| read.err());
+    // A query of another kind is an error of its row.
+    let is_of_file = |error: &Option<DataError>| !matches!(error, None | Some(DataError::Record { .. }));
+    let all = errors.iter().all(is_of_file);
+    match errors {
+        [Some(first), ..] if all => Err(first.into()),
         _ => Err(uncertain(file)),
     }
 }

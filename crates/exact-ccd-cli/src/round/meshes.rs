@@ -57,6 +57,13 @@ fn read(file: &Path) -> Result<Frame, Failure> {
 /// The output file of each mesh: `output` of a single one, files of the same names in that folder of several.
 fn destinations(inputs: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Failure> {
     if inputs.len() == 1 {
+        let is_ply = output
+            .extension()
+            .is_some_and(|extension| extension.eq_ignore_ascii_case("ply"));
+        if Format::of_path(output).is_some() && !is_ply {
+            let reason = "the rounded mesh is a PLY file: name one that ends in .ply";
+            return Err(Failure::of(output, reason));
+        }
         return Ok(vec![output.to_owned()]);
     }
     let name = |input: &PathBuf| Path::new(input.file_name().unwrap_or_default()).with_extension("ply");

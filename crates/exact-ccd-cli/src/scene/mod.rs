@@ -108,8 +108,8 @@ impl Scene {
                 ));
             }
             for [start, end] in pairs {
-                let (name, start) = named(start);
-                moving.push((name, Frames::of_pair(&start, end, read_options)?));
+                let ((name, start), (_, end)) = (named(start), named(end));
+                moving.push((name, Frames::of_pair(&start, &end, read_options)?));
             }
         }
         Self::open(moving, options, notes)
@@ -122,8 +122,9 @@ impl Scene {
         options: &SceneOptions,
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
-        let frames = Frames::of_paths(paths, as_given, options.read_options(), notes)?;
-        let (name, _) = named(paths.first().unwrap_or(&PathBuf::new()));
+        let (names, files): (Vec<_>, Vec<_>) = paths.iter().map(|path| named(path)).unzip();
+        let frames = Frames::of_paths(&files, as_given, options.read_options(), notes)?;
+        let name = names.into_iter().next().unwrap_or_default();
         Self::open(vec![(name, frames)], options, notes)
     }
 

@@ -71,6 +71,7 @@ impl Part {
             }
             let kept = welding.first_vertices().iter();
             part.ids.vertices = kept.map(|&vertex| part.ids.vertices[vertex]).collect();
+            part.vertices = 0..mesh.vertex_count() as u32;
             part.welded = Some((welding, mesh));
         }
         Ok(part)

@@ -40,6 +40,17 @@ fn convert(folder: &Folder, arguments: &[&str]) {
     );
 }
 
+/// The reader refuses a file that is very small for its queries, so that the writer makes none.
+#[test]
+fn repeated_queries_come_back() {
+    let folder = Folder::new();
+    let text = canonical(&[pass()], &[]).repeat(20_000);
+    folder.write("vf.csv", &text);
+    convert(&folder, &["vf.csv", "-o", "vf.parquet"]);
+    convert(&folder, &["vf.parquet", "-o", "again.csv"]);
+    assert!(folder.read("again.csv") == text);
+}
+
 #[test]
 fn rows_come_back_byte_for_byte() {
     let folder = Folder::new();

@@ -4,7 +4,7 @@ use exact_ccd_mesh::Frame;
 use serde_json::{Value, json};
 
 use crate::folder::{Folder, Run};
-use crate::meshes::{fall, ply};
+use crate::meshes::{fall, ply, stl, tip_above_square};
 use crate::schema::Schema;
 
 /// A triangle whose tip, vertex 0, falls from height 2 to −1; the others rise from 4 to 5.
@@ -195,5 +195,19 @@ fn points_alone_have_half_spaces() {
         let run = folder.run(&[command, "start.obj", "end.obj", "--half-space", "0,0,0,0,0,1"]);
         assert_eq!(run.status, 1, "{run:?}");
         assert!(run.stdout.contains("vertex 0 and half space 0"), "{run:?}");
+    }
+}
+
+/// The vertices of a welded part are fewer than those of its files.
+#[test]
+fn welded_vertices_stay_out_of_a_half_space() {
+    let folder = Folder::new();
+    folder.write("start.stl", stl(&tip_above_square(1.0)));
+    folder.write("end.stl", stl(&tip_above_square(0.5)));
+    for command in ["step", "audit"] {
+        for (half_space, status) in [("0,0,-1,0,0,1", 0), ("0,0,0,0,0,1", 1)] {
+            let run = folder.run(&[command, "start.stl", "end.stl", "--half-space", half_space]);
+            assert_eq!(run.status, status, "{run:?}");
+        }
     }
 }

@@ -171,11 +171,17 @@ fn no_answer_replaces_a_mesh() {
         &["audit", "frames.pvd"][..],
         &["audit", "a=frames.pvd"],
         &["audit", "start.ply", "--with", "frames.pvd"],
+        &["audit", "start.ply"],
         &["step", "frames.pvd", "end.ply"],
     ] {
-        let run = folder.run(&[command, &["--output", "frames.pvd"]].concat());
-        assert!(run.error().contains("would replace this input"), "{run:?}");
-        assert_eq!(read("frames.pvd"), list.as_bytes());
+        for option in ["--output", "--certificate"] {
+            let run = folder.run(&[command, &[option, "frames.pvd"]].concat());
+            assert!(
+                run.status == 2 && run.stderr.contains("would be replaced"),
+                "{run:?}"
+            );
+            assert_eq!(read("frames.pvd"), list.as_bytes());
+        }
     }
     folder.write("vf.csv", "0,1,0,1,0,1,1\n".repeat(8));
     let before = read("vf.csv");
@@ -188,4 +194,44 @@ fn no_answer_replaces_a_mesh() {
         }
         assert_eq!(read("vf.csv"), before);
     }
+}
+
+#[test]
+fn a_folder_for_paraview_replaces_no_input() {
+    let folder = folder();
+    let impact = ["step", "start.ply", "end.ply", "--paraview", "out"];
+    assert_eq!(folder.run(&impact).status, 1);
+    let read = |name: &str| std::fs::read(folder.path(name)).unwrap();
+    for (name, command) in [
+        (
+            "out/impact.vtu",
+            &["step", "out/impact.vtu", "out/impact.vtu"][..],
+        ),
+        (
+            "out/impact.vtu",
+            &["audit", "end.ply", "--with", "out/impact.vtu"],
+        ),
+        ("out/contacts.vtp", &["audit", "out"]),
+    ] {
+        let before = read(name);
+        let run = folder.run(&[command, &["--paraview", "out"]].concat());
+        assert!(run.error().contains("would replace this input"), "{run:?}");
+        assert_eq!(read(name), before);
+    }
+}
+
+#[test]
+fn two_answers_are_two_files() {
+    let folder = folder();
+    let step = ["step", "start.ply", "end.ply", "--all", "one.csv"];
+    for option in ["--output", "--certificate"] {
+        let run = folder.run(&[&step[..], &[option, "./one.csv"]].concat());
+        assert!(run.status == 2, "{run:?}");
+        assert!(!folder.path("one.csv").exists(), "{run:?}");
+    }
+    let run = folder.run(&[&step[..], &["--output", "./one.csv"]].concat());
+    assert!(
+        run.error().contains("two answers would be written to this file"),
+        "{run:?}"
+    );
 }

@@ -4,7 +4,7 @@ use exact_ccd::{Query, VertexFace};
 use exact_ccd_mesh::Frame;
 
 use crate::folder::Folder;
-use crate::meshes::ply;
+use crate::meshes::{ply, tip_above_square};
 use crate::queries::pass;
 use crate::query_rows::{file, rows};
 
@@ -49,6 +49,17 @@ fn files_that_cannot_be_read() {
         let run = folder.run(&[&["round", "--output", "rounded"], arguments].concat());
         assert!(run.error().starts_with(name), "{run:?}");
         assert!(!folder.path("rounded").exists());
+    }
+}
+
+#[test]
+fn a_rounded_mesh_is_a_ply_file() {
+    let folder = Folder::new();
+    folder.write("mesh.ply", ply(&tip_above_square(0.1)));
+    for name in ["rounded.obj", "rounded.ply.gz"] {
+        let run = folder.run(&["round", "mesh.ply", "--output", name]);
+        assert!(run.error().ends_with("name one that ends in .ply"), "{run:?}");
+        assert!(!folder.path(name).exists());
     }
 }
 

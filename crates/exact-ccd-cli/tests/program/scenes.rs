@@ -386,6 +386,14 @@ fn several_series_are_parts_of_one_audit() {
     assert_eq!(report["parts"][1]["is_obstacle"], json!(false));
     let run = folder.run(&[&scene[..], &["--ignore", "cloth:body"]].concat());
     assert_eq!(run.status, 0, "{run:?}");
+    // A folder, or the first of several files, may have a name.
+    for frames in [
+        &["top=cloth"][..],
+        &["top=cloth/0.obj", "cloth/1.obj", "cloth/2.obj"],
+    ] {
+        let run = folder.run(&[&["audit"], frames, &["--with", "body", "--ignore", "top:body"]].concat());
+        assert_eq!(run.status, 0, "{run:?}");
+    }
 
     std::fs::remove_file(folder.path("body/2.obj")).unwrap();
     assert_eq!(

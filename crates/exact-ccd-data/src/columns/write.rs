@@ -3,9 +3,11 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
+use exact_ccd_files::Budget;
 use parquet::basic::{Compression, Encoding, GzipLevel};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
+use parquet::file::metadata::RowGroupMetaData;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
@@ -85,7 +87,18 @@ impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
         if !self.group.is_empty() {
             self.end_group()?;
         }
+        self.pad()?;
         self.file.into_inner().map_err(other)
+    }
+
+    /// Adds zeros, which belong to no column, where queries repeat so often that a reader would refuse the
+    /// file as too small for them.
+    fn pad(&mut self) -> io::Result<()> {
+        let groups = self.file.flushed_row_groups().iter();
+        let rows: i64 = groups.map(RowGroupMetaData::num_rows).sum();
+        let bytes = rows.unsigned_abs() * (coordinates::<K>() * size_of::<f64>()) as u64;
+        let missing = (bytes / Budget::RATIO).saturating_sub(self.file.bytes_written() as u64);
+        self.file.write_all(&vec![0; missing as usize])
     }
 
     fn end_group(&mut self) -> io::Result<()> {

@@ -5,9 +5,6 @@ use std::io::Read;
 
 use crate::error::Fault;
 
-/// The largest allowed ratio of the data that a file expands to and its size. Meshes compress by 2 to 20, and
-/// regular grids by up to 100; deflate reaches 1,032.
-const RATIO: u64 = 200;
 /// Short files may expand to this number of bytes in any case.
 const ALLOWANCE: u64 = 1 << 20;
 
@@ -31,6 +28,10 @@ pub struct Budget {
 }
 
 impl Budget {
+    /// The largest allowed ratio of the data that a file expands to and its size. Meshes compress by 2 to 20,
+    /// and regular grids by up to 100; deflate reaches 1,032.
+    pub const RATIO: u64 = 200;
+
     /// The account before the first file is read, for files of at most `max_size` bytes.
     #[must_use]
     pub fn new(max_size: u64) -> Self {
@@ -130,7 +131,10 @@ impl Budget {
     }
 
     fn limit_by_size(&self) -> u64 {
-        self.size.get().saturating_mul(RATIO).saturating_add(ALLOWANCE)
+        self.size
+            .get()
+            .saturating_mul(Self::RATIO)
+            .saturating_add(ALLOWANCE)
     }
 
     /// The steps of work, and the bytes of memory.

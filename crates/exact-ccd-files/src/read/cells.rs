@@ -111,7 +111,8 @@ impl Cells {
             return self.into_frame();
         }
         let sheet = self.first_sheet();
-        self.faces = Faces::default();
+        // All of them are sides of cells. They have no ids here, and count for those of the files after this one.
+        self.faces = self.faces.without_triangles();
         self.points = Vec::new();
         let surface = match self.tetrahedra() {
             // Oriented by the positions.
@@ -123,7 +124,7 @@ impl Cells {
         };
         match sheet {
             None => self.with_surface(surface),
-            Some(triangle) => Err(Fault::Sheet { triangle }.at(Place::File)),
+            Some(face) => Err(Fault::Sheet { face }.at(Place::File)),
         }
     }
 
@@ -204,18 +205,19 @@ impl Cells {
         let mesh = TetMesh::new(self.positions, tetrahedra).map_err(at_file(Fault::TetMesh))?;
         match sheet {
             None => Ok(mesh),
-            Some(triangle) => Err(Fault::Sheet { triangle }.at(Place::File)),
+            Some(face) => Err(Fault::Sheet { face }.at(Place::File)),
         }
     }
 
-    /// The first triangle that is not a side of a cell, or a part of one.
-    fn first_sheet(&self) -> Option<usize> {
+    /// The first face that is not a side of a cell, or a part of one.
+    fn first_sheet(&self) -> Option<u32> {
         if self.faces.triangles.is_empty() {
             return None;
         }
         let sides = solids::all_triangles(&self.solids);
         let is_sheet = |&triangle: &[u32; 3]| sides.binary_search(&increasing(triangle)).is_err();
-        self.faces.triangles.iter().position(is_sheet)
+        let triangle = self.faces.triangles.iter().position(is_sheet)?;
+        Some(self.faces.id(triangle))
     }
 
     /// The cells with volume, if all of them are tetrahedra.

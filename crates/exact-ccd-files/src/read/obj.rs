@@ -112,6 +112,15 @@ struct Begin<'a> {
 }
 
 pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
+    // All would be one line, of which the first statement is read.
+    if !bytes.contains(&b'\n') && bytes.contains(&b'\r') {
+        let fault = Fault::Contents {
+            found: "text whose lines end in CR alone",
+            expected: "lines that end in LF, or in CR and LF",
+            advice: "convert the ends of its lines".to_owned(),
+        };
+        return Err(fault.at(Place::File));
+    }
     let mut statements = Statements {
         positions: Vec::new(),
         faces: Elements::new("face"),

@@ -33,6 +33,14 @@ impl Faces {
         }
     }
 
+    /// Their number alone.
+    pub(super) fn without_triangles(self) -> Self {
+        Self {
+            count: self.count,
+            ..Self::default()
+        }
+    }
+
     /// The number in the file of the face to which a triangle belongs.
     pub(super) fn id(&self, triangle: usize) -> u32 {
         self.ids.get(triangle).copied().unwrap_or(triangle as u32)

@@ -34,7 +34,8 @@ pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
 fn is_text(bytes: &[u8]) -> bool {
     let count = bytes.get(HEADER..).and_then(<[u8]>::first_chunk);
     let binary_length = count.map(|&count| 84 + TRIANGLE * u64::from(u32::from_le_bytes(count)));
-    let word = bytes.trim_ascii_start().get(..5);
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let word = text.trim_ascii_start().get(..5);
     word.is_some_and(|word| is(word, "solid")) && binary_length != Some(bytes.len() as u64)
 }
 

@@ -122,6 +122,10 @@ fn nodes_place_their_meshes() {
         let near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-6);
         assert!(near, "{found:?}, expected {expected:?}");
     }
+    // Decimals are the nearest f64.
+    let shifted = gltf(r#"{"mesh":0,"translation":[0.1,0,0]}"#, "");
+    let shifted = parse_frame(shifted.as_bytes(), Format::Gltf).unwrap();
+    assert_eq!(shifted.positions[0], [0.1, 0.0, 0.0]);
     // A shift alone is one exact sum here, and no transform changes no bit.
     let shifted = gltf(r#"{"mesh":0,"translation":[0.5,-1,3]}"#, "");
     let shifted = parse_frame(shifted.as_bytes(), Format::Gltf).unwrap();

@@ -70,6 +70,12 @@ fn files_that_are_something_else_say_so() {
              about it, or has an error message",
         ),
         (
+            "lines.obj",
+            "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
+            "the contents are text whose lines end in CR alone, expected lines that end in LF, or in CR and LF; \
+             convert the ends of its lines",
+        ),
+        (
             "pointer.ply",
             "version https://git-lfs.github.com/spec/v1\n",
             "the contents are a pointer of Git LFS, expected PLY; fetch the file itself with `git lfs pull`",

@@ -161,10 +161,5 @@ fn cells_that_share_a_side_with_two_others_are_errors() {
         "cells 0, 1 and 2 share one side, expected at most two"
     );
     let sheet = parse_frame(msh(&[LOWER, "3 0 9 10 12 11"]).as_bytes(), Format::Msh);
-    assert!(
-        sheet
-            .unwrap_err()
-            .to_string()
-            .starts_with("triangle 0 is no face")
-    );
+    assert!(sheet.unwrap_err().to_string().starts_with("face 0 is no side"));
 }

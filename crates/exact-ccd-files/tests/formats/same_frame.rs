@@ -25,6 +25,17 @@ fn parse(text: impl AsRef<[u8]>, format: Format) -> Frame {
     parse_frame(text.as_ref(), format).unwrap()
 }
 
+#[test]
+fn a_byte_order_mark_is_skipped() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
+    let off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let stl = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+    for (text, format) in [(obj, Format::Obj), (off, Format::Off), (stl, Format::Stl)] {
+        let marked = parse(format!("\u{feff}{text}"), format);
+        assert_same(text, &marked, &parse(text, format));
+    }
+}
+
 /// Three faces and a vertex in none of them, with extreme coordinates.
 fn sample() -> Frame {
     let positions = vec![

@@ -7,7 +7,7 @@ use crate::error::Fault;
 
 /// An affine map in the rows of a 3×4 matrix.
 ///
-/// The numbers of the file are exact; each product and each sum of the maps and of their
+/// The numbers of the file are the nearest `f64`; each product and each sum of the maps and of their
 /// application is rounded to the nearest `f64`, from left to right. The identity changes no bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Transform([[f64; 4]; 3]);
@@ -28,16 +28,16 @@ impl Transform {
                 let expected = format!("0 0 0 1 as the last row of the matrix of node {index}");
                 return Err(Fault::expected(expected, "other numbers"));
             }
-            let row = |axis: usize| std::array::from_fn(|k| f64::from(columns[k][axis]));
+            let row = |axis: usize| std::array::from_fn(|k| columns[k][axis]);
             return Ok(Self([row(0), row(1), row(2)]));
         }
         let translation = node.translation.as_deref().copied().unwrap_or_default();
         let rotation = node.rotation.as_deref().copied().unwrap_or([0.0, 0.0, 0.0, 1.0]);
-        let [sx, sy, sz] = node.scale.as_deref().copied().unwrap_or([1.0; 3]).map(f64::from);
-        let axes = rotation_of(rotation.map(f64::from));
+        let [sx, sy, sz] = node.scale.as_deref().copied().unwrap_or([1.0; 3]);
+        let axes = rotation_of(rotation);
         let row = |k: usize| {
             let [x, y, z] = axes[k];
-            [x * sx, y * sy, z * sz, f64::from(translation[k])]
+            [x * sx, y * sy, z * sz, translation[k]]
         };
         Ok(Self([row(0), row(1), row(2)]))
     }

@@ -79,7 +79,8 @@ impl<'a> Tokens<'a> {
             line: &[],
             line_end: 0,
             number: 1,
-            rest: file,
+            // Without a byte order mark.
+            rest: file.strip_prefix(b"\xef\xbb\xbf").unwrap_or(file),
             next_number: 1,
             token: 0,
         }

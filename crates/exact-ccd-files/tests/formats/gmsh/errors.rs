@@ -221,7 +221,7 @@ fn a_triangle_inside_or_out_that_belongs_to_no_tetrahedron() {
     contents.triangles.push([1, 2, 5]);
     assert_error(
         v4(&contents, Encoding::Big),
-        "triangle 1 is no face of a tetrahedron",
+        "face 1 is no side of a cell with volume",
     );
 }
 

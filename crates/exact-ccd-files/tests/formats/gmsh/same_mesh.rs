@@ -1,6 +1,6 @@
 //! Every version and encoding gives the same mesh, bit for bit.
 
-use exact_ccd_files::{Format, parse_frame, parse_tet_mesh};
+use exact_ccd_files::{Format, MeshFile, Polygons, parse_frame, parse_tet_mesh};
 use exact_ccd_mesh::{Frame, Point, TetMesh};
 use proptest::prelude::*;
 
@@ -36,6 +36,11 @@ fn all_versions_and_encodings_give_the_same_tetrahedra() {
                 assert_eq!(bits(mesh.positions()), bits(&positions), "{name}");
                 let frame = parse_frame(&bytes, Format::Msh).unwrap();
                 assert_eq!(frame, expected.surface_frame().0, "{name}");
+                let ids = MeshFile::parse(&bytes, Format::Msh, Polygons::Refuse)
+                    .unwrap()
+                    .ids;
+                let surface = vec![None; expected.surface().len()];
+                assert_eq!((ids.faces, ids.face_count), (surface, triangles.len()), "{name}");
             }
         }
     }
