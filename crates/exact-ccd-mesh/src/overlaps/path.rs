@@ -24,8 +24,8 @@ pub(super) fn between(time: f64, x0: Point, x1: Point) -> Point {
 /// all terms with ε². Where subnormal numbers are flushed to zero, each of the six operands and results is
 /// off by less than 2⁻¹⁰²².
 ///
-/// The box at t = 0 is as much larger than the point. So at all times, the place on the path is at least 4
-/// ε s inside of the box: of the 8 ε s, at most 3 ε s are for the place at `time`, and one for the side.
+/// The box at t = 0 is as much larger than the point. So at all times, the place on the path is more than
+/// 3 ε s inside of the box: of the 8 ε s, at most 3 ε s are for the place at `time`, and one for the side.
 /// Hence a straight motion from x₀ to a place that is at most 3 ε s off the path, at `time` or before, is
 /// in the box too.
 #[inline(always)]

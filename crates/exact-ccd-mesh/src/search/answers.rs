@@ -27,8 +27,8 @@ impl Detector {
 
     /// The same for the pairs that count only.
     ///
-    /// The predicate is evaluated for pairs in contact only, on many threads, and for some of them twice. So
-    /// it may be slow. That of [`with_can_collide`](Self::with_can_collide) is evaluated for every candidate,
+    /// The predicate is evaluated for pairs in contact only, on many threads, at most once for each. So it
+    /// may be slow. That of [`with_can_collide`](Self::with_can_collide) is evaluated for every candidate,
     /// and holds for all answers, and for the check of the start.
     ///
     /// # Errors

@@ -27,7 +27,7 @@ use crate::steps::Step;
 /// negative or not a number; a [`Detector`](crate::Detector) refuses it.
 ///
 /// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
-/// mesh does not have are no contacts.
+/// mesh does not have, or that share a vertex, are no contacts.
 ///
 /// ```
 /// use exact_ccd::{CONTACT, Exact};

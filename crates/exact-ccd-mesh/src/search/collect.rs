@@ -21,8 +21,8 @@ pub(crate) trait Collect: Sync {
     /// The time after which contacts are irrelevant.
     fn until(&self) -> f64;
 
-    /// Examines candidates of one kind, of two primitives of one set the smaller index first. `Break` ends
-    /// the search.
+    /// Examines candidates of one kind, of two primitives of one set the smaller index first, in a sample in
+    /// any order. `Break` ends the search.
     fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,

@@ -121,6 +121,6 @@ fn earliest<K: Posed, M: Decide<K::Query> + ?Sized>(
 }
 
 fn queries<K: Posed>(mesh: &TriangleMesh, pairs: &[[u32; 2]]) -> Vec<<K::Query as Kind>::Vertices> {
-    let query = |&ids: &[u32; 2]| K::vertices(mesh, ids).map(K::pose);
+    let query = |&ids: &[u32; 2]| K::vertices(mesh, ids).filter(K::are_apart).map(K::pose);
     pairs.iter().filter_map(query).collect()
 }

@@ -20,7 +20,9 @@ use crate::steps::Step;
 /// is off that of q, at the same time of the step, by at most 18 ε M along each axis; so the vector between
 /// two points is off by at most √3 · 36 ε M < 63 ε M. A product or a result that underflows, or is flushed
 /// to zero, adds less than 2⁻¹⁰²² each. What stays beyond the minimum distance and 64 ε M in q, stays beyond
-/// the minimum distance in r. The path itself is one of the motions r that are not rounded.
+/// the minimum distance in r. With thicknesses, the margin counts twice, and the sum is rounded up to a
+/// multiple of at most 4 ε M, or exceeds 4 M, which is more than any distance. The path itself is one of the
+/// motions r that are not rounded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Screen {
     trajectories: Trajectories,

@@ -13,7 +13,7 @@ use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
 use control::{ENVIRONMENTS, set};
-use exact_ccd_mesh::{HalfSpace, Separation};
+use exact_ccd_mesh::{HalfSpace, Separation, Welding};
 use meshes::Scene;
 use random::Random;
 
@@ -70,6 +70,7 @@ fn check(of_threads: usize) -> ExitCode {
         let here = self::sides();
         let curve = curves::curve();
         let low = meshes::low_step();
+        let welded = welded();
         set(0);
         let is_free = low.is_some_and(|positions| default.install(|| meshes::is_free(&positions)));
         expect(is_free, "free step");
@@ -92,6 +93,7 @@ fn check(of_threads: usize) -> ExitCode {
         let is_known = curves::deviation(&curve).is_finite();
         expect(is_known == is_default, "deviation of a curve");
         expect(here == sides, "half space");
+        expect(welded == [0, 1, 2], "welding");
     }
     ExitCode::from(u8::from(wrong > 0))
 }
@@ -110,4 +112,11 @@ fn sides() -> Vec<bool> {
         sides.push(HalfSpace::new([0.0; 3], normal).is_apart(point, Separation::ZERO));
     }
     sides
+}
+
+/// The first vertices after welding of two subnormal numbers and both zeros.
+fn welded() -> Vec<usize> {
+    let mut welding = Welding::default();
+    welding.restrict(&[1, 2, 0, 1 << 63].map(|bits| [black_box(f64::from_bits(bits)), 0.0, 0.0]));
+    welding.first_vertices().to_vec()
 }

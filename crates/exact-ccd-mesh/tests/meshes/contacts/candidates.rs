@@ -197,6 +197,13 @@ fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
         })
         .collect();
     assert_eq!(nonsense.counts().total(), 12);
+    let neighbours = [
+        Pair::VertexFace { vertex: 0, face: 0 },
+        Pair::EdgeEdge { a: 0, b: 0 },
+        Pair::VertexVertex { a: 1, b: 1 },
+    ];
+    let nonsense: Candidates = nonsense.pairs().chain(neighbours).collect();
+    assert_eq!(nonsense.counts().total(), 15);
     assert!(!nonsense.is_empty() && Candidates::default().is_empty());
     assert!(!nonsense.collides(scene.step(), CONTACT));
     assert!(!nonsense.collides_by(scene.step(), &Odd));

@@ -279,3 +279,22 @@ fn the_fraction_to_keep_is_one_of_the_time_of_impact() {
     assert!(height > 0.0);
     assert_eq!(FreeStepOptions::default().keep, 0.9);
 }
+
+/// A vertex just above a tilted face that moves with it. Wherever it is rounded, its height is lost, and it
+/// is in the face.
+#[test]
+fn a_height_below_all_roundings_leaves_no_step() {
+    let mesh = TriangleMesh::new(4, vec![[0, 1, 2]]).unwrap();
+    let x0 = [
+        [-1.0, -1.0, -1.0],
+        [1.0, -1.0, 1.0],
+        [0.0, 2.0, 0.0],
+        [0.0, 0.0, 1e-200],
+    ];
+    let x1 = x0.map(|[x, y, z]| [x + 1.0 / 3.0, y, z + 1.0 / 3.0]);
+    let free = Detector::new(mesh)
+        .free_step(&x0, &x1, &FreeStepOptions::default())
+        .unwrap();
+    assert_eq!((free.size, free.touching.total()), (0.0, 0));
+    assert_eq!(free.contact.unwrap().impact.time.lower(), 1.0);
+}
