@@ -86,9 +86,10 @@ file(WRITE "${work}/host/CMakeLists.txt" "
 cmake_minimum_required(VERSION 3.21)
 project(host LANGUAGES C CXX)
 add_subdirectory([[${SOURCE}]] exact_ccd)
+find_package(exact_ccd REQUIRED)
 if(DEFINED CACHE{BUILD_TESTING})
     message(FATAL_ERROR \"exact_ccd sets BUILD_TESTING in the project of another\")
 endif()
 ")
-execute_process(COMMAND "${CMAKE_COMMAND}" -S "${work}/host" -B "${work}/host/build"
+execute_process(COMMAND "${CMAKE_COMMAND}" -S "${work}/host" -B "${work}/host/build" "-DCMAKE_PREFIX_PATH=${prefix}"
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

@@ -59,6 +59,7 @@ STEP = {
     "distances of half spaces": lambda of: exact_ccd.audit(
         [ENDS[0]], FACES, half_spaces=[[[0, 0, -1], [0, 0, 1]]], min_distance=of(np.ones(6))
     ).violation.half_space,
+    "frames in one": lambda of: exact_ccd.audit(of(np.stack(ENDS)), FACES).violation.contact.time,
     "frames": lambda of: exact_ccd.audit([of(end) for end in ENDS], FACES).violation.contact.time,
 }
 
@@ -73,6 +74,9 @@ def test_every_argument_is_read_in_one_way(name: str) -> None:
 def test_masked_points_of_a_pair() -> None:
     with pytest.raises(TypeError, match="points is a masked array"):
         ipc.point_point_ccd(np.ma.array([0.0, 0, 0], mask=[1, 0, 0]), [1, 0, 0], [1, 0, 0], [0, 0, 0])
+    masked = np.ma.array([0.0, 0, 0], mask=[1, 0, 0])
+    with pytest.raises(TypeError, match="x0 is a masked array"):
+        Queries("vv", [[masked, [0, 0, 0]]], [[[1, 0, 0], [0, 0, 0]]])
 
 
 def test_a_view_that_cannot_be_written_to_is_copied() -> None:

@@ -65,11 +65,13 @@ def test_steps_of_ipc(name: str) -> None:
     answers = 0
     for _ in range(CASES):
         dim = int(random.integers(2, 4))
-        mesh = SimpleNamespace(
-            num_vertices=6,
-            edges=integers(random, 6, 4, 2),
-            faces=integers(random, 6, 2 if dim == 3 else 0, 3),
-        )
+        edges, faces = integers(random, 6, 4, 2), integers(random, 6, 2 if dim == 3 else 0, 3)
+        try:
+            # Those of faces, too.
+            edges = np.concatenate([ipc.edges(faces), edges])
+        except (TypeError, ValueError):
+            pass
+        mesh = SimpleNamespace(num_vertices=6, edges=edges, faces=faces)
         x0, x1 = positions(random, 6, dim), positions(random, 6, dim)
         arguments = (mesh, x0) if name == "has_intersections" else (mesh, x0, x1)
         answers += survive(lambda: getattr(ipc, name)(*arguments))

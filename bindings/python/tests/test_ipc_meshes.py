@@ -79,6 +79,7 @@ def test_the_lists() -> None:
     # The vertices of the items are those of the pairs.
     rows = [item.vertex_ids(mesh.edges, mesh.faces) for item in every]
     assert rows == [row for kind in ("vv", "ve", "ee", "vf") for row in candidates.pairs[kind].tolist()]
+    assert len({*every}) == len(every) and EdgeEdgeCandidate(0, 3) != FaceVertexCandidate(0, 3)
     candidates.clear()
     assert candidates.empty() and [*candidates] == [] and candidates.fv_candidates == []
 

@@ -67,3 +67,10 @@ def test_a_contact_at_the_start() -> None:
     points = np.zeros((4, 3))
     for tmax, is_hit in ((0.0, True), (-0.0, True), (-5e-324, False)):
         assert ipc.point_point_ccd(*points, tmax=tmax)[0] == is_hit
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_a_rescaling_of_single_precision(name: str) -> None:
+    """The time is a float, at most that of the contact."""
+    hit, time = getattr(ipc, name)(*PAIRS[name], conservative_rescaling=np.float32(1.0))
+    assert hit and type(time) is float and time == THIRD

@@ -164,6 +164,7 @@ def test_files_and_file_systems(cluster, tmp_path) -> None:
     assert same(exact_ccd.ray.audit("frames", filesystem=within, steps=3), expected)
     listed = [folder / f"frame{number}.obj" for number in range(12)]
     assert same(exact_ccd.ray.audit(listed, steps=3), expected)
+    assert same(exact_ccd.ray.audit([f"file://{file}" for file in listed], steps=3), expected)
     np.savez(tmp_path / "frames.npz", positions=frames, faces=FACES)
     assert same(exact_ccd.ray.audit(tmp_path / "frames.npz", steps=3), expected)
 
@@ -250,6 +251,8 @@ def test_the_program(cluster, tmp_path) -> None:
     assert json.loads(output) == {"queries": 300, "colliding": int(truth.sum()), "wrong": 2}
     answers = pyarrow.parquet.read_table(tmp_path / "answers")
     assert sorted(answers["collides"].to_pylist()) == sorted(truth.tolist())
+    status, _, errors = run("queries", "queries.parquet", "--output", "answers")
+    assert status == 2 and "answers is not empty" in errors
     assert run("audit", tmp_path / "missing.ply")[0] == 2
     # An error in the task of a data set is no violation.
     pyarrow.parquet.write_table(table.set_column(1, "points", pa.array([[0.0] * 23] * 300)), tmp_path / "bad.parquet")

@@ -167,6 +167,10 @@ def test_errors() -> None:
         exact_ccd.answer_table(table.set_column(0, "kind", pa.array(["vf", "vf", "xy"] + ["vf"] * 7)))
     with pytest.raises(ValueError, match="row 1: the kind is null"):
         exact_ccd.answer_table(table.set_column(0, "kind", pa.array(["vf", None] + ["vf"] * 8)))
+    exact = pa.array([[0] * 12] * 2, pa.list_(pa.int64()))
+    large = pa.array([[0] * 12, [2**53 + 1] + [0] * 11], pa.list_(pa.int64()))
+    with pytest.raises(ValueError, match="row 3 of points has a number that is not exactly a float64"):
+        exact_ccd.answer_table(pa.table({"kind": ["vv"] * 4, "points": pa.chunked_array([exact, large])}))
     with pytest.raises(ValueError, match="answer 'time'"):
         exact_ccd.answer_table(table, answers=["time"])
     with pytest.raises(TypeError, match="dict is not a table of Arrow"):

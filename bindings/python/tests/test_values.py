@@ -131,3 +131,15 @@ def test_no_faces() -> None:
     assert exact_ccd.Queries("vf", [], []).collides().shape == (0,)
     with pytest.raises(ValueError, match=r"min_distance has the shape \(0,\), expected \(5\)"):
         Detector(Mesh(5, []), min_distance=[])
+
+
+def test_records_with_structures_compare_by_value() -> None:
+    """Among the numbers of contacts is NaN: of a free world, or of a contact without a normal."""
+    x0 = np.repeat(two_triangles(1.0)[None], 2, axis=0)
+    x1 = np.stack([two_triangles(0.75), two_triangles(-1.0)])
+    worlds = Worlds(Mesh(6, FACES))
+    for answer in (worlds.free_step, worlds.step):
+        assert answer(x0, x1) == answer(x0, x1) != answer(x0, x0)
+    rest = np.zeros((2, 3))
+    points = Detector(Mesh(2, []))
+    assert points.first_contacts(rest, rest) == points.first_contacts(rest, rest)

@@ -27,8 +27,7 @@ _IN_PLACE = (np.dtype(np.float64), np.dtype(np.float32))
 
 def as_array(name: str, values: Union[ArrayLike, tuple[ArrayLike, ...]]) -> NDArray[Any]:
     """The argument as an array: itself, a tensor of DLPack in place, or numbers or arrays in lists."""
-    parts = values if isinstance(values, (list, tuple)) else (values,)
-    if any(isinstance(part, np.ma.MaskedArray) for part in parts):
+    if _is_masked(values):
         raise TypeError(f"{name} is a masked array: the kernel has no missing values")
     if not isinstance(values, np.ndarray) and hasattr(values, "__dlpack__"):
         return _tensor(name, values)
@@ -37,6 +36,13 @@ def as_array(name: str, values: Union[ArrayLike, tuple[ArrayLike, ...]]) -> NDAr
         # An empty list has no type of its own.
         array = array.astype(np.float64)
     return array
+
+
+def _is_masked(values: object, depth: int = 2) -> bool:
+    """Return True for a masked array, and for lists of some, one or two deep; those below have numbers."""
+    if depth > 0 and isinstance(values, (list, tuple)):
+        return any(_is_masked(one, depth - 1) for one in values)
+    return isinstance(values, np.ma.MaskedArray)
 
 
 def _tensor(name: str, tensor: Any) -> NDArray[Any]:
@@ -75,17 +81,17 @@ def _first_row(differs: NDArray[np.bool_]) -> int:
     return int(np.flatnonzero(differs.reshape(len(differs), -1).any(axis=1))[0])
 
 
-def positions(name: str, values: ArrayLike, shape: Shape) -> Positions:
+def positions(name: str, values: ArrayLike, shape: Shape, rows: Optional[NDArray[np.intp]] = None) -> Positions:
     """The same numbers as an array of this shape, without a copy of float64 and float32 with any strides.
 
-    The exceptions are those of :func:`floats`.
+    The exceptions are those of :func:`floats`. `rows` has the numbers of the rows in them, by default from 0 on.
     """
     if type(values) is np.ndarray and values.dtype in _IN_PLACE and values.flags.aligned:
         return values if _fits(values.shape, shape) else _checked(name, values, shape, "f", "real numbers")
-    return floats(name, values, shape)
+    return floats(name, values, shape, rows)
 
 
-def floats(name: str, values: ArrayLike, shape: Shape) -> Floats:
+def floats(name: str, values: ArrayLike, shape: Shape, rows: Optional[NDArray[np.intp]] = None) -> Floats:
     """The same numbers as a contiguous float64 array of this shape, without a copy where none is needed.
 
     Raises
@@ -99,11 +105,11 @@ def floats(name: str, values: ArrayLike, shape: Shape) -> Floats:
     converted = np.require(array, np.float64, ["C", "A"])
     is_short = array.dtype.itemsize < 8 or array.dtype.kind == "f" and array.dtype.itemsize == 8
     if not is_short:
-        _check_exact(name, array, converted)
+        _check_exact(name, array, converted, rows)
     return converted
 
 
-def _check_exact(name: str, array: NDArray[Any], converted: Floats) -> None:
+def _check_exact(name: str, array: NDArray[Any], converted: Floats, rows: Optional[NDArray[np.intp]]) -> None:
     """Refuse numbers that the conversion has rounded."""
     if array.dtype.kind == "f":
         differs = (converted != array) & ~np.isnan(array)
@@ -112,7 +118,10 @@ def _check_exact(name: str, array: NDArray[Any], converted: Floats) -> None:
         differs = converted >= 2.0 ** (63 if array.dtype.kind == "i" else 64)
         differs |= np.where(differs, 0.0, converted).astype(array.dtype) != array
     if differs.any():
-        place = f"row {_first_row(differs)} of {name}" if array.ndim > 0 else name
+        place = name
+        if array.ndim > 0:
+            row = _first_row(differs)
+            place = f"row {row if rows is None else rows[row]} of {name}"
         raise ValueError(f"{place} has a number that is not exactly a float64")
 
 

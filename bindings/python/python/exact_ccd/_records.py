@@ -38,7 +38,11 @@ def _hash(self: Any) -> int:
 def same(a: Any, b: Any) -> bool:
     """Return True if two numbers, arrays or other values are equal; NaN equals NaN."""
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
-        is_float = np.asarray(a).dtype.kind == np.asarray(b).dtype.kind == "f"
-        return np.array_equal(a, b, equal_nan=is_float)
+        x, y = np.asarray(a), np.asarray(b)
+        names = x.dtype.names or ()
+        if names and x.dtype == y.dtype and x.shape == y.shape:
+            # The comparison of structures has no NaN that equals NaN.
+            return all(same(x[name], y[name]) for name in names)
+        return np.array_equal(x, y, equal_nan=x.dtype.kind == y.dtype.kind == "f")
     # A parameter may be NaN, too.
     return bool(a == b or a != a and b != b)

@@ -277,6 +277,9 @@ def _begin(
     files = in_files(frames, faces, edges)
     if files is not None:
         return files.mesh(rules), files
+    if hasattr(frames, "__dlpack__"):
+        # A tensor need not be iterable.
+        frames = as_array("frames", frames)
     if isinstance(frames, np.ndarray) and frames.ndim != 3:
         raise ValueError(f"frames has the shape {frames.shape}, expected (T, V, 3)")
     remaining: Iterator[Any] = iter(frames)

@@ -242,7 +242,7 @@ class Detector(Searcher):
         count = len(contacts)
         vertices = contacts["vertices"]
         rows, _ = np.nonzero(vertices >= 0)
-        of_vertices = np.full(self._mesh.vertex_count, count)
+        of_vertices = np.full(self._mesh.vertex_count, count, np.int64)
         np.minimum.at(of_vertices, vertices[vertices >= 0], rows)
         times = np.append(contacts["time"], np.inf)[of_vertices]
         of_vertices[of_vertices == count] = -1

@@ -60,11 +60,17 @@ def _audit(options: argparse.Namespace) -> tuple[str, int]:
 
 def _queries(options: argparse.Namespace) -> tuple[str, int]:
     """The numbers of queries, of those in contact, and of those whose truth differs."""
+    import pyarrow.fs
     import ray.data
 
     from .ray import answer_files
-    from .ray.chunks import absolute
+    from .ray.chunks import absolute, file_system
 
+    if options.output is not None:
+        place, folder = file_system(absolute(options.output), None)
+        # Ray adds to the files of a folder, and all of them would be counted.
+        if place.get_file_info(pyarrow.fs.FileSelector(folder, allow_not_found=True)):
+            raise ValueError(f"{options.output} is not empty: name another folder")
     ray.data.DataContext.get_current().enable_progress_bars = False
     answered = answer_files(options.files, answers=["collides", "toi"], separation=options.min_distance)
     if options.output is not None:

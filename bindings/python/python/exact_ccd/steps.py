@@ -56,8 +56,9 @@ class FreeStep(NamedTuple):
     Attributes
     ----------
     size : float
-        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if no positive
-        size is certified, because the mesh touches itself at the start, or within the smallest float64 of it.
+        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if none of
+        the sizes that are tried is certified: the mesh touches itself at the start, or is nearer to itself
+        there than rounded positions are to the path.
     positions : float64 array of shape (V, 3)
         The positions at its end. Unless `size` is 0, the straight motion to these very positions has
         been decided to be free of contact, exactly.

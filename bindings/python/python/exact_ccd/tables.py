@@ -229,7 +229,7 @@ def _points(kind: Kind, lists: Any, rows: NDArray[np.intp]) -> Positions:
     if values.null_count:
         raise ValueError(f"row {rows[_first(values.is_null()) // width]}: a coordinate is null")
     numbers = values.to_numpy(zero_copy_only=False)
-    return positions("points", numbers.reshape(-1, 2 * POINTS[kind], 3), (None, 2 * POINTS[kind], 3))
+    return positions("points", numbers.reshape(-1, 2 * POINTS[kind], 3), (None, 2 * POINTS[kind], 3), rows)
 
 
 def _first(mask: Any) -> int:

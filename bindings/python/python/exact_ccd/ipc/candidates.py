@@ -233,7 +233,7 @@ class Candidates:
         retreat = whole - np.nextafter(whole, 0.0)
         while size > 0.0:
             # At 1 the positions are those given: the sum is rounded.
-            x = x0 + size * (x1 - x0) if size < 1.0 else x1
+            x = _between(x0, x1, size) if size < 1.0 else x1
             if self._earliest(given, x0, x, min_distance) is None:
                 return size
             size, retreat = float(whole - retreat), 2.0 * retreat
@@ -254,6 +254,13 @@ class Candidates:
                     first = float(times[row])
                     break
         return first
+
+
+def _between(x0: Floats, x1: Floats, size: float) -> Floats:
+    """``x0 + size * (x1 - x0)``; a weighted sum where the difference overflows, as in a step of a detector."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        x = x0 + size * (x1 - x0)
+    return np.where(np.isfinite(x), x, (1.0 - size) * x0 + size * x1)
 
 
 def _all(rows: Indices) -> Indices:

@@ -17,7 +17,7 @@ def _ccd(
     kind: Kind, points: tuple[ArrayLike, ...], min_distance: float, tmax: float, conservative_rescaling: float
 ) -> tuple[bool, float]:
     """The decision for one query, and its time; infinity if there is no contact until `tmax`."""
-    check_rescaling(conservative_rescaling)
+    rescaling = check_rescaling(conservative_rescaling)
     distance, last = check_distance("min_distance", min_distance), number("tmax", tmax)
     if isnan(last):
         raise ValueError("tmax is nan, expected a number")
@@ -25,7 +25,7 @@ def _ccd(
     half = len(x) // 2
     query = Queries(kind, x[None, :half], x[None, half:])
     (time,) = query.time_of_impact(separation=distance, until=last).tolist()
-    return (False, inf) if isnan(time) else (True, conservative_rescaling * time)
+    return (False, inf) if isnan(time) else (True, rescaling * time)
 
 
 def in_space(x: Floats) -> Floats:

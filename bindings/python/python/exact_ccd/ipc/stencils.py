@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Union
+from dataclasses import dataclass
+from typing import Any, Union
 
 
-class VertexVertexCandidate(NamedTuple):
+@dataclass(frozen=True)
+class VertexVertexCandidate:
     """Two vertices of no edge.
 
     Attributes
@@ -33,7 +35,8 @@ class VertexVertexCandidate(NamedTuple):
         return [self.vertex0_id, self.vertex1_id]
 
 
-class EdgeVertexCandidate(NamedTuple):
+@dataclass(frozen=True)
+class EdgeVertexCandidate:
     """An edge and a vertex.
 
     Attributes
@@ -61,7 +64,8 @@ class EdgeVertexCandidate(NamedTuple):
         return [self.vertex_id, *map(int, edges[self.edge_id])]
 
 
-class EdgeEdgeCandidate(NamedTuple):
+@dataclass(frozen=True)
+class EdgeEdgeCandidate:
     """Two edges.
 
     Attributes
@@ -89,7 +93,8 @@ class EdgeEdgeCandidate(NamedTuple):
         return [*map(int, edges[self.edge0_id]), *map(int, edges[self.edge1_id])]
 
 
-class FaceVertexCandidate(NamedTuple):
+@dataclass(frozen=True)
+class FaceVertexCandidate:
     """A face and a vertex.
 
     Attributes

@@ -92,10 +92,10 @@ def compute_collision_free_stepsize(
     Returns
     -------
     float
-        1 if the whole step is free; 0 if no positive size is certified, because the mesh touches itself at
-        the start, or within the smallest float64 of it. Otherwise the motion to
-        ``vertices_t0 + size * (vertices_t1 - vertices_t0)``, rounded, is free of contact. With 1, take
-        ``vertices_t1``, not the sum.
+        1 if the whole step is free; 0 if none of the sizes that are tried is certified: the mesh touches
+        itself at the start, or is nearer to itself there than rounded positions are to the path. Otherwise
+        the motion to ``vertices_t0 + size * (vertices_t1 - vertices_t0)``, rounded, is free of contact, if
+        no difference overflows. With 1, take ``vertices_t1``, not the sum.
 
     Examples
     --------

@@ -244,16 +244,14 @@ def _on(
     if faces is not None or edges is not None:
         raise TypeError("the faces and edges are those of the files")
     files: list[FilePath] = []
-    identity: list[Any] = []
+    place = filesystem
     for path in paths:
         place, inside = file_system(path, filesystem)
-        filesystem = place
         info = place.get_file_info(inside)
         if info.type == pyarrow.fs.FileType.Directory:
             selected = place.get_file_info(pyarrow.fs.FileSelector(inside))
             files.extend(ordered(inside, [file.path for file in selected]))
         else:
             files.append(inside)
-    for info in filesystem.get_file_info([fspath(file) for file in files]) if filesystem is not None else []:
-        identity.append((info.path, info.size, info.mtime_ns))
-    return FileFrames(files, filesystem), identity
+    found = place.get_file_info([fspath(file) for file in files]) if place is not None else []
+    return FileFrames(files, place), [(info.path, info.size, info.mtime_ns) for info in found]
