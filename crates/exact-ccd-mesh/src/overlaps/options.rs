@@ -84,8 +84,9 @@ impl CandidateOptions {
 
     /// The margins of the boxes in a step.
     ///
-    /// Rounded positions on the path: they stay within the swept boxes, which are bounded by comparisons alone
-    /// (less than 2⁻¹⁰²² outside where subnormal numbers count as zero), and within moving boxes that are larger by the error of rounding.
+    /// Rounded positions on the path: they stay within the swept boxes, which are bounded by comparisons
+    /// alone, or less than 2⁻¹⁰²² outside where subnormal numbers count as zero; and within moving boxes that
+    /// are larger by the error of rounding.
     pub(crate) fn margin(&self, step: &Step<'_>) -> Result<Margin, CandidateError> {
         let distance = self.distance;
         // The bits of negative numbers are above those of −0.0. A comparison may read a subnormal number as
