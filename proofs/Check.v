@@ -187,7 +187,7 @@ Proof.
 Qed.
 
 (** Contact: with the tables of all kinds, the named pair is within the distance after T and not after T⁺, and no
-    pair that counts is until T. *)
+    pair that counts is within it at any time until T. *)
 Theorem first_contact rows k ids p after witness : moment until < moment after ->
   (forall k, k <> EdgeFace -> check_table k (rows k) = true) ->
   k <> EdgeFace -> pair_of k ids = Some p -> is_contact V m k p until after witness = true ->

@@ -533,7 +533,7 @@ public:
     }
 
     /// The size of a step without contact, at most `keep` times the time of impact, and the certified
-    /// positions at its end. The size is 0 if no positive one is certified. A mesh that is pierced at `x0` may be
+    /// positions at its end. The size is 0 if none of the sizes that are tried is certified. A mesh that is pierced at `x0` may be
     /// free of contact, with size 1: see `set_start_check`, and docs/pairs.md for the pairs that are compared.
     FreeStep free_step(Points x0, Points x1, double keep = 0.9)
     {

@@ -14,8 +14,8 @@ use crate::pointers::{Out, array, fill, places};
 /// end, which are written to `positions`.
 ///
 /// The size is at most `keep` times the time of impact of the full step, for 0 < `keep` <= 1, and 1
-/// if the full step is free. It is 0 if none of the sizes that are tried is certified: the mesh is in
-/// contact at the start, or is nearer to it there than rounded positions are to the path. `positions` has
+/// if the full step is free. It is 0 if none of the sizes that are tried is certified: the mesh touches
+/// itself at the start, or is nearer to itself there than rounded positions are to the path. `positions` has
 /// room for `vertex_count` points, and may be `x0` or `x1`.
 ///
 /// `collides` is true if the full step has a contact, the earliest of which is written to `contact`; else

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from exact_ccd import ipc
+from exact_ccd import Mesh, ipc
 
 SMALLEST = 5e-324
 
@@ -51,3 +51,12 @@ def test_the_smallest_distances(units: int) -> None:
     assert not ipc.is_step_collision_free(mesh, x, x, units * SMALLEST)
     assert ipc.is_step_collision_free(mesh, x, x, (units - 1) * SMALLEST)
     assert ipc.compute_collision_free_stepsize(mesh, x, x, units * SMALLEST) == 0.0
+
+
+def test_a_size_where_the_difference_overflows() -> None:
+    rest = np.zeros((1, 3))
+    x0, x1 = (np.concatenate([[[x, 0.0, 0.0]], rest]) for x in (-1.5e308, 1.5e308))
+    mesh = Mesh(2, np.empty((0, 3), int))
+    candidates = ipc.Candidates()
+    candidates.build(mesh, x0, x1)
+    assert candidates.compute_collision_free_stepsize(mesh, x0, x1, conservative_rescaling=0.5) == 0.25

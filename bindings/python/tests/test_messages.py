@@ -21,7 +21,7 @@ CASES = {
     "kind is of type ndarray": lambda: Queries(X0, X0, X1),
     "mesh is of type str, expected an exact_ccd.Mesh": lambda: Detector("mesh"),
     "mesh is of type list, which has no attribute num_vertices": lambda: ipc.is_step_collision_free(FACES, X0, X1),
-    "row 0 of faces has an edge that is none of edges": lambda: ipc.CollisionMesh(X0, [[0, 1]], FACES),
+    "row 0 of faces has an edge that is missing in edges": lambda: ipc.CollisionMesh(X0, [[0, 1]], FACES),
     "mesh is of type dict": lambda: ipc.Candidates().build({}, X0, X1),
     "frames has the shape (6, 3), expected (T, V, 3)": lambda: exact_ccd.audit(X0, FACES),
     "faces is a Mesh, expected an array: mesh.faces": lambda: exact_ccd.audit([X0], Mesh(6, FACES)),

@@ -1,10 +1,10 @@
 //! The statements of a certificate, proved or refused.
 //!
 //! A table has the proofs of one kind of pairs, sorted. The pairs that need a proof are found here, and
-//! each must be in the table. There are at most as many as the certificate has bytes, or it is
-//! unreadable: the sizes of the files bound the memory, at up to some 400 bytes for a coordinate, as the
-//! least exponent of all coordinates and of d is the unit of all. Pairs of neighbours need no proof, and
-//! are found too, so that the time is at most that of all pairs of primitives.
+//! each must be in the table. If there are more than the certificate has bytes, it is unreadable. So the
+//! sizes of the files bound the memory: up to some 400 bytes for a coordinate, because the unit of all
+//! numbers is the least exponent of the coordinates and of d. Pairs of neighbours need no proof, and are
+//! found too, so that the time is at most that of all pairs of primitives.
 
 use std::fmt;
 

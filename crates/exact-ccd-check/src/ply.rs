@@ -1,9 +1,8 @@
 //! Mesh files: PLY, as text or binary, with the elements `vertex`, `face` and `edge` and nothing else.
 //!
 //! Coordinates are of any type but integers of 64 bits; in text, decimal numbers, read as the nearest
-//! f64. A face
-//! with more than three corners becomes a fan of triangles from its lowest vertex. Properties beside
-//! these are skipped.
+//! f64. A face with more than three corners becomes a fan of triangles from its lowest vertex. Properties
+//! beside these are skipped.
 
 use crate::bytes::Bytes;
 use crate::failure::{Failure, unreadable};

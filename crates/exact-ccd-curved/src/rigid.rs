@@ -82,7 +82,7 @@ impl RigidMotion {
     /// The trajectory of the point that is at `start` at t = 0.
     #[must_use]
     pub fn point(&self, start: Point) -> RigidPoint {
-        // Where subnormal numbers count as 0, the error below is infinite.
+        // Where subnormal numbers count as 0, so does such an angle; the error below is infinite there.
         if self.angle == 0.0 && environment::is_default() {
             let [tangent, radius] = [[0.0; 3]; 2];
             return RigidPoint {

@@ -26,8 +26,9 @@ impl Position {
 /// The motion of one point on a curve x(t), for t from 0 to 1.
 ///
 /// Every answer of this crate is about the exact curve and rests on these two bounds: if they hold,
-/// it is certain. Both may be infinite where nothing better is known, but in a
-/// [step of a mesh](crate::curved_step) not at all times; NaN or a negative number is an error of the search.
+/// it is certain. Both may be infinite where nothing better is known. In a [step of a
+/// mesh](crate::curved_step), an interval of times with an infinite bound is an error. NaN or a negative
+/// number is an error of every search.
 pub trait Trajectory {
     /// x(t), for t in [0, 1].
     fn at(&self, time: f64) -> Position;

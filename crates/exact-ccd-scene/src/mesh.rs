@@ -66,8 +66,8 @@ impl Mesh {
         }
         // The sides of a lattice of points may have no length.
         let (least, expected) = match what {
-            "points" => (0.0, "a number not below 0"),
-            _ => (f64::from_bits(1), "a positive number"),
+            "points" => (0.0, "a finite number not below 0"),
+            _ => (f64::from_bits(1), "a finite positive number"),
         };
         if let Some(length) = lengths
             .iter()

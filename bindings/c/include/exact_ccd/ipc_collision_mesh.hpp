@@ -58,8 +58,9 @@ public:
 
     /// As ipc::compute_collision_free_stepsize: 1 if the step is free, else a size of at most the exact time
     /// of impact multiplied by `conservative_rescaling`, which is above 0 and at most 1. For a size below 1,
-    /// the motion to x0 + size * (x1 - x0), each operation rounded, is certified to be free of contact; with 1,
-    /// that to x1: take x1, not the sum. The size is 0 if no positive one is certified.
+    /// the motion to x0 + size * (x1 - x0), each operation rounded, is certified to be free of contact, if no
+    /// difference overflows; with 1, that to x1: take x1, not the sum. The size is 0 if none of the sizes that
+    /// are tried is certified.
     ///
     /// Compilers may fuse the product and the sum, GCC on ARM by default, on x86 with `-march=native`: compile
     /// that line with `-ffp-contract=off`, or take the positions of `free_step`.

@@ -39,7 +39,7 @@ def as_array(name: str, values: Union[ArrayLike, tuple[ArrayLike, ...]]) -> NDAr
 
 
 def _is_masked(values: object, depth: int = 2) -> bool:
-    """Return True for a masked array, and for lists of some, one or two deep; those below have numbers."""
+    """Return True for a masked array, and for a list of some, or of lists of some. Deeper lists have numbers."""
     if depth > 0 and isinstance(values, (list, tuple)):
         return any(_is_masked(one, depth - 1) for one in values)
     return isinstance(values, np.ma.MaskedArray)
@@ -84,7 +84,7 @@ def _first_row(differs: NDArray[np.bool_]) -> int:
 def positions(name: str, values: ArrayLike, shape: Shape, rows: Optional[NDArray[np.intp]] = None) -> Positions:
     """The same numbers as an array of this shape, without a copy of float64 and float32 with any strides.
 
-    The exceptions are those of :func:`floats`. `rows` has the numbers of the rows in them, by default from 0 on.
+    The exceptions are those of :func:`floats`. `rows` has the numbers by which errors name the rows, by default those from 0 on.
     """
     if type(values) is np.ndarray and values.dtype in _IN_PLACE and values.flags.aligned:
         return values if _fits(values.shape, shape) else _checked(name, values, shape, "f", "real numbers")

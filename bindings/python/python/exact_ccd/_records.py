@@ -41,7 +41,7 @@ def same(a: Any, b: Any) -> bool:
         x, y = np.asarray(a), np.asarray(b)
         names = x.dtype.names or ()
         if names and x.dtype == y.dtype and x.shape == y.shape:
-            # The comparison of structures has no NaN that equals NaN.
+            # Numpy compares structures without `equal_nan`.
             return all(same(x[name], y[name]) for name in names)
         return np.array_equal(x, y, equal_nan=x.dtype.kind == y.dtype.kind == "f")
     # A parameter may be NaN, too.

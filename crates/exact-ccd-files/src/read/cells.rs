@@ -111,7 +111,7 @@ impl Cells {
             return self.into_frame();
         }
         let sheet = self.first_sheet();
-        // All of them are sides of cells, without ids, and count for those of the files after this one.
+        // Sides of cells have no ids, but count for the ids of the files after this one.
         self.faces = self.faces.without_triangles();
         self.points = Vec::new();
         let surface = match self.tetrahedra() {

@@ -112,10 +112,11 @@ struct Begin<'a> {
 }
 
 pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
-    // All would be one line, of which the first statement is read.
-    if !bytes.contains(&b'\n') && bytes.contains(&b'\r') {
+    // Of a line, the first statement is read. CR CR LF is the end of one line.
+    let is_alone = |pair: &[u8]| pair[0] == b'\r' && !matches!(pair[1], b'\r' | b'\n');
+    if bytes.windows(2).any(is_alone) {
         let fault = Fault::Contents {
-            found: "text whose lines end in CR alone",
+            found: "text with lines that end in CR alone",
             expected: "lines that end in LF, or in CR and LF",
             advice: "convert the ends of its lines".to_owned(),
         };

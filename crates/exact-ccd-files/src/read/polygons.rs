@@ -33,7 +33,7 @@ impl Faces {
         }
     }
 
-    /// Their number alone.
+    /// No triangles, and the number of faces in the file.
     pub(super) fn without_triangles(self) -> Self {
         Self {
             count: self.count,

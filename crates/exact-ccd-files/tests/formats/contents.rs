@@ -71,8 +71,8 @@ fn files_that_are_something_else_say_so() {
         ),
         (
             "lines.obj",
-            "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
-            "the contents are text whose lines end in CR alone, expected lines that end in LF, or in CR and LF; \
+            "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r\n",
+            "the contents are text with lines that end in CR alone, expected lines that end in LF, or in CR and LF; \
              convert the ends of its lines",
         ),
         (

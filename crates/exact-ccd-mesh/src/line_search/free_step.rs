@@ -134,7 +134,7 @@ fn free_step(
 }
 
 /// The first f64 among `first` and those 1, 2, 4, … places below it to which the step is free, with the
-/// positions there; `None` if no positive one is.
+/// positions there; `None` if none of them is.
 pub(super) fn certified(
     search: &mut CulledSearch,
     step: Step<'_>,

@@ -44,6 +44,26 @@ fn errors_name_file_line_and_field() {
             "line 28, body[1].shell.density: `density` is 0, expected a positive number",
         ),
         (
+            "duration = 0.1",
+            "duration = 0.1\n[[half-space]]\nname = \"a\\tb\"\npoint = [0.0, -9.0, 0.0]\nnormal = [0.0, 1.0, 0.0]",
+            "line 4, half-space[0].name: the name \"a\\tb\" has a control character, expected none",
+        ),
+        (
+            "scale = 0.5",
+            "scale = 8.0\nangular-velocity = [0.0, 0.0, 1e308]",
+            "line 22, body[0].angular-velocity: ",
+        ),
+        (
+            "shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }",
+            "shape = { line = { edges = 2, length = 1.0 } }",
+            "line 39, body[2].shape: the mesh has no faces, expected some: edges alone need a `rod`",
+        ),
+        (
+            "grid = { cells = [1, 1], size = [9.0, 9.0] }",
+            "points = { counts = [2, 2, 2], size = [1.0, -1.0, 1.0] }",
+            "line 39, body[2].shape: the shape has a length of -1 m, expected a finite number not below 0",
+        ),
+        (
             "shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }",
             "mesh = \"missing.obj\"",
             "line 39, body[2].mesh: the file missing.obj does not exist",
@@ -183,12 +203,12 @@ fn numbers_out_of_range_are_reported_at_their_field() {
         (
             "grid = { cells = [1, 1], size = [9.0, 9.0] }",
             "box = { cells = [1, 1, 1], size = [9.0, 0.0, 9.0] }",
-            "line 39, body[2].shape: the shape has a length of 0 m, expected a positive number",
+            "line 39, body[2].shape: the shape has a length of 0 m, expected a finite positive number",
         ),
         (
             "grid = { cells = [1, 1], size = [9.0, 9.0] }",
             "sphere = { subdivisions = 1, radius = -2.0 }",
-            "line 39, body[2].shape: the shape has a length of -2 m, expected a positive number",
+            "line 39, body[2].shape: the shape has a length of -2 m, expected a finite positive number",
         ),
         (
             "contact-distance = { absolute = 1e-3 }",

@@ -25,10 +25,10 @@ const COPLANAR: f64 = 1e-9;
 ///
 /// Source of the first two: M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang, D.
 /// Kaufman, *Convergent Incremental Potential Contact*, 2023. Weights here are relative to the mean area of
-/// the vertices of all bodies with mass, because the stiffness of the barrier is adapted to the scene anyway,
-/// and those of obstacles are at most 1.
-/// There, terms are also subtracted from the sum over pairs of edges. Here they are not: where edges are
-/// shorter than the contact distance, that sum could become negative.
+/// the vertices of all bodies with mass, because the stiffness of the barrier is adapted to the scene anyway.
+/// Those of obstacles are at most 1. In the paper, terms are also subtracted from the sum over pairs of
+/// edges. Here they are not: where edges are shorter than the contact distance, that sum could become
+/// negative.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Weights {
     /// The weight of each vertex.

@@ -71,13 +71,13 @@ def primitives(mesh: SurfaceMesh) -> Primitives:
     is_used = np.zeros(mesh.num_vertices, bool)
     is_used[edges.ravel()] = True
     is_used[faces.ravel()] = True
-    own, of_faces = _numbers(edges), _numbers(sides(faces))
+    every = sides(faces)
+    own, of_faces = _numbers(edges), _numbers(every)
     # A face with two equal corners has no edge between them.
-    is_proper = np.diff(sides(faces), axis=1).ravel() != 0
-    is_missing = is_proper & ~np.isin(of_faces, own)
+    is_missing = (every[:, 0] != every[:, 1]) & ~np.isin(of_faces, own)
     if is_missing.any():
         row = int(np.argmax(is_missing)) // 3
-        raise ValueError(f"row {row} of faces has an edge that is none of edges, which has those of faces too")
+        raise ValueError(f"row {row} of faces has an edge that is missing in edges: name the edges of faces there, too")
     is_loose = ~np.isin(own, of_faces)
     return Primitives(
         np.arange(mesh.num_vertices, dtype=np.uint32)[:, None],

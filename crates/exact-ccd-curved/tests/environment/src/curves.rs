@@ -1,9 +1,11 @@
 //! Curved motion: no bound of an error is known in another environment.
 
+use std::hint::black_box;
+
 use exact_ccd::{Separation, VertexVertex};
 use exact_ccd_curved::{
-    CurvedStepError, CurvedStepOptions, Polynomial, SearchError, SearchOptions, Trajectory, curved_step,
-    time_of_impact,
+    CurvedStepError, CurvedStepOptions, Polynomial, RigidMotion, RigidPoint, SearchError, SearchOptions,
+    Trajectory, curved_step, time_of_impact,
 };
 use exact_ccd_mesh::TriangleMesh;
 
@@ -46,4 +48,14 @@ pub fn deviation(curve: &Polynomial<3>) -> f64 {
 
 pub fn curve() -> Polynomial<3> {
     parabolas()[0]
+}
+
+/// A constant curve at a subnormal place, and a point that turns by a subnormal angle, made on this thread.
+pub fn subnormal() -> (Polynomial<1>, RigidPoint) {
+    let tiny = black_box(f64::from_bits(1));
+    let motion = RigidMotion::new([0.0; 3], [0.0, 0.0, 1.0], tiny, [0.0; 3]).expect("the numbers are finite");
+    (
+        Polynomial::from_coefficients([[tiny; 3]]),
+        motion.point([1.0, 0.0, 0.0]),
+    )
 }

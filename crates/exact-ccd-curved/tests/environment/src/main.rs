@@ -13,6 +13,7 @@ use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
 use control::{ENVIRONMENTS, set};
+use exact_ccd_curved::Trajectory;
 use exact_ccd_mesh::{HalfSpace, Separation, Welding};
 use meshes::Scene;
 use random::Random;
@@ -69,6 +70,7 @@ fn check(of_threads: usize) -> ExitCode {
         let steps = (curves::step(), curves::points());
         let here = self::sides();
         let curve = curves::curve();
+        let (constant, turning) = curves::subnormal();
         let low = meshes::low_step();
         let welded = welded();
         set(0);
@@ -92,6 +94,8 @@ fn check(of_threads: usize) -> ExitCode {
         expect(steps.1 == refused(is_default, curved.1), "curved motion");
         let is_known = curves::deviation(&curve).is_finite();
         expect(is_known == is_default, "deviation of a curve");
+        let errors = [constant.at(0.5).error, turning.at(0.5).error];
+        expect(errors.map(f64::is_finite) == [is_default; 2], "subnormal curves");
         expect(here == sides, "half space");
         expect(welded == [0, 1, 2], "welding");
     }
