@@ -10,7 +10,7 @@ from typing import Any, Union
 class VertexVertexCandidate:
     """Two vertices of no edge.
 
-    Attributes
+    Parameters
     ----------
     vertex0_id, vertex1_id : int
         The indices of both primitives.
@@ -39,7 +39,7 @@ class VertexVertexCandidate:
 class EdgeVertexCandidate:
     """An edge and a vertex.
 
-    Attributes
+    Parameters
     ----------
     edge_id, vertex_id : int
         The indices of both primitives.
@@ -68,7 +68,7 @@ class EdgeVertexCandidate:
 class EdgeEdgeCandidate:
     """Two edges.
 
-    Attributes
+    Parameters
     ----------
     edge0_id, edge1_id : int
         The indices of both primitives.
@@ -97,7 +97,7 @@ class EdgeEdgeCandidate:
 class FaceVertexCandidate:
     """A face and a vertex.
 
-    Attributes
+    Parameters
     ----------
     face_id, vertex_id : int
         The indices of both primitives.
