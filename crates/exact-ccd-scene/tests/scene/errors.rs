@@ -46,7 +46,7 @@ fn errors_name_file_line_and_field() {
         (
             "duration = 0.1",
             "duration = 0.1\n[[half-space]]\nname = \"a\\tb\"\npoint = [0.0, -9.0, 0.0]\nnormal = [0.0, 1.0, 0.0]",
-            "line 4, half-space[0].name: the name \"a\\tb\" has a control character, expected none",
+            "line 4, half-space `a?b`, name: the name \"a\\tb\" has a control character, expected none",
         ),
         (
             "scale = 0.5",
