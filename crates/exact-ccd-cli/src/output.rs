@@ -51,6 +51,7 @@ impl Output {
     }
 
     /// Checks that the file is none of the inputs.
+    #[cfg(feature = "queries")]
     pub(crate) fn check(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
         self.file().map_or(Ok(()), |file| check_is_no_input(file, inputs))
     }
