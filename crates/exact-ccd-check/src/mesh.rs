@@ -81,7 +81,7 @@ impl Mesh {
     /// The mesh of these faces and edges. An edge of a vertex with itself is left out.
     ///
     /// # Errors
-    /// If an index is not below the number of vertices, or that is not below 2³².
+    /// If an index is not below the number of vertices, or if there are 2³² vertices or more.
     pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>, edges: &[[u32; 2]]) -> Result<Self, Failure> {
         let mut indices = faces.as_flattened().iter().chain(edges.as_flattened());
         let Ok(count) = u32::try_from(vertex_count) else {

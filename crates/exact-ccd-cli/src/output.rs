@@ -106,11 +106,22 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
         .or_else(Failure::unless_closed_pipe)
 }
 
+/// The place of a file, by whatever name: a new one is in its folder, which may be new, too.
+fn place(file: &Path) -> PathBuf {
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let in_folder = |_| {
+        let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")))?;
+        Ok::<_, io::Error>(folder.join(file.file_name().unwrap_or_default()))
+    };
+    let found = fs::canonicalize(file).or_else(in_folder);
+    found
+        .or_else(|_| std::path::absolute(file))
+        .unwrap_or_else(|_| file.to_owned())
+}
+
 /// Checks that a file to write is none of the inputs.
 pub(crate) fn check_is_no_input(file: &Path, inputs: &[PathBuf]) -> Result<(), Failure> {
-    let place = |file: &Path| fs::canonicalize(file).ok();
-    let output = place(file);
-    if output.is_some() && inputs.iter().any(|input| place(input) == output) {
+    if file.exists() && inputs.iter().any(|input| place(input) == place(file)) {
         let reason = "the answer would replace this input: name another file";
         return Err(Failure::of(file, reason));
     }
@@ -119,18 +130,6 @@ pub(crate) fn check_is_no_input(file: &Path, inputs: &[PathBuf]) -> Result<(), F
 
 /// Checks that no two outputs are one file. Special files such as /dev/null take several.
 pub(crate) fn check_distinct(files: &[PathBuf]) -> Result<(), Failure> {
-    // A new file has a place in its folder, which may be new, too.
-    let place = |file: &PathBuf| {
-        let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
-        let in_folder = |_| {
-            let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")))?;
-            Ok::<_, io::Error>(folder.join(file.file_name().unwrap_or_default()))
-        };
-        let found = fs::canonicalize(file).or_else(in_folder);
-        found
-            .or_else(|_| std::path::absolute(file))
-            .unwrap_or_else(|_| file.clone())
-    };
     let is_plain = |file: &PathBuf| fs::metadata(file).map_or(true, |metadata| metadata.is_file());
     for (number, file) in files.iter().enumerate() {
         if is_plain(file) && files[..number].iter().any(|other| place(other) == place(file)) {

@@ -58,14 +58,14 @@ pub struct Audit {
 /// A place where a mesh touches itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Violation {
-    /// An edge meets a face at rest. The least such pair is the first.
+    /// An edge meets a face at rest. [`Audit::examine`] returns the least such pair.
     Intersection {
         /// The frame, from 0.
         frame: usize,
         /// The edge and the face.
         intersection: Intersection,
     },
-    /// Two primitives touch after a frame, or in it. The earliest such contact is the first.
+    /// Two primitives touch after a frame, or in it. [`Audit::examine`] returns the earliest contact.
     Contact {
         /// The frame at which the step begins, from 0.
         frame: usize,

@@ -84,7 +84,8 @@ def _first_row(differs: NDArray[np.bool_]) -> int:
 def positions(name: str, values: ArrayLike, shape: Shape, rows: Optional[NDArray[np.intp]] = None) -> Positions:
     """The same numbers as an array of this shape, without a copy of float64 and float32 with any strides.
 
-    The exceptions are those of :func:`floats`. `rows` has the numbers by which errors name the rows, by default those from 0 on.
+    The exceptions are those of :func:`floats`. `rows` has the numbers by which errors name the rows, by default
+    those from 0 on.
     """
     if type(values) is np.ndarray and values.dtype in _IN_PLACE and values.flags.aligned:
         return values if _fits(values.shape, shape) else _checked(name, values, shape, "f", "real numbers")
