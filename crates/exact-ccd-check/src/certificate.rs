@@ -63,10 +63,10 @@ pub fn row(last: Option<[u32; 2]>, [a, b]: [u32; 2]) -> [u32; 2] {
     }
 }
 
-/// The stretches of a pair, of which the last ends at T.
+/// Reads the stretches of a pair; the last one ends at T.
 ///
 /// # Errors
-/// For other tags than those of the format, and at the end.
+/// If the tag of a stretch is none of the format, or the bytes end.
 pub fn stretches(bytes: &mut Bytes<'_>, until: f64) -> Result<Vec<Stretch>, Failure> {
     let mut stretches = Vec::new();
     loop {
