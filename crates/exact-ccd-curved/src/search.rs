@@ -21,7 +21,7 @@ const SHORTEST: f64 = f64::EPSILON / 2.0;
 /// The first time at which two curved primitives touch, between certain bounds: at which they are at most d
 /// apart, for the separation d of the options.
 ///
-/// `trajectories` are those of the points, in the order of the kind: four for
+/// `trajectories` are the paths of the points, in the order of the kind: four for
 /// [`VertexFace`](exact_ccd::VertexFace) and [`EdgeEdge`](exact_ccd::EdgeEdge), three for
 /// [`VertexEdge`](exact_ccd::VertexEdge), two for [`VertexVertex`](exact_ccd::VertexVertex). They may be of
 /// different types behind `&dyn Trajectory`. d = 0 is contact. The search is for the first time not after

@@ -69,11 +69,11 @@ impl<K: CurvedKind> Straight<K> {
         Some(self.after(first))
     }
 
-    /// The end of the next chord, which begins at `start`: twice as far as the time at which this chord
-    /// comes within d, at most in the middle.
+    /// The end of the next chord, which begins at `start`. If this chord comes within d at a time t, the
+    /// next one is 2 (t − `start`) long. It ends in the middle of this chord at the latest.
     ///
-    /// The error of the time at which it does is that of the free times, and is quadratic in the length
-    /// of the chord. So the chords shrink quadratically where the distance is not stationary.
+    /// The error of t has the order of the error of the free times, quadratic in the length of the chord.
+    /// So the chords shrink quadratically where the distance is not stationary.
     pub(crate) fn cut(&self, d: Separation, start: f64) -> f64 {
         let middle = start + 0.5 * (self.end - start);
         let guess = self.query.time_of_impact(d).map(|first| self.after(first));
