@@ -67,9 +67,9 @@ struct Survey {
 /// The times of the colliding queries.
 #[derive(Clone, Default)]
 struct Colliding {
-    /// All contact times, in which the count and the time of impact are.
+    /// The search for all contact times, which also gives the count and the time of impact.
     times: Vec<f64>,
-    /// The same without those of the exact path.
+    /// The same without the queries that take the exact path.
     times_filtered: Vec<f64>,
     impacts: Vec<f64>,
     /// The exact path on some of them.
@@ -209,7 +209,7 @@ fn print_candidates(batches: &[Batch<'_>]) {
 }
 
 fn print_stages(batches: &[Batch<'_>]) {
-    // Those of a distance settle no query of contact.
+    // The stages of a distance query settle no query of contact.
     let of_contact = |stage: &&Stage| !matches!(stage, Stage::Start | Stage::Advancement | Stage::Crossing);
     let stages: Vec<Stage> = Stage::ALL.iter().filter(of_contact).copied().collect();
     println!(

@@ -5,7 +5,7 @@ use fastrand::Rng;
 
 /// The largest number of different queries.
 const DIFFERENT: usize = 64;
-/// The number of random queries from which those of a stage are selected.
+/// The number of random queries from which the queries of a stage are selected.
 const TRIES: usize = 20_000;
 
 /// Queries whose contact is decided at `stage`.

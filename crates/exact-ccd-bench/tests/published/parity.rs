@@ -13,7 +13,7 @@ fn rounded<K: DataKind>(query: &Query<K>) -> Rounded<K> {
     Rounded::shift(query).unwrap()
 }
 
-/// The rounded queries whose parity differs from that in integers or from that of the exact contacts.
+/// The rounded queries whose parity differs from the parity in integers or of the exact contacts.
 fn exceptions<K: DataKind + Rim>(samples: &[Sample<K>]) -> Vec<usize> {
     let is_exception = |index: &usize| {
         let rounded = rounded(&samples[*index].query);

@@ -139,7 +139,7 @@ fn difference(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// All candidates of the small scene, and a fraction of those of the others.
+/// All candidates of the small scene, and a fraction of the candidates of the other scenes.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn candidates_have_the_contact_times_of_the_exact_path() {
