@@ -58,7 +58,7 @@ impl Source {
         Ok(sources)
     }
 
-    /// The name in tables, different from those of the other data sets.
+    /// The name in tables, different from the names of the other data sets.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
