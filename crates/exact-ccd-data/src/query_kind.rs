@@ -41,7 +41,7 @@ pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Poi
 /// [`NonFinite`] names the first coordinate that is infinite or not a number.
 ///
 /// # Panics
-/// If the number of points is not that of the kind.
+/// If the kind has another number of points.
 pub(crate) fn query<K: QueryKind>(points: &[Point]) -> Result<Query<K>, NonFinite> {
     let (start, end) = points.split_at(K::POINTS.len());
     let [t0, t1] = [start, end].map(|points| {

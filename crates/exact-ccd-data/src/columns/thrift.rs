@@ -126,7 +126,7 @@ impl Thrift<'_> {
         }
     }
 
-    /// The number of elements of a list, each of which takes a byte at least, and their type.
+    /// The number of elements of a list, and their type. Each element takes a byte at least.
     pub(super) fn list(&mut self) -> Option<(usize, u8)> {
         let header = self.byte()?;
         let count = match header >> 4 {
