@@ -88,7 +88,7 @@ impl<N: Number> Polynomials<N> {
         ]
     }
 
-    /// 12 L for the three L, none of which is negative at contact: (x − d) × (y − d) · (b − a) × (c − a).
+    /// 12 L for the three L = (x − d) × (y − d) · (b − a) × (c − a). At contact none of them is negative.
     #[inline]
     pub(super) fn insides(&self) -> impl Iterator<Item = [N; 5]> {
         self.sides.iter().map(|&side| {

@@ -13,7 +13,7 @@ use super::gap::{Coordinates, Gap};
 ///
 /// B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark
 /// and an Inclusion-Based Algorithm for Continuous Collision Detection*, ACM Transactions on
-/// Graphics 40(5), 2021. The limit of the queue is that of their public implementation.
+/// Graphics 40(5), 2021. The limit of the queue is taken from their public implementation.
 ///
 /// # When it fails
 /// It has no false negatives, and its time is never late. Primitives that come closer than about
@@ -40,7 +40,7 @@ pub struct TightInclusion {
 /// The magnitude of the coordinates, which bounds the rounding errors of F.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Magnitude {
-    /// That of the coordinates of the query.
+    /// The magnitude of the query's coordinates.
     Query,
     /// At most this on each axis, in absolute value. A larger query has its own magnitude.
     Scene(Point),

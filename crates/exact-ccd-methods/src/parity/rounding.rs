@@ -99,7 +99,7 @@ impl Displacement {
         Self([0, 1, 2].map(|axis| displacement(&along(axis).collect::<Vec<_>>())))
     }
 
-    /// For all pairs of points in the box between two finite corners, as that of a whole simulation.
+    /// For all pairs of points in the box between two finite corners, as the box of a whole simulation.
     #[must_use]
     pub fn of_box(lower: Point, upper: Point) -> Self {
         Self::of_pairs(&[[lower, upper]])
