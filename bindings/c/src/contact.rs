@@ -62,7 +62,7 @@ impl Impact {
 pub struct Interval {
     /// The first time.
     pub start: f64,
-    /// The last time; that of `start` for a single moment.
+    /// The last time; equal to `start` for a single moment.
     pub end: f64,
 }
 

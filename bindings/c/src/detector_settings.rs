@@ -28,8 +28,8 @@ pub unsafe extern "C" fn exact_ccd_detector_set_min_distance(
     })
 }
 
-/// A thickness for each of the `vertex_count` vertices. That of a primitive is the largest of its
-/// vertices; pairs count as in contact from the sum of both on, rounded up.
+/// A thickness for each of the `vertex_count` vertices. A primitive has the largest thickness of its
+/// vertices. Pairs count as in contact from the sum of both thicknesses on, rounded up.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_set_thickness(
     detector: *mut Detector,
