@@ -67,7 +67,7 @@ pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;
 /// # Ok::<(), exact_ccd_mesh::TooManyPrimitives>(())
 /// ```
 pub trait BoxPairs<const T: usize>: Send + Sync {
-    /// Finds the pairs of the index of a box in `a` and that of a box in `b`.
+    /// Finds the pairs of a box in `a` and a box in `b`: their indices, in this order.
     fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()>;
 
     /// Finds the pairs of two boxes in `boxes`, the smaller index first.

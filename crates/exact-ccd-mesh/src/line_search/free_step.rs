@@ -76,8 +76,8 @@ impl Detector {
         Ok(taken)
     }
 
-    /// [`free_step`](Self::free_step) from positions `x0` towards `x0` + `direction`. The positions
-    /// at a size α are those of [`advance`]: x₀ + fl(α d), rounded.
+    /// [`free_step`](Self::free_step) from positions `x0` towards `x0` + `direction`. The function
+    /// [`advance`] computes the positions at a size α: x₀ + fl(α d), rounded.
     ///
     /// # Errors
     /// As [`free_step`](Self::free_step); [`LineSearchError::Direction`] names the part of the

@@ -52,7 +52,7 @@ mod tests {
     use crate::mesh::TriangleMesh;
     use crate::steps::Step;
 
-    /// Points of any size, of which some move by a few units in the last place, and others far.
+    /// Points of any size. Some move by a few units in the last place, others far.
     fn points(rng: &mut Rng) -> Vec<[Point; 2]> {
         let coordinates = |rng: &mut Rng| {
             let size = 10_f64.powi(rng.i32(-12..1));
