@@ -66,10 +66,11 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
 
 /// A size for each vertex, such that the motion of all vertices is certified to be free of contact: the
 /// sizes, from 0 to 1, are written to `sizes`, and the positions at the end to `positions`.
-///The motion from `x0` to `positions`, as they are, has been decided exactly: the pairs in `blocked` touch,
-///and no others. They touch at t = 0, or their vertices that are not pinned stay at the start. `pinned` has
-///the `pinned_count` vertices that go all the way, such as the vertices of obstacles; it may be null for 0.
-///Without pinned vertices, no size is below the size of `exact_ccd_detector_free_step`.
+///
+/// The motion from `x0` to `positions`, as they are, has been decided exactly: the pairs in `blocked` touch,
+/// and no others. They touch at t = 0, or their vertices that are not pinned stay at the start. `pinned` has
+/// the `pinned_count` vertices that go all the way, such as the vertices of obstacles; it may be null for 0.
+/// Without pinned vertices, no size is below the size of `exact_ccd_detector_free_step`.
 ///
 /// A contact at time t holds back the vertices that approach, in the first round by the factor `keep` t,
 /// for 0 < `keep` <= 1; docs/steps.md has the rule. `rounds` is the number of searches for contact.

@@ -50,8 +50,8 @@ impl Detector {
     /// and from round 64 on, all that are not pinned.
     ///
     /// `pinned` are vertices that go all the way, such as the vertices of obstacles and scripts. If there
-    /// are any,
-    /// the least size of the others is 0, and a pair that touches nonetheless is reported as blocked.
+    /// are any, the least size of the others is 0, and a pair that touches nonetheless is reported as
+    /// blocked.
     ///
     /// ```
     /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};

@@ -18,11 +18,10 @@ use crate::vector::Vector;
 /// Detection*, ACM Transactions on Graphics 31(4), 2012, and their code in El Topo
 /// (`rootparitycollisiontest`, of 2011).
 ///
-/// F maps the domain of (t, u, v) to a solid with bilinear faces. Each face is replaced by two triangles.
-/// A query is free if the corners are on one side of one of a few planes through the
-/// origin. Otherwise, it collides if a ray from the origin crosses the faces an odd number
-/// of times. A ray that meets the boundary of a triangle is replaced; here the next one has a fixed
-/// direction, not a random one.
+/// F maps the domain of (t, u, v) to a solid with bilinear faces. Each face is replaced by two triangles. A
+/// query is free if the corners are on one side of one of a few planes through the origin. Otherwise, it
+/// collides if a ray from the origin crosses the faces an odd number of times. A ray that meets the
+/// boundary of a triangle is replaced; here the next one has a fixed direction, not a random one.
 ///
 /// Where expansions would overflow or underflow, signs come from integers.
 ///
