@@ -13,7 +13,7 @@ pub trait Decide<K: Kind>: Send + Sync {
     /// The earliest contact time according to this method, in \[0, 1\]; `None` if the primitives do
     /// not touch.
     ///
-    /// The default is that of a method without times: 0 for each contact, which is conservative.
+    /// The default is for a method without times: 0 for each contact, which is conservative.
     fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
         self.collides(query).then_some(0.0)
     }

@@ -18,7 +18,7 @@ use crate::time::ContactTime;
 ///   earlier times.)
 /// - *Vertex on edge*: the face is flat or the edges are parallel at the contact, or the four
 ///   points are coplanar at all times; and a vertex of one primitive lies on an edge of the other.
-///   The parameters are those of that point; if the primitives have more points in common, or the
+/// The parameters belong to that point; if the primitives have more points in common, or the
 ///   same point has many parameters, of the first such pair in the order p on v₁v₂, v₂v₃, v₃v₁, or
 ///   a₀ and a₁ on b, b₀ and b₁ on a. The normal is the velocity of that point on the second
 ///   primitive relative to the first, projected orthogonally to the line of the edge. There is none
@@ -26,9 +26,9 @@ use crate::time::ContactTime;
 /// - *Overlapping* from t = 0 on, coplanar at all times, and no vertex on an edge: the parameters
 ///   are the only ones, and the normal is n / |n|, with an arbitrary sign.
 ///
-/// With a separation above 0, the parameters are those of the closest points at that time, and the normal is
-/// the direction from the point of the second primitive to that of the first; there is none if the two
-/// coincide. Where several pairs of points are the closest, it is one of them.
+/// With a separation above 0, the parameters belong to the closest points at that time, and the normal is
+/// the direction from the closest point of the second primitive to the closest point of the first; there is
+/// none if the two coincide. Where several pairs of points are the closest, it is one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Impact {
@@ -49,8 +49,8 @@ impl Impact {
         self.time.is_start()
     }
 
-    /// The weights of the points of the query in the vector from the closest point of the second primitive to
-    /// that of the first: as many as it has points, then zeros.
+    /// The weights of the points of the query in the vector from the closest point of the second primitive
+    /// to the closest point of the first: as many as it has points, then zeros.
     #[must_use]
     pub fn weights<K: Kind>(&self) -> [f64; 4] {
         let [u, v] = self.parameters;

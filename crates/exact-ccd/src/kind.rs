@@ -1,9 +1,9 @@
 //! The kinds of query, as index tables.
 //!
-//! A query has four moving points x₀ … x₃. A vertex and a face, or two edges, meet only when the four
-//! points are coplanar, and the sides of lines on which vertices lie decide contact then. Hence all
-//! algorithms in this crate are written once, over these tables. A vertex against an edge or a vertex
-//! is a query of two edges, of which one or both have length zero: a point is repeated.
+//! A query has four moving points x₀ … x₃. A vertex and a face, or two edges, meet only when the four points
+//! are coplanar, and the sides of lines on which vertices lie decide contact then. Hence all algorithms in
+//! this crate are written once, over these tables. A vertex against an edge or a vertex is a query of two
+//! edges; one or both have length zero: a point is repeated.
 
 use core::fmt::Debug;
 use core::ops::Deref;
@@ -48,10 +48,10 @@ impl Side {
     }
 }
 
-/// The pairs of features, one of each primitive, whose closest points can be those of the primitives.
+/// The pairs of features, one of each primitive, that can contain the closest points of the primitives.
 #[derive(Clone, Copy)]
 pub struct Features {
-    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference.
+    /// Two vertices each, first the vertex of the first primitive, and (u, v) where F is their difference.
     /// They are the first of `CORNERS`.
     pub vertices: &'static [(Difference, [f64; 2])],
     /// A vertex and an edge each.
@@ -72,7 +72,7 @@ impl Features {
 pub(crate) mod tables {
     use super::{Difference, Features, Side, side};
 
-    /// The tables of a kind of query. By default, those of two edges.
+    /// The tables of a kind of query. By default, the tables of two edges.
     ///
     /// The segments cross if the ends of each lie on different sides of the line of the other: with n =
     /// e₁ × e₂, a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four
@@ -97,7 +97,8 @@ pub(crate) mod tables {
         const PARAMETERS: [usize; 2] = [0, 2];
         /// For each of x₀ … x₃, its index among the points of the query.
         const LAYOUT: [usize; 4] = [0, 1, 2, 3];
-        /// The pairs of features among whose distances the least is that of the primitives.
+        /// The pairs of features. The distance of the primitives is the least among the distances of these
+        /// pairs.
         const FEATURES: Features;
     }
 }
@@ -273,7 +274,7 @@ impl Tables for EdgeEdge {
     };
 }
 
-/// Two edges, of which the first has length zero.
+/// Two edges; the first has length zero.
 impl Tables for VertexEdge {
     const LAYOUT: [usize; 4] = [0, 0, 1, 2];
     const FEATURES: Features = Features {

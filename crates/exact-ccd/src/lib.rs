@@ -56,8 +56,8 @@
 //! subnormal numbers to zero (FTZ, DAZ), as in a program linked with `-ffast-math`, gets the same decisions,
 //! counts and times: this is [detected](environment::is_default) on the thread that computes, for each query
 //! or batch and each answer of a [`Collision`], and the exact path decides then, which is much slower. The
-//! parameters of an impact are those of the exact path, rounded down, and the components of a normal are
-//! rounded as the thread rounds.
+//! exact path gives the parameters of an impact too, rounded down; the components of a normal are rounded as
+//! the thread rounds.
 //!
 //! # Panics
 //!

@@ -7,7 +7,7 @@ use core::fmt;
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct NonNegative(u64);
 
-/// The bits of −0.0: all larger ones are those of negative numbers and of NaN.
+/// The bits of −0.0. All larger bits belong to negative numbers or to NaN.
 const NEGATIVE_ZERO: u64 = 1 << 63;
 
 impl NonNegative {

@@ -105,9 +105,8 @@ impl<K: Kind> Query<K> {
 }
 
 impl<K: Kind<Points = [Point; 4]>> Query<K> {
-    /// [`new`](Self::new) for points of another library: those of `glam` (`DVec3`), `nalgebra`
-    /// (`Point3<f64>`, `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) convert into
-    /// `[f64; 3]`.
+    /// [`new`](Self::new) for points of another library: the points of `glam` (`DVec3`), `nalgebra`
+    /// (`Point3<f64>`, `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) convert into `[f64; 3]`.
     ///
     /// # Errors
     /// [`NonFinite`], as [`new`](Self::new).

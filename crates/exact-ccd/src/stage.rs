@@ -29,8 +29,8 @@ pub enum Stage {
     /// Contact: all points move in one plane across an axis, and the sides of the edges' lines on which
     /// the vertices lie decide.
     Planar,
-    /// Contact: the signs that decide are those of integers of fixed width, at rest at t = 0, at the roots
-    /// of the coplanarity cubic from its exact coefficients, or at all times of motion in one plane.
+    /// Contact: signs of integers of fixed width decide, at rest at t = 0, at the roots of the coplanarity
+    /// cubic from its exact coefficients, or at all times of motion in one plane.
     FixedWidth,
     /// The primitives are within d > 0 at t = 0.
     Start,

@@ -58,7 +58,7 @@ impl Thickness {
         self.0.len()
     }
 
-    /// The thickness of a primitive: the largest of those of its vertices. A vertex without a thickness
+    /// The thickness of a primitive: the largest thickness among its vertices. A vertex without a thickness
     /// counts with 0.
     #[must_use]
     #[inline]

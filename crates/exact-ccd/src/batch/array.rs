@@ -23,9 +23,9 @@ pub struct NonFiniteQuery {
 
 /// Queries that are given by their points, and have no vertices in common.
 ///
-/// The arguments of [`Query::new`](crate::Query::new) make one query: its points at both ends of the
-/// step. If the queries are those of a mesh, with vertices in common,
-/// [`Trajectories`](super::Trajectories) read less memory.
+/// The arguments of [`Query::new`](crate::Query::new) make one query: its points at both ends of the step.
+/// If the queries belong to a mesh, with vertices in common, [`Trajectories`](super::Trajectories) read less
+/// memory.
 ///
 /// ```
 /// use exact_ccd::{CONTACT, VertexFace, batch};

@@ -1,11 +1,11 @@
 //! Batches of queries: the filters on several at a time.
 //!
-//! Most queries of a batch cost a fraction of [`collides`]. The first filters work on vectors, with
-//! the widest [`Instructions`] of the processor, and each passes on only those queries that it does
-//! not settle. The rest is decided like single queries. The answers are those of [`collides`], on
-//! any processor, because each filter proves its answers. With any [`Instructions`], the operations are the
-//! same in the same order, each rounded as IEEE 754 defines. On a processor without vectors, all queries are
-//! decided like single ones.
+//! Most queries of a batch cost a fraction of [`collides`]. The first filters work on vectors, with the
+//! widest [`Instructions`] of the processor, and each passes on only those queries that it does not settle.
+//! The rest is decided like single queries. The answers equal the answers of [`collides`], on any processor,
+//! because each filter proves its answers. With any [`Instructions`], the operations are the same in the
+//! same order, each rounded as IEEE 754 defines. On a processor without vectors, all queries are decided
+//! like single ones.
 //!
 //! Queries of a mesh are given by vertices ([`Trajectories`]), others by their points
 //! ([`Queries`]). Each collision is handed on as a [`Collision`](crate::Collision), whose times and

@@ -19,8 +19,8 @@ pub(super) enum Passed<'f, K: Kind> {
     Unsettled(&'f mut dyn FnMut(usize)),
 }
 
-/// A batch of one kind: queries of rows, of which those are passed on that first touch at a time not above
-/// `until`, or may do so. All indices of rows exist.
+/// A batch of one kind. It passes on the queries that first touch at a time not above `until`, or may do so.
+/// All indices of rows exist.
 #[expect(
     unnameable_types,
     reason = "an argument of a hidden function of a sealed trait"

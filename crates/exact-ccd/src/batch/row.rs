@@ -8,7 +8,7 @@ use crate::point::Point;
 #[repr(C, align(64))]
 pub(super) struct Row(pub(super) [f64; 8]);
 
-/// The places of t = 0 that are compared; those of t = 1 are four above.
+/// The places of the coordinates at t = 0 that are compared; the coordinates at t = 1 are four places above.
 pub(super) const PLACES: u64 = 0b0111;
 
 impl Row {

@@ -131,8 +131,8 @@ impl Trajectories {
     /// Calls `found` with the index of each query of vertices that may come within its separation, in order:
     /// all but some that the first filters prove to stay beyond it, from t = 0 to t = 1.
     ///
-    /// For many queries of which most stay apart. The set of the others depends on the processor, apart from
-    /// the queries that come within.
+    /// Use it for many queries if most of them stay apart. It finds each query that comes within its
+    /// separation; which others it finds depends on the processor.
     ///
     /// ```
     /// use exact_ccd::batch::Trajectories;

@@ -59,9 +59,9 @@ impl Coincidence {
 /// The coincidence of a query with this coplanarity cubic whose bounding box contains the origin.
 ///
 /// - *A vertex of each primitive, with the same trajectory.* F vanishes at that corner at all times.
-/// - *A vertex of each primitive, in one place at t = 0 or t = 1.* F vanishes there. If all four
-///   points are in one place, for example at t = 1, their differences are those of t = 0 times
-///   1 − t, so that c(t) = (1 − t)³ c(0). If c(0) is not zero, c has no other root.
+/// - *A vertex of each primitive, in one place at t = 0 or t = 1.* F vanishes there. If all four points are
+///   in one place, for example at t = 1, their differences at a time t are 1 − t times their differences at
+///   t = 0, so that c(t) = (1 − t)³ c(0). If c(0) is not zero, c has no other root.
 /// - *All points on a line along an axis, at both ends of the step.* The primitives are segments of
 ///   the line. If they are apart at t = 0 and at t = 1, they change places on it in between, as
 ///   otherwise the bounding box would exclude the origin. Hence they touch at some time. If at t = 0

@@ -49,13 +49,14 @@ impl<T: Lanes> Coplanarity<T> {
     /// True where the planes of the primitives are certainly farther than the gap d apart at all times: |c|
     /// > d |n| for n = e₁ × e₂. For contact, c has no root.
     ///
-    /// Let n₀, m and n₁ be the Bernstein coefficients of n. |n| is convex, hence at most the
-    /// combination of |n₀|, |m| and |n₁|, of degree 2; of degree 3, its coefficients are |n₀|, (|n₀| +
-    /// 2 |m|) / 3, (2 |m| + |n₁|) / 3 and |n₁|. So it suffices that each coefficient of c exceeds d times
-    /// that of |n|. Where n vanishes, so does c, which excludes it.
+    /// Let n₀, m and n₁ be the Bernstein coefficients of n. |n| is convex, hence at most the combination of
+    /// |n₀|, |m| and |n₁|, of degree 2. Call this combination N; as a polynomial of degree 3, it has the
+    /// coefficients |n₀|, (|n₀| + 2 |m|) / 3, (2 |m| + |n₁|) / 3 and |n₁|. So it suffices that each
+    /// coefficient of c exceeds d times the coefficient of N. Where n vanishes, so does c, which excludes
+    /// it.
     ///
-    /// A component of n₀ and n₁ results from four roundings, one of 2 m from five, of terms of at most
-    /// the extent: each coefficient of |n| is off by at most the error of n = 5 times the extent. The
+    /// A component of n₀ and n₁ results from four roundings, a component of 2 m from five, of terms of at
+    /// most the extent: each coefficient of N is off by at most the error of n = 5 times the extent. The
     /// lengths, their means and the bound add eleven roundings, and [`TINY`] in case the squares underflow.
     #[inline(always)]
     pub(crate) fn are_planes_beyond<G: Gap<T>>(&self, gap: G) -> T::Mask {

@@ -98,8 +98,9 @@ impl<T: Lanes> Cubic<T> {
             | ((-b0).gt(c0) & (-b1).gt(c1) & (-b2).gt(c2) & (-b3).gt(c3))
     }
 
-    /// The error of a blossom value: three interpolations, of three roundings each, of coefficients of which
-    /// the first has eight roundings: n = 11 + 8.
+    /// The error of a blossom value: three interpolations, with three roundings of the first value and two
+    /// of the second. b₀ has eight roundings, and is the first value each time: n = 8 + 9. The other
+    /// coefficients have at most eleven, and are the second value at least once: n = 11 + 8.
     #[inline(always)]
     pub(super) fn blossom_error(&self) -> T {
         self.magnitude * (margin(19) * UNIT) + UNDERFLOW
@@ -234,9 +235,9 @@ impl Cubic<f64> {
         self.refine(0.0, 1.0, guess, before)
     }
 
-    /// The points that cut [0, 1] into pieces on which c is monotone, and so are its Bernstein
-    /// coefficients: approximate zeros of c′; if it has none, that of c″, on either side of which
-    /// the coefficients of c′ have one sign.
+    /// The points that cut [0, 1] into pieces on which c is monotone, and so are its Bernstein coefficients:
+    /// approximate zeros of c′; if it has none, the zero of c″. On either side of it, the coefficients of c′
+    /// have one sign.
     pub(super) fn cuts(&self) -> ArrayVec<f64, 2> {
         let [b0, b1, b2, b3] = self.bernstein;
         // c′ / 3 = d₀ (1−t)² + 2 d₁ (1−t) t + d₂ t² = a t² + 2 h t + d₀.
@@ -254,7 +255,7 @@ impl Cubic<f64> {
         [first, second].into_iter().filter(inside).collect()
     }
 
-    /// An approximate zero of c″; near an almost triple root, it is far more accurate than those of c′.
+    /// An approximate zero of c″; near an almost triple root, it is far more accurate than the zeros of c′.
     pub(super) fn inflection(&self) -> f64 {
         let [b0, b1, b2, b3] = self.bernstein;
         let [d0, d1, d2] = [b1 - b0, b2 - b1, b3 - b2];

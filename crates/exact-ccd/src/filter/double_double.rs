@@ -1,12 +1,11 @@
 //! Numbers of twice the precision: unevaluated sums of two f64.
 //!
-//! The error-free transforms are those of Dekker (A floating-point technique for extending the
-//! available precision, 1971) and Knuth. The sum and the product are the fast ones, whose errors
-//! are bounded relative to the magnitudes of the operands, not of the result: at most [`ROUNDOFF`]
-//! (|a| + |b|) and [`ROUNDOFF`] |a b|. (Joldes, Muller, Popescu, Tight and rigorous error bounds
-//! for basic building blocks of double-word arithmetic, 2017.) Products are split by multiplication
-//! and not by a fused multiply-add, which is a slow library call on targets without the
-//! instruction.
+//! The error-free transforms are by Dekker (A floating-point technique for extending the available
+//! precision, 1971) and Knuth. The sum and the product are the fast ones, whose errors are bounded relative
+//! to the magnitudes of the operands, not of the result: at most [`ROUNDOFF`] (|a| + |b|) and [`ROUNDOFF`]
+//! |a b|. (Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of
+//! double-word arithmetic, 2017.) Products are split by multiplication and not by a fused multiply-add,
+//! which is a slow library call on targets without the instruction.
 
 use core::ops::{Add, Mul, Neg, Sub};
 

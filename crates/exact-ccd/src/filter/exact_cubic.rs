@@ -80,9 +80,9 @@ impl ExactCubic {
 
     /// The cubic in twice the precision.
     ///
-    /// The bound of [`PreciseCubic::new`] holds with the largest coefficient as magnitude: one in twice the
-    /// precision is off by 2⁻¹⁰⁴ of itself, less than one operation, of which seven lead to a coefficient
-    /// there.
+    /// The bound of [`PreciseCubic::new`] holds with the largest coefficient as magnitude. It allows for
+    /// seven operations before a coefficient. A coefficient in twice the precision is off by 2⁻¹⁰⁴ of
+    /// itself, which is less than one operation.
     fn approximate(&self) -> &Approximate {
         self.approximate.get_or_init(|| {
             let values = self.coefficients.map(Wide::approximate);

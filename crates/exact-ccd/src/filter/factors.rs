@@ -35,7 +35,7 @@ pub(super) fn difference<L: Length>(points: &Points<L>, (i, j): Difference) -> E
 pub(super) struct Factors<L> {
     /// The points, at rest along each axis that has a factor: all points have the same coordinate once.
     /// Contact is invariant under the scaling of an axis, by another number at each time, too. So at all
-    /// other times, it is that of these points.
+    /// other times, the primitives touch exactly if they do with these points.
     pub(super) at_rest: Points<L>,
     /// The rows without their factors. Two points whose difference has a factor coincide at one time.
     pub(super) rows: [Ends<L>; 3],
@@ -126,7 +126,7 @@ mod tests {
         u[0] * minor(1, 2) + u[1] * minor(2, 0) + u[2] * minor(0, 1)
     }
 
-    /// Mirrored points of few coordinates, of which many are multiples of the same linear functions.
+    /// Mirrored points of few coordinates. Many coordinates are multiples of the same linear functions.
     fn mirrored(random: &mut fastrand::Rng) -> Points<i64> {
         let functions = [(); 4].map(|()| [random.i64(1..5), -random.i64(1..5)]);
         let coordinates = [(); 12].map(|()| {

@@ -2,8 +2,8 @@
 //!
 //! Where primitives are flat, parallel and in touch, the numbers whose signs decide are zero, or so near to
 //! it that no error bound of floating point proves a sign. They are computed exactly here. Contact at t = 0
-//! is that of four points at rest. Later, the roots of the cubic are those of its exact coefficients, each
-//! rounded only once.
+//! is decided for four points at rest. Later, the roots of the cubic are computed from its exact
+//! coefficients, each rounded only once.
 
 use core::cmp::Ordering;
 

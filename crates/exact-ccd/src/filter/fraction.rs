@@ -5,8 +5,7 @@ use core::cmp::Ordering;
 use super::dyadic::Dyadic;
 use crate::time::ContactTime;
 
-/// A time of the step, of which parts are left and parts have elapsed: fewer than 2⁶³ of each, and not none
-/// of both.
+/// The time elapsed / (elapsed + left) of the step. Both numbers are below 2⁶³, and not both are 0.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fraction {
     left: u64,

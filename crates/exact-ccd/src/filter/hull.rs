@@ -13,8 +13,8 @@ use super::vector::{dot, minus, towards};
 use crate::kind::Kind;
 use crate::point::Point;
 
-/// The eight values of F at the corners of its domain, by axis. A vertex-face query has six
-/// corners, two of which are repeated.
+/// The eight values of F at the corners of its domain, by axis. A vertex-face query has six corners; two of
+/// them are repeated.
 pub(crate) struct Hull<T> {
     corners: [[T; 8]; 3],
     low: [T; 3],
@@ -92,8 +92,7 @@ impl<T: Lanes> Hull<T> {
         along
     }
 
-    /// The error bound of a scalar product. Its roundings are that of the corner, one product and two
-    /// sums: n = 4.
+    /// The error bound of a scalar product: one rounding of the corner, one product and two sums, n = 4.
     #[inline(always)]
     pub(super) fn error_along(&self, direction: [T; 3]) -> T {
         let [x, y, z] = direction.map(Lanes::abs);
@@ -176,11 +175,11 @@ impl Hull<f64> {
         is_beyond(0, 1) || is_beyond(1, 2) || is_beyond(2, 0)
     }
 
-    /// Returns true if Gilbert's iteration (An iterative procedure for computing the minimum of a
-    /// quadratic form on a convex set, 1966) finds a separating direction in a few steps. It starts at
-    /// the corner next to the origin, and approaches the point of the hull next to it: each point is a
-    /// direction, and the next point is that of the triangle with the lowest corner along it and the
-    /// lowest one before (Gilbert, Johnson and Keerthi 1988). If a point is within the gap, no direction
+    /// Returns true if Gilbert's iteration (An iterative procedure for computing the minimum of a quadratic
+    /// form on a convex set, 1966) finds a separating direction in a few steps. It starts at the corner next
+    /// to the origin, and approaches the point of the hull next to it. Each point is a direction. The next
+    /// point is the point next to the origin in a triangle: the point, the lowest corner along it, and the
+    /// lowest corner before (Gilbert, Johnson and Keerthi 1988). If a point is within the gap, no direction
     /// separates.
     ///
     /// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
@@ -221,8 +220,8 @@ fn lowest<K: Kind>(value_of: impl Fn(usize) -> f64) -> (usize, f64) {
     })
 }
 
-/// A guess of the point next to the origin of the triangle x, a, b, where x is that of a segment that ends
-/// at b: x is orthogonal to it, or one of its ends.
+/// A guess of the point next to the origin in the triangle x, a, b. x is the point next to the origin in a
+/// segment that ends at b: x is orthogonal to it, or one of its ends.
 #[inline(always)]
 fn next_to_origin(x: Point, a: Point, b: Point) -> Point {
     let (u, v) = (minus(a, x), minus(b, x));

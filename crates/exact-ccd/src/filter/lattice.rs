@@ -67,7 +67,7 @@ impl<K: Kind> Integers<K> {
     }
 
     /// Returns true if the primitives touch at each time of a moment, false if they do so at none, if it is
-    /// certain; the four points are coplanar then. The tests are those of the exact path.
+    /// certain; the four points are coplanar then. The tests are the same as on the exact path.
     pub(super) fn touches(&self, moment: &Moment) -> Option<bool> {
         match self {
             Self::Short(lattice) => lattice.position(moment),

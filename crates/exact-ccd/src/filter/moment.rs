@@ -50,10 +50,10 @@ impl Moment {
 
     /// The sign of d₀ (1−t) + d₁ t at a root, for coefficients rounded once, if it is certain and not zero.
     ///
-    /// The value results from n = 7 roundings: that of the coefficient, three of t, which its place in the
-    /// window determines, those of 1 − t, a product and a sum. The error of t counts in 1 − t too: terms are
-    /// at most 2 (|d₀| + |d₁|). The slope is at most |d₀| + |d₁|. The radius is one in time: that in the
-    /// window times its width, with a factor of two for roundings.
+    /// The value results from n = 7 roundings: one of the coefficient, three of t, which its place in the
+    /// window determines, one of 1 − t, one product and one sum. The error of t counts in 1 − t too: terms
+    /// are at most 2 (|d₀| + |d₁|). The slope is at most |d₀| + |d₁|. The radius in time is the radius in
+    /// the window times its width, with a factor of two for roundings.
     pub(super) fn sign_of_linear(&self, [start, end]: [f64; 2]) -> Option<Ordering> {
         let Self::Root(window, root) = self else {
             return None;
@@ -70,7 +70,7 @@ impl Moment {
 /// The sign of a quadratic in a bracket, if it is certain.
 ///
 /// With its coefficients in the window, M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 2 M its
-/// slope −2 q₀ (1−t) + q₁ (1−2t) + 2 q₂ t. The value at `near` results from n = 7 roundings: that of the
+/// slope −2 q₀ (1−t) + q₁ (1−2t) + 2 q₂ t. The value at `near` results from n = 7 roundings: one of the
 /// coefficient, 1 − t twice, two products and two sums. The integers are at least 1, so that what underflows
 /// is far below the bound.
 fn near<A: Area>(quadratic: [A; 3], window: &Window, root: &Root) -> Option<Ordering> {

@@ -23,7 +23,7 @@ pub(crate) trait Lanes:
     /// A number with this value in each lane.
     fn splat(self, value: f64) -> Self;
 
-    /// True in each lane that is greater than that of another number; never for a NaN.
+    /// True in each lane that is greater than the same lane of another number; never for a NaN.
     fn gt(self, other: Self) -> Self::Mask;
 
     /// Returns true if a lane is true.

@@ -1,5 +1,5 @@
-//! Motion in a plane across an axis, as that of a cloth on the ground or between two walls: the
-//! coplanarity cubic is zero, and the sides of the edges' lines on which the vertices lie decide.
+//! Motion in a plane across an axis, as of a cloth on the ground or between two walls: the coplanarity cubic
+//! is zero, and the sides of the edges' lines on which the vertices lie decide.
 //!
 //! Each side is the sign of a quadratic. If all roots of the quadratics are simple and apart from
 //! each other, one sign changes at a time, so that contact lasts for intervals of positive length.
@@ -141,8 +141,8 @@ impl<'a, K: Kind> Planar<'a, K> {
 
     /// The contact at an event with which it begins, if parameters and normal are accurate enough.
     ///
-    /// At t = 0, all vertices are strictly beside the edges: the parameters are the only ones. Later, the
-    /// only vertex on an edge is that of the event.
+    /// At t = 0, all vertices are strictly beside the edges: the parameters are the only ones. Later, only
+    /// the vertex of the event is on an edge.
     pub(super) fn impact(&self, beginning: &Event) -> Option<Impact> {
         let time = self.round(beginning)?;
         let (parameters, normal) = match beginning {

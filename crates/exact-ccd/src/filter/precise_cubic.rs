@@ -42,8 +42,8 @@ impl<T: Number<Real = f64> + Mul<f64, Output = T>> PreciseCubic<T> {
 impl PreciseCubic {
     /// Returns true if |c(t)| certainly is above a bound.
     ///
-    /// The high part is the nearest f64 of the value, and the sum that of the bound and the error. Rounding
-    /// is monotone: numbers whose nearest f64 are in strict order are so themselves.
+    /// The high part is the nearest f64 of the value, and the sum is the nearest f64 of the bound plus the
+    /// error. Rounding is monotone: numbers whose nearest f64 are in strict order are so themselves.
     pub(super) fn exceeds(&self, t: f64, bound: f64) -> bool {
         self.value(t).high.abs() > self.error + bound
     }

@@ -1,6 +1,6 @@
 //! Vectors of the filters' numbers.
 
-// Without closures: those of arrays are not inlined into code for vector instructions.
+// Without closures: the closures of array methods are not inlined into code for vector instructions.
 
 use core::ops::Mul;
 
@@ -54,7 +54,7 @@ pub(crate) fn cross_along<T: Ring>(axis: usize, a: [T; 3], b: [T; 3]) -> T {
     a[next] * b[last] - a[last] * b[next]
 }
 
-/// The sums of the magnitudes of the terms of a × b, given those of a and b.
+/// The sums of the magnitudes of the terms of a × b, given the same sums for a and b.
 #[inline(always)]
 pub(crate) fn cross_magnitude<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [

@@ -37,7 +37,7 @@ impl Window {
         high: Dyadic::END,
     };
 
-    /// The window between two times, of which the first is less.
+    /// The window from the first time to a later one.
     pub(super) fn new(low: Dyadic, high: Dyadic) -> Option<Self> {
         (low < high).then_some(Self { low, high })
     }

@@ -52,8 +52,8 @@ pub(super) fn insert(moments: &mut Moments, cubic: &[Volume; 4], time: Fraction)
 
 /// The order of a moment at which a cubic vanishes and a time, if it is certain.
 ///
-/// A root is strictly inside its window, at the ends of which the cubic may vanish too. Between these, the
-/// cubic has one root in the bracket, and opposite signs on both sides of it.
+/// A root is strictly inside its window. The cubic may vanish at the ends of the window too. Between these
+/// ends, the cubic has one root in the bracket, and opposite signs on both sides of it.
 fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Ordering> {
     let (window, root) = match moment {
         Moment::At(other) => return Some(other.cmp(&time)),
@@ -81,7 +81,7 @@ fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Orderin
     }
 }
 
-/// The same moment, if it certainly is a time with few digits, or a root in a narrower window.
+/// If a window contains the bracket and exactly one root, it is this root.
 ///
 /// A window that contains the bracket of a root, and in which the cubic certainly has only one, has this one.
 pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
@@ -109,12 +109,12 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
 
 /// Appends the moments inside a window, without its ends.
 ///
-/// The number of changes of exact signs bounds that of roots, and has its parity: none and one are certain
-/// (Descartes' rule). Otherwise the bounds of [`Cubic::new`] hold with the largest coefficient as magnitude:
-/// each coefficient is rounded once, n = 1 of the ten roundings there, and the largest rounded one is below
-/// its integer by one rounding at most. Coefficients are below 2⁴⁴⁵ ([`Window::cubic`]): nothing overflows.
-/// The largest is at least 1, so that what underflows is far below the bounds. If these do not suffice, the
-/// window is cut.
+/// The number of sign changes of the exact coefficients is at least the number of roots, and has the same
+/// parity: none and one are certain (Descartes' rule). Otherwise the bounds of [`Cubic::new`] hold with the
+/// largest coefficient as magnitude: each coefficient is rounded once, n = 1 of the ten roundings there,
+/// and the largest rounded one is below its integer by one rounding at most. Coefficients are below 2⁴⁴⁵
+/// ([`Window::cubic`]): nothing overflows. The largest is at least 1, so that what underflows is far below
+/// the bounds. If these do not suffice, the window is cut. window is cut.
 fn push_zeros_inside(
     cubic: &[Volume; 4],
     window: Window,
@@ -157,7 +157,7 @@ fn push_zeros_inside(
 /// The ends of narrow windows around almost triple roots of a cubic, or else around almost double ones, in
 /// increasing order; with the time of fewest digits in each, if the cubic vanishes there.
 ///
-/// An almost triple root is near that of c″, an almost double one near one of c′.
+/// An almost triple root is near the zero of c″, an almost double one near a zero of c′.
 fn cuts(cubic: &[Volume; 4], window: Window, local: &Cubic<f64>) -> ArrayVec<Dyadic, 6> {
     let mut cuts = ArrayVec::new();
     push_cuts(cubic, window, &[local.inflection()], 3, &mut cuts);

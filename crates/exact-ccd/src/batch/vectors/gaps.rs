@@ -18,7 +18,7 @@ pub(super) trait Gaps: Copy {
 
     fn of(self, index: usize) -> Self::One;
 
-    /// Those of at most eight queries, side by side.
+    /// The gaps of at most eight queries, side by side.
     fn of_eight<S: Simd>(self, simd: S, indices: &[usize]) -> Self::Eight<S>;
 }
 

@@ -41,7 +41,7 @@ fn quotient(a: i128, b: i128) -> ContactTime {
 fn double_and_triple_roots_are_certain_at_times_with_few_digits() {
     let parts = 1 << 3;
     for roots in (0..10_i128.pow(3)).map(|index| [100, 10, 1].map(|power| index / power % 10)) {
-        // The product of linear functions from −a to 8 − a, some of which vanish at an end, or outside.
+        // The product of linear functions from −a to 8 − a. Some of them vanish at an end, or outside.
         let cubic = product(roots.map(|a| [-a, parts - a]));
         let mut expected: Vec<_> = roots.into_iter().filter(|&a| a <= parts).collect();
         expected.sort_unstable();

@@ -78,7 +78,7 @@ impl<T: Lanes> Advancement<T> {
         let mut now = self.stop::<K>(from);
         let is_free = now.is_beyond & now.heading.is_beyond_at(&self.corners(end), corners, limit);
         let mut time = T::select(is_free, end, start);
-        // The lanes of which all time until now is proved.
+        // True in the lanes in which all time until now is proved.
         let mut proved = now.is_beyond;
         let mut ahead = ArrayVec::<Stop<T>, MOST_AHEAD>::new();
         if T::any(proved & !is_free) {
@@ -124,7 +124,7 @@ impl<T: Lanes> Advancement<T> {
         Heading::new(corners, nearest::<K, T>(&corners))
     }
 
-    /// A corner results from that of the query, 1 − t, a product and a sum: four roundings.
+    /// A corner has four roundings: the query's corner, 1 − t, a product and a sum.
     #[inline(always)]
     fn corners(&self, t: T) -> [[T; 3]; 4] {
         let mut corners = self.start;

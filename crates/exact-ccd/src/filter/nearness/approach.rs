@@ -137,9 +137,9 @@ pub(super) fn error_of_point(width: f64, m: f64) -> f64 {
     2.0 * width + margin(1) * UNIT * m + 64.0 * ROUNDOFF
 }
 
-/// The error of a component of the velocity of F. Each one of a corner is at most 2, so that two parameters
-/// that are off by δ change it by at most 8 δ. Its terms are at most 10 together, with n = 5 roundings, of
-/// which one is that of the velocity of a corner.
+/// The error of a component of the velocity of F. A component of a corner's velocity is at most 2, so that
+/// two parameters that are off by δ change the result by at most 8 δ. Its terms are at most 10 together,
+/// with n = 5 roundings; one of them is in the velocity of a corner.
 pub(super) fn error_of_velocity(of_parameters: f64) -> f64 {
     8.0 * of_parameters + 64.0 * UNIT
 }
@@ -150,7 +150,7 @@ fn is_behind(corner: &Near, closest: &Near) -> bool {
     value > error
 }
 
-/// A vector, each component of which is within an error.
+/// A vector. Each component is within an error.
 #[derive(Clone, Copy)]
 pub(super) struct Near {
     pub(super) value: Point,
@@ -181,7 +181,7 @@ impl Near {
         }
     }
 
-    /// The cross product; the error of a component is at most that of a scalar product.
+    /// The cross product. The error of a component is at most the error of a scalar product.
     pub(super) fn cross(&self, other: &Self) -> Self {
         Self {
             value: cross(self.value, other.value),
@@ -207,8 +207,8 @@ fn extent(vector: Point) -> f64 {
     vector.into_iter().fold(0.0, |sum, x| sum + x.abs())
 }
 
-/// A scalar product and its error: that of each factor times the magnitude of the other, and n = 3 roundings.
-/// The bound takes the errors into the magnitudes, and is doubled for its own roundings.
+/// A scalar product and its error: the error of each factor times the magnitude of the other, and n = 3
+/// roundings. The bound takes the errors into the magnitudes, and is doubled for its own roundings.
 pub(super) fn product(a: &Near, b: &Near) -> [f64; 2] {
     let (of_a, of_b) = (a.extent(), b.extent());
     let error = a.error * of_b + b.error * of_a + margin(3) * UNIT * of_a * of_b;
@@ -257,8 +257,8 @@ pub(super) fn minor<T: Lanes>([a, b]: [T; 2], [c, d]: [T; 2]) -> T {
     a * b - c * d
 }
 
-/// a b − c d of numbers with errors, and its error: that of each factor times the most that the other one can
-/// be, and n = 2 roundings.
+/// a b − c d of numbers with errors, and its error: the error of each factor times the largest possible
+/// value of the other, and n = 2 roundings.
 pub(super) fn minor_within(ab: [[f64; 2]; 2], cd: [[f64; 2]; 2]) -> [f64; 2] {
     let values = |factors: [[f64; 2]; 2]| factors.map(|[value, _]| value);
     let error = |[[a, of_a], [b, of_b]]: [[f64; 2]; 2]| {

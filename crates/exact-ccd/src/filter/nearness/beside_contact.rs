@@ -1,4 +1,4 @@
-//! Small distances: the first time within d is next to that of contact.
+//! Small distances: the first time within d is next to the first contact.
 //!
 //! Contact implies a distance of at most d. Let f be the largest f64 before the first contact. If D > d until
 //! f, then the first time within d is between f and the next f64, because D is continuous and d > 0.

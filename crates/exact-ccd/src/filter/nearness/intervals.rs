@@ -47,7 +47,7 @@ impl Crossings {
     ///
     /// D is so near to d there that the first stretch needs twice the precision.
     fn first_after<K: Kind>(&self, from: f64, now: &Snapshot<DoubleDouble>) -> Option<Option<ContactTime>> {
-        // The shortest stretches are as short as those of `Advancement::free_after`: their number is bounded.
+        // The shortest stretches are as short as in `Advancement::free_after`: their number is bounded.
         const ATTEMPTS: usize = 5;
         let now = Headed::new(now)?;
         let mut length = 1.0 - from;

@@ -49,7 +49,7 @@ use scaled::Scaled;
 /// ends later; what is found after the time in question does not count.
 pub(crate) const LEAST_UNTIL: f64 = f64::from_bits((1023 - 60) << 52);
 
-/// 2⁻⁶⁰: the least scaled distance of which the crossings are tried. Primitives pass through a smaller one
+/// 2⁻⁶⁰: the least scaled distance for which crossings are tried. Primitives pass through a smaller one
 /// within one f64.
 const LEAST_CROSSED: f64 = f64::from_bits((1023 - 60) << 52);
 
@@ -135,7 +135,7 @@ fn is_certainly_within(x: Point, d: f64) -> bool {
 /// A bound of |x|² for [`is_certainly_within`], less one rounding.
 ///
 /// A component and its error have one rounding, the square of the sum three, the two sums and the product
-/// with the bound one each: six, and a seventh is that of d². The errors are relative to positive terms.
+/// with the bound one each: six. The square of d has a seventh. The errors are relative to positive terms.
 #[inline(always)]
 fn largest_square<T: Lanes>([x, y, z]: [T; 3]) -> T {
     const ERROR: f64 = margin(39) * UNIT;

@@ -108,7 +108,7 @@ fn scalar_products_of_vectors_with_errors() {
     let [value, error] = product(&a, &b);
     assert_eq!(value, dot(vectors[0], vectors[1]));
     assert_bound(error, 2.0 * a.extent() * b.extent(), 3);
-    // The rounding of a difference: that of 2 + 2 u is 2 u.
+    // The rounding of a difference: 2 + 2 u has the rounding 2 u.
     let [two, small] = [2.0, -2.0 * UNIT].map(|x| Near {
         value: [x, 0.0, 0.0],
         error: 0.0,
@@ -226,7 +226,7 @@ fn errors_of_closest_points() {
         (at(0.5) - at(0.5 + delta)).abs()
     );
     let rounded = velocity.map(|corner| corner.map(|x| Precise::<false>(Symbol::exactly(x).rounded())));
-    // Parameters of which a product is rounded.
+    // Parameters with a product that is rounded.
     let [Precise(x), ..] = Closest::Inner(inner, [1.0 - UNIT; 2]).point(&rounded);
     assert_eq!((x.roundings, x.permanent.round()), (5, 10.0));
     assert_eq!(error_of_velocity(0.0), 64.0 * UNIT, "more than 5 · 10 u");

@@ -22,8 +22,8 @@ pub(super) trait Precision: Number<Real = f64> + Neg<Output = Self> + Mul<f64, O
 }
 
 impl Precision for f64 {
-    // 2⁻³²: one or two steps before twice the precision has settled. The error of a time is about that of
-    // the corners over the speed of the approach, and may be far above the unit roundoff.
+    // 2⁻³²: one or two steps before twice the precision has settled. The error of a time is about the error
+    // of the corners over the speed of the approach, and may be far above the unit roundoff.
     const SETTLED: f64 = f64::from_bits((1023 - 32) << 52);
     const REFINES: bool = false;
 }
@@ -188,7 +188,7 @@ impl<'a> Headed<'a> {
     /// Returns true if the distance is certainly above d at all times between this one and another one, given
     /// in f64, at which it may be d.
     ///
-    /// The proof is that of [`Heading::is_beyond_across`].
+    /// [`Heading::is_beyond_across`] proves it.
     pub(super) fn is_beyond_from(&self, other: &Heading<f64>) -> bool {
         let Snapshot { count, limit, .. } = *self.snapshot;
         other.is_beyond(count, limit) && self.rounded.is_beyond_across(other, count, limit)
@@ -211,9 +211,9 @@ pub(super) const OF_SQUARE: f64 = margin(1 + 1) * ROUNDOFF;
 /// Returns true if gₐ · x_b + g_b · xₐ is certainly above d (|gₐ| + |g_b|) for all corners.
 ///
 /// It is if the sum s on the left is positive and s² > 2 d² (gₐ · gₐ + g_b · g_b), as (p + q)² ≤ 2
-/// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e
-/// and off by (8 + 5) ε e; less twice that, it is below the exact one. Then its square has one operation, the
-/// right side seven, and both that of their difference.
+/// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e and off
+/// by (8 + 5) ε e. The computed s less twice this error is below the exact s. Its square has one operation,
+/// the right side seven, and the difference of the two adds one to each.
 fn are_beyond(one: &Headed<'_>, other: &Headed<'_>) -> bool {
     let [(a, of_a), (b, of_b)] = [one, other].map(|headed| (headed.snapshot, headed.direction));
     let extent = of_a.iter().chain(&of_b).fold(0.0, |sum, x| sum + x.value().abs());

@@ -91,7 +91,7 @@ fn for_all<K: Kind>(count: usize, mut check: impl FnMut(&Query<K>, &Hull<f64>, &
     }
 }
 
-/// Returns true if the impact is certain. It is that of the definition then.
+/// Returns true if the impact is certain. Asserts that it is the impact of the definition then.
 #[track_caller]
 fn has_impact<K: Kind>(query: &Query<K>, crossings: &Crossings, truth: &FirstWithin, d: f64) -> bool {
     let first = truth.time();

@@ -16,10 +16,9 @@ pub(super) struct Heading<T> {
 /// d and all errors of [`Heading::is_beyond_across`].
 ///
 /// Let r be the sum of the reaches on the three axes. The sum gₐ · x_b + g_b · xₐ results from n = 8
-/// roundings, four of them those of a corner, of terms of at most 2 r (1 + 8 u), and is compared with twice
-/// the limit. With corners and direction of twice the precision, rounded, at one of the times, n = 9, with
-/// the same margin. d times the lengths is at most 2 d (1 + 8 u), and the limit has four more roundings: n =
-/// 12.
+/// roundings, four of them in a corner, of terms of at most 2 r (1 + 8 u), and is compared with twice the
+/// limit. With corners and direction of twice the precision, rounded, at one of the times, n = 9, with the
+/// same margin. d times the lengths is at most 2 d (1 + 8 u), and the limit has four more roundings: n = 12.
 #[inline(always)]
 pub(super) fn limit<T: Lanes>(d: T, reach: [T; 3]) -> T {
     d * (1.0 + margin(12) * UNIT) + (reach[0] + reach[1] + reach[2]) * (margin(8) * UNIT) + UNDERFLOW

@@ -219,8 +219,8 @@ fn quadratics_in_a_bracket() {
 #[test]
 fn linear_functions_at_a_moment() {
     // The time of a place in a window is the sum of its beginning and a part of its width, both rounded. The
-    // coefficients of the value are rounded once. The terms of 1 − t, counted, add up to 2, so those of the
-    // value to 2 |d₀| + |d₁|.
+    // coefficients of the value are rounded once. The terms of 1 − t, counted, add up to 2, so the terms of
+    // the value add up to 2 |d₀| + |d₁|.
     let [low, width] = [0.25, 0.25].map(|time| Symbol::exactly(time).rounded());
     let t = low + Symbol::exactly(0.5) * width;
     assert_eq!(t.roundings, 3);
@@ -244,8 +244,8 @@ fn linear_functions_at_a_moment() {
         [sign(threshold), sign(threshold + 1.0)],
         [None, Some(Ordering::Greater)]
     );
-    // In a bracket of this radius, the value changes by at most the slope, |d₀| + |d₁|, of which the bound
-    // has twice.
+    // In a bracket of this radius, the value changes by at most the slope, |d₀| + |d₁|. The bound has twice
+    // the slope.
     let wide = Root {
         low: 0.375,
         ..bracket
