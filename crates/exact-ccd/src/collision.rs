@@ -100,7 +100,7 @@ impl<'a, K: Kind> Collision<'a, K> {
         K::time(self)
     }
 
-    /// The same collision if its first time, which it keeps then, is not after the last one that counts.
+    /// `Some(self)`, its first time cached, if that is at most `until`.
     #[inline]
     pub(crate) fn until(self, until: f64) -> Option<Self> {
         if until >= 1.0 {
