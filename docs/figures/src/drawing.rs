@@ -5,7 +5,7 @@ use std::fmt::Write;
 /// A place in a drawing, in pixels from its upper left corner.
 pub(crate) type Pixel = [f64; 2];
 
-/// The styles of the classes. The colours are those of Okabe and Ito, which colour-blind readers
+/// The styles of the classes. The colours are by Okabe and Ito, and colour-blind readers
 /// can distinguish.
 const STYLE: &str = "\
 text{font:13px sans-serif;fill:#222}
