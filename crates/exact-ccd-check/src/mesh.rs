@@ -139,8 +139,8 @@ impl Mesh {
         counts.then_some(Pair { first, second, has_distance })
     }
 
-    /// The first or the second primitives of all pairs of a kind: their indices, and their vertices, of
-    /// which the last is repeated up to three.
+    /// The first or the second primitives of all pairs of a kind: their indices, and three vertices each. If
+    /// a primitive has fewer, its last vertex is repeated.
     pub fn primitives(&self, kind: Kind, is_second: bool) -> Vec<(u32, [u32; 3])> {
         let vertices = |most: u32| {
             let all = (0..self.vertex_count).zip(&self.degrees);
