@@ -24,7 +24,7 @@ pub struct Maker {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MakerError {
-    /// The step is none, or an edge passes through a face at its start.
+    /// The positions are no step, or an edge passes through a face at its start.
     #[error(transparent)]
     Step(#[from] StepError),
     /// Only some pairs can collide, or not all keep the same distance.
