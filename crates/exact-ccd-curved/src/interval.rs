@@ -49,8 +49,8 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         })
     }
 
-    /// Returns true if boxes around the chords are much larger by the deviations: by more than an eighth of
-    /// the longest chord, and 2⁻³⁰ of the largest coordinate. Shorter intervals have smaller boxes, but
+    /// Returns true if the deviations make the boxes around the chords much larger: by more than an eighth
+    /// of the longest chord, and 2⁻³⁰ of the largest coordinate. Shorter intervals have smaller boxes, but
     /// each of them costs a broad phase.
     pub(crate) fn is_coarse(&self) -> bool {
         let largest = |of: fn(&Chord) -> f64| self.chords.iter().map(of).fold(0.0, f64::max);

@@ -10,7 +10,7 @@ use crate::options::SearchOptions;
 /// The certified part of a step of a mesh whose vertices move on curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvedStep {
-    /// The pair with the earliest time until which it is certainly free, if a pair is not free.
+    /// The pair whose certainly free time ends first, if a pair is not free.
     pub pair: Option<Pair>,
     /// The answer for that pair: all pairs are certainly farther than d apart before
     /// [`free_until`](Answer::free_until), and until the last time that counts if it [is
