@@ -615,8 +615,8 @@ enum exact_ccd_status_t exact_ccd_worlds_collision(const struct exact_ccd_detect
                                                    bool *collides,
                                                    struct exact_ccd_contact_t *contacts);
 
-/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then those
-/// of the next, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
+/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then of
+/// the next one, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
 /// `exact_ccd_worlds_collides`.
 enum exact_ccd_status_t exact_ccd_worlds_collisions(const struct exact_ccd_detector_t *detector,
                                                     const double *x0,

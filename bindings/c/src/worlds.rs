@@ -128,8 +128,8 @@ pub unsafe extern "C" fn exact_ccd_worlds_collision(
     })
 }
 
-/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then those
-/// of the next, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
+/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then of
+/// the next one, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
 /// `exact_ccd_worlds_collides`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_worlds_collisions(
