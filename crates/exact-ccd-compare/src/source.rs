@@ -64,8 +64,8 @@ impl Source {
         &self.name
     }
 
-    /// Reads the queries of a kind, and keeps a random sample: up to `most` of those that collide
-    /// and as many of those that do not. The exact method replaces ground truth that is missing.
+    /// Reads the queries of a kind, and keeps a random sample: up to `most` queries that collide, and as
+    /// many that do not. The exact method replaces ground truth that is missing.
     ///
     /// # Errors
     /// If a file is missing or wrong.

@@ -13,7 +13,7 @@ pub struct TimeError {
     pub late: usize,
 }
 
-/// The arithmetic mean; `None` of no values.
+/// The arithmetic mean; `None` if there are no values.
 pub(super) fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }

@@ -1,4 +1,4 @@
-//! The numbers at the marks of an axis: all of an axis are written in the same way.
+//! The numbers at the marks of an axis, all written in the same way.
 
 /// Prefixes of units with their powers of ten.
 const PREFIXES: [(i32, &str); 7] = [
