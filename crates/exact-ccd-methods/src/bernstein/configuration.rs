@@ -53,7 +53,7 @@ pub(super) struct Polynomials<N> {
 }
 
 impl<N: Number> Polynomials<N> {
-    /// Of a configuration with these points.
+    /// The polynomials of a configuration with these points.
     #[inline]
     pub(super) fn new(points: [[Vector<N>; 4]; 2], configuration: &Configuration) -> Self {
         Self {
@@ -63,7 +63,7 @@ impl<N: Number> Polynomials<N> {
         }
     }
 
-    /// Of a configuration whose coordinates are converted one by one.
+    /// The polynomials of a configuration whose coordinates are converted one by one.
     #[inline]
     pub(super) fn from_coordinates(configuration: &Configuration) -> Self
     where

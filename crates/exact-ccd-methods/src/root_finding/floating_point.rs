@@ -80,8 +80,8 @@ fn nonnegative(polynomial: &Polynomial) -> Vec<Span> {
         return Vec::new();
     }
     let zeros = jenkins_traub::zeros(&polynomial);
-    // Of a complex pair, the real part counts: it may be a double root that came out so. Not for
-    // degree 2, whose real roots have a closed form.
+    // The real part of a complex pair counts: rounding may have made the pair from a double root. It does
+    // not count for degree 2, whose real roots have a closed form.
     let times = zeros
         .iter()
         .filter(|zero| degree > 2 || zero.im == 0.0)
