@@ -19,7 +19,7 @@ pub struct Bvh;
 /// The number of groups of blocks that a thread searches for in one task.
 const GRAIN: usize = 4;
 
-/// The number of parts of the boxes that the first grains come from, one from each.
+/// The number of parts of the boxes; the first grains come from different parts.
 const PLACES: usize = 64;
 
 /// The least number of nodes that a thread makes in one task: they take as much time as a task that fills

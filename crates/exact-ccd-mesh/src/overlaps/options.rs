@@ -84,8 +84,8 @@ impl CandidateOptions {
 
     /// The margins of the boxes in a step.
     ///
-    /// Rounded positions on the path: they stay within the swept boxes, which are bounded by comparisons
-    /// alone, or less than 2⁻¹⁰²² outside where subnormal numbers count as zero; and within moving boxes that
+    /// Rounded positions on the path stay within the swept boxes, which are bounded by comparisons alone, or
+    /// less than 2⁻¹⁰²² outside where subnormal numbers count as zero. They stay within moving boxes, which
     /// are larger by the error of rounding.
     pub(crate) fn margin(&self, step: &Step<'_>) -> Result<Margin, CandidateError> {
         let distance = self.distance;

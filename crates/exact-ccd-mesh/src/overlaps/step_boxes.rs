@@ -31,7 +31,8 @@ pub(crate) struct StepBoxes<const T: usize> {
     margin: Margin,
     /// The amounts for each vertex, if they differ.
     margins: Vec<f64>,
-    /// True if coordinates at the end are relative to the place of a vertex then; else, as at the start.
+    /// True if coordinates at the end are relative to a vertex's place at the end; else, to its place at the
+    /// start.
     follows: bool,
     /// The places of this vertex, or its place at the start twice, when all boxes were placed last:
     /// coordinates are relative to them, so that single precision is fine, however far away all vertices are.
@@ -191,7 +192,7 @@ impl<const T: usize> StepBoxes<T> {
         let [first, second] = K::SETS;
         let is_marked = |vertex: &u32| marked.get(*vertex as usize).is_some_and(|&is| is);
         let any = |vertices: &[u32]| vertices.iter().any(is_marked);
-        // Another broad phase may pass pairs on that are none.
+        // Another broad phase may pass on other pairs, also of indices that do not exist.
         let is_marked = |set: PrimitiveSet, id: u32| match set {
             PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => any(&[id]),
             PrimitiveSet::Faces => mesh.faces().get(id as usize).is_some_and(|face| any(face)),
@@ -214,7 +215,7 @@ impl<const T: usize> StepBoxes<T> {
         })
     }
 
-    /// The pairs of a kind that no pair of edges covers, passed on.
+    /// Passes on the pairs of a kind that no pair of edges covers.
     fn uncovered<'a, K: Searched>(
         &'a self,
         mesh: &'a TriangleMesh,
@@ -315,7 +316,7 @@ mod tests {
         (0..64).map(|_| [0, 1, 2].map(|_| 4.0 * rng.f64())).collect()
     }
 
-    /// Pairs that are passed on twice are there twice.
+    /// The pairs that are passed on; a pair that is passed on twice is in the list twice.
     fn found(search: impl Fn(&PairSink<'_>) -> ControlFlow<()>) -> Vec<[u32; 2]> {
         let collector = PairCollector::default();
         let _ = search(&|pairs| collector.add(pairs.iter().copied()));

@@ -26,8 +26,8 @@ use crate::steps::Step;
 /// thickness has the thickness 0. Other methods decide contact. No pair collides until a time that is
 /// negative or not a number; a [`Detector`](crate::Detector) refuses it.
 ///
-/// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
-/// mesh does not have, or that share a vertex, are no contacts.
+/// [`FromIterator`] makes candidates of [`Pair`]s from another source. Each is kept once. Pairs that a mesh
+/// does not have, or that share a vertex, are no contacts.
 ///
 /// ```
 /// use exact_ccd::{CONTACT, Exact};

@@ -49,8 +49,8 @@ pub fn contact_points(
     Some([on(first, u)?, on(second, v)?])
 }
 
-/// The sum of points with weights that add up to 1: between the points, though rounding may lead beyond them,
-/// and beyond the largest f64.
+/// The sum of points with weights that add up to 1. It is a point between them, except that rounding may
+/// lead beyond them, and beyond the largest f64.
 fn mean<const N: usize>(points: [(f64, Point); N]) -> Point {
     [0, 1, 2].map(|axis| {
         let values = points.map(|(_, point)| point[axis]);
