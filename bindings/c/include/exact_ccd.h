@@ -83,7 +83,7 @@ typedef struct exact_ccd_pairs_t exact_ccd_pairs_t;
 typedef struct exact_ccd_impact_t {
   /// The time, from 0 to 1, rounded down to `double`.
   double time;
-  /// True if the time is exactly that, false if it lies above.
+  /// True if `time` is the exact time, false if the exact time lies above it.
   bool time_is_exact;
   /// True if there is a normal.
   bool has_normal;
@@ -259,8 +259,8 @@ enum exact_ccd_status_t exact_ccd_certificate_data(const struct exact_ccd_certif
 /// Frees a certificate. Null is allowed.
 void exact_ccd_certificate_free(struct exact_ccd_certificate_t *certificate);
 
-/// The proof of the answer to a step: that it is free of contact until its earliest one, and has that one;
-/// and with `at_rest`, that no edge passes through a face at `x0`. It has the bytes of
+/// The proof of the answer to a step: the step is free of contact until the earliest contact, and has this
+/// contact. With `at_rest`, it also proves that no edge passes through a face at `x0`. It has the bytes of
 /// `exact-ccd step --certificate`, and is freed with `exact_ccd_certificate_free`. Other arguments as in
 /// `exact_ccd_detector_collides`.
 ///
@@ -282,7 +282,7 @@ enum exact_ccd_status_t exact_ccd_audit_certify(struct exact_ccd_audit_t *audit)
 /// violation. It is freed with `exact_ccd_certificate_free`.
 ///
 /// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, and if there is nothing to
-/// prove: of a single frame, or if the first one has a violation.
+/// prove: for a single frame, or if the first frame has a violation.
 enum exact_ccd_status_t exact_ccd_audit_certificate(const struct exact_ccd_audit_t *audit,
                                                     struct exact_ccd_certificate_t **certificate);
 
@@ -340,9 +340,9 @@ enum exact_ccd_status_t exact_ccd_detector_set_thickness(struct exact_ccd_detect
                                                          const double *thickness,
                                                          size_t vertex_count);
 
-/// A uniform distance as in `exact_ccd_detector_set_min_distance`, and a smaller one for pairs that
-/// start within it: these are in contact only if they come within `inner_distance`. For a line search
-/// that has to move on from there. One that is not smaller changes nothing.
+/// A uniform distance as in `exact_ccd_detector_set_min_distance`, and a smaller one for pairs that start
+/// within it: these are in contact only if they come within `inner_distance`. So a line search can move on
+/// from such a start. An inner distance that is not smaller changes nothing.
 enum exact_ccd_status_t exact_ccd_detector_set_inner_distance(struct exact_ccd_detector_t *detector,
                                                               double min_distance,
                                                               double inner_distance);
