@@ -82,7 +82,7 @@ pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
             Decision::Unknown => exact::collides(query, *options),
         }
     } else {
-        // A part of the step, or none of it: NaN.
+        // The step until then; none of it for NaN.
         K::decide(query, *options).is_ok()
     }
 }

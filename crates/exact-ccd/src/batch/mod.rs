@@ -37,8 +37,8 @@ mod queries;
 mod row;
 mod run;
 mod trajectories;
-// The only place of the kernel that names the targets with vectors: those for which `fearless_simd` has
-// more than its fallback, whose code for eight queries without vectors takes ten minutes to compile.
+// The only place of the kernel that names the targets with vectors. For others, `fearless_simd` has only its
+// fallback, whose code for eight queries without vectors takes ten minutes to compile.
 #[cfg_attr(
     not(any(
         target_arch = "x86",

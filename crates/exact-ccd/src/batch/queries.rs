@@ -1,4 +1,4 @@
-//! The queries of a batch, and where those are passed on that touch.
+//! The queries of a batch, and the callbacks that receive the queries that touch.
 
 use super::row::Row;
 use crate::collision::Collision;

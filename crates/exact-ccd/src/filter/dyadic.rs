@@ -20,8 +20,8 @@ impl Dyadic {
 
     /// The time strictly between two others that has the fewest digits.
     pub(super) fn between(low: Self, high: Self) -> Option<Self> {
-        // The last time begins with the digits that it shares with the one before the first; then it has a 1,
-        // and all after that may be 0.
+        // `last` begins with the digits that it shares with `low`. Then it has a 1. All digits after that may
+        // be 0.
         let last = high.0 - 1;
         (low.0 < last).then(|| {
             let shift = (low.0 ^ last).ilog2();

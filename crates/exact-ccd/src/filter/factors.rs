@@ -26,14 +26,14 @@ pub(super) fn difference<L: Length>(points: &Points<L>, (i, j): Difference) -> E
 ///
 /// The rows are the differences of three pairs of points that connect all four: other ones change at most the
 /// sign of the determinant. If all numbers of an axis or of a row are multiples of a linear function f, the
-/// determinant is f / f(0) times that with their values at t = 0 in place of them, at all times. The zeros of
+/// determinant is, at all times, f / f(0) times the determinant with their values at t = 0. The zeros of
 /// the functions have many digits, and are often double or triple roots, or next to other ones.
 ///
 /// Three differences that form a cycle have no third factor: if f u + g v = h w for linear functions f, g, h
 /// and vectors u, v, w, then f, g and h have the same zero, or u and v are multiples of w and the determinant
 /// is zero.
 pub(super) struct Factors<L> {
-    /// The points, at rest along each axis that has a factor: all points have the same coordinate once.
+    /// The points, at rest along each axis that has a factor. All points have the same coordinate there once.
     /// Contact is invariant under the scaling of an axis, by another number at each time, too. So at all
     /// other times, the primitives touch exactly if they do with these points.
     pub(super) at_rest: Points<L>,

@@ -31,7 +31,7 @@ impl Fraction {
         })
     }
 
-    /// The parts that are left, and those that have elapsed.
+    /// The parts that are left, and the parts that have elapsed.
     pub(super) fn weights(self) -> [u64; 2] {
         [self.left, self.elapsed]
     }

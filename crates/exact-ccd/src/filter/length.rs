@@ -6,7 +6,7 @@ use core::ops::{Add, Shl, Shr, Sub};
 
 use super::wide::Wide;
 
-/// An integer of 256 bits: all that has three factors.
+/// An integer of 256 bits, for products of three lengths.
 pub(super) type Volume = Wide<4>;
 
 /// A difference of two coordinates.
@@ -21,8 +21,8 @@ pub(super) trait Length: Copy + Default + PartialEq + Into<i128> + Sub<Output = 
     /// The product of two lengths, and sums of at most six of them.
     type Area: Area;
 
-    /// A coordinate m 2⁻ᵏ times the largest power of two that keeps all those with a mantissa below 2⁵³ and k
-    /// ≥ 0 below 2 to the power [`MOST_BITS`](Self::MOST_BITS), and true if it is an integer; else its floor.
+    /// The floor of m 2ᵉ⁻ᵏ for a coordinate m 2⁻ᵏ, and true if it is exact. e is [`MOST_BITS`](Self::MOST_BITS)
+    /// − 53, so that the result is below 2 to the power `MOST_BITS` for every m below 2⁵³ and k ≥ 0.
     fn scaled(mantissa: i64, k: u32) -> (Self, bool);
 
     /// The nearest f64.

@@ -81,9 +81,9 @@ fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Orderin
     }
 }
 
-/// If a window contains the bracket and exactly one root, it is this root.
+/// The same moment, if it certainly is a time with few digits, or a root in a narrower window.
 ///
-/// A window that contains the bracket of a root, and in which the cubic certainly has only one, has this one.
+/// If a window contains the bracket and exactly one root, it is this root.
 pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
     let Moment::Root(window, root) = moment else {
         return None;
@@ -114,7 +114,7 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
 /// largest coefficient as magnitude: each coefficient is rounded once, n = 1 of the ten roundings there,
 /// and the largest rounded one is below its integer by one rounding at most. Coefficients are below 2⁴⁴⁵
 /// ([`Window::cubic`]): nothing overflows. The largest is at least 1, so that what underflows is far below
-/// the bounds. If these do not suffice, the window is cut. window is cut.
+/// the bounds. If these do not suffice, the window is cut.
 fn push_zeros_inside(
     cubic: &[Volume; 4],
     window: Window,

@@ -63,7 +63,7 @@ impl Crossings {
     /// A guess of the largest f64 between two times before D passes through d, from another guess on, and the
     /// corners then.
     ///
-    /// The rough one may be beyond the time at which a small distance is least.
+    /// The rough guess, in f64, may be beyond the time at which a small distance is least.
     pub(super) fn guess<K: Kind>(
         &self,
         range: [f64; 2],
@@ -103,7 +103,8 @@ pub(super) enum Sense {
 }
 
 /// A guess of the largest f64 between two times before D passes through d, from another guess on, and the
-/// corners at the guess before it, which is the same in twice the precision; `None` if it does not seem to.
+/// corners at the last guess but one, which is equal in twice the precision. `None` if D does not seem to
+/// pass through d.
 fn newton<K: Kind, T: Precision>(
     moving: &Moving<T>,
     [free, until]: [f64; 2],

@@ -1,7 +1,8 @@
 //! The time at which primitives within d of each other leave.
 //!
 //! For fixed parameters, F is linear in t and |F| convex. So if |F| < d at two times, then D < d at all times
-//! between. So does a quadratic in t with control points below d, where the parameters change linearly.
+//! between. Where the parameters change linearly, F is a quadratic in t: then control points
+//! shorter than d suffice.
 
 use core::cmp::Ordering;
 

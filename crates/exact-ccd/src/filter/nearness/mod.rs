@@ -68,7 +68,7 @@ pub(super) fn decide<K: Kind>(query: &Query<K>, hull: &Hull<f64>, options: &Opti
 /// The same for primitives that are known to be beyond d before the first of two times. A collision after the
 /// second time, which is above 0, may be left out.
 ///
-/// Few candidates get here; apart, so that the stages above stay small.
+/// Few candidates get here. It is a function of its own, so that the stages above stay small.
 #[inline(never)]
 pub(super) fn decide_after<K: Kind>(
     query: &Query<K>,

@@ -40,7 +40,8 @@ impl<T: Lanes> Heading<T> {
         }
     }
 
-    /// True where the distance is certainly above d at this time, by the first corners: all different ones.
+    /// True where the distance is certainly above d at this time. The first `corners` corners are all different
+    /// ones.
     #[inline(always)]
     pub(super) fn is_beyond(&self, corners: usize, limit: T) -> T::Mask {
         self.is_beyond_at(&self.corners, corners, limit)
@@ -66,7 +67,7 @@ impl<T: Lanes> Heading<T> {
     /// it is at both.
     ///
     /// Let g change linearly from one direction to the other, and a corner x from its place at one
-    /// time to that at the other. Then g · x is quadratic, with the Bernstein coefficients gₐ · xₐ,
+    /// time to its place at the other. Then g · x is quadratic, with the Bernstein coefficients gₐ · xₐ,
     /// (gₐ · x_b + g_b · xₐ) / 2 and g_b · x_b, and |g| is at most its linear interpolant, with the
     /// coefficients |gₐ|, (|gₐ| + |g_b|) / 2 and |g_b|. So g · x > d |g| at all these times if each
     /// coefficient is above d times the other: and if that is so for all corners, then it is for F.
