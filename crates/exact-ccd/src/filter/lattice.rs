@@ -119,7 +119,8 @@ impl<K: Kind, L: Length> Lattice<K, L> {
         volume(w, [0, 1, 2].map(|axis| component(axis, e1, e2)))
     }
 
-    /// A difference of two points. No factor vanishes at a root: axes with one of the [`Factors`] are at rest.
+    /// A difference of two points. No factor vanishes at a root: axes with one of the [`Factors`] are at
+    /// rest.
     #[inline(always)]
     fn difference(&self, moment: &Moment, of: Difference) -> Ends<L> {
         let points = match moment {

@@ -21,8 +21,9 @@ pub(super) trait Length: Copy + Default + PartialEq + Into<i128> + Sub<Output = 
     /// The product of two lengths, and sums of at most six of them.
     type Area: Area;
 
-    /// The floor of m 2ᵉ⁻ᵏ for a coordinate m 2⁻ᵏ, and true if it is exact. e is [`MOST_BITS`](Self::MOST_BITS)
-    /// − 53, so that the result is below 2 to the power `MOST_BITS` for every m below 2⁵³ and k ≥ 0.
+    /// The floor of m 2ᵉ⁻ᵏ for a coordinate m 2⁻ᵏ, and true if it is exact. e is
+    /// [`MOST_BITS`](Self::MOST_BITS) − 53, so that the result is below 2 to the power `MOST_BITS` for
+    /// every m below 2⁵³ and k ≥ 0.
     fn scaled(mantissa: i64, k: u32) -> (Self, bool);
 
     /// The nearest f64.

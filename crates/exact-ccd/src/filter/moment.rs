@@ -26,8 +26,8 @@ impl Moment {
     /// The sign of the quadratic with these coefficients, if it is certain and the same for all times of the
     /// moment. Only the coefficients that matter are computed.
     ///
-    /// In (0, 1], (1−t)², (1−t) t and t² are positive, except the first two at t = 1. So the quadratic has one
-    /// sign in all of (0, 1] if no two coefficients have opposite signs and the last is not zero.
+    /// In (0, 1], (1−t)², (1−t) t and t² are positive, except the first two at t = 1. So the quadratic has
+    /// one sign in all of (0, 1] if no two coefficients have opposite signs and the last is not zero.
     #[inline(always)]
     pub(super) fn sign<A: Area>(&self, coefficient: impl Fn(usize) -> A) -> Option<Ordering> {
         match self {

@@ -40,8 +40,8 @@ impl<T: Lanes> Heading<T> {
         }
     }
 
-    /// True where the distance is certainly above d at this time. The first `corners` corners are all different
-    /// ones.
+    /// True where the distance is certainly above d at this time. The first `corners` corners are all
+    /// different ones.
     #[inline(always)]
     pub(super) fn is_beyond(&self, corners: usize, limit: T) -> T::Mask {
         self.is_beyond_at(&self.corners, corners, limit)
