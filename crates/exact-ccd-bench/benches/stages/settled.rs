@@ -38,8 +38,8 @@ fn found<K: Kind<Points = [Point; 4]>>(is_wanted: impl Fn(&Query<K>) -> bool) ->
 
 type Points = [[Point; 4]; 2];
 
-/// Families of random queries. Late stages settle only few of the queries at arbitrary positions, but
-/// more of those in special ones.
+/// Families of random queries. Late stages settle few queries at arbitrary positions, but more at special
+/// ones.
 const FAMILIES: [fn(&mut Rng) -> Points; 4] = [anywhere, near, planar, integers];
 
 fn query<K: Kind<Points = [Point; 4]>>(random: &mut Rng, family: fn(&mut Rng) -> Points) -> Query<K> {

@@ -102,8 +102,8 @@ fn misses_two_contacts() {
     assert_eq!(found.collect::<Vec<_>>(), expected);
 }
 
-/// Rounding changes the parity of degenerate queries. The two counts of each kind are those that
-/// collide only after the shift and only before it.
+/// Rounding changes the parity of degenerate queries. The two counts of each kind are the queries
+/// that collide only after the shift, and only before it.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn depends_on_rounding_where_queries_are_degenerate() {
