@@ -77,8 +77,7 @@ pub trait BoxPairs<const T: usize>: Send + Sync {
 /// A broad phase of meshes: the pairs of boxes at rest and of boxes that move.
 ///
 /// Every type that implements [`BoxPairs`] for both is a broad phase of meshes: implement that trait.
-/// `impl<const T: usize> BoxPairs<T>` serves both; an implementation that calls [`Bvh`] has the bound `Bvh:
-/// BoxPairs<T>`.
+/// `impl<const T: usize> BoxPairs<T>` serves both; if it calls [`Bvh`], it has the bound `Bvh: BoxPairs<T>`.
 pub trait BroadPhase: BoxPairs<1> + BoxPairs<2> {}
 
 impl<B: BoxPairs<1> + BoxPairs<2>> BroadPhase for B {}
