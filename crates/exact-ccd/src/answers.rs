@@ -1,16 +1,12 @@
 //! The answers to a query: floating-point filters first, then the exact path.
 
 use crate::collision::Collision;
-use crate::distance::{DistanceBounds, TimeOutOfStep};
 use crate::environment;
 use crate::exact;
 use crate::filter::{self, Decision};
-use crate::impact::Impact;
-use crate::interval::Intervals;
 use crate::kind::Kind;
-use crate::options::Options;
 use crate::query::Query;
-use crate::stage::Stage;
+use crate::values::{DistanceBounds, Impact, Intervals, Options, Stage, TimeOutOfStep};
 
 impl<K: Kind> Query<K> {
     /// Returns true if the primitives touch at some time of the step.
@@ -69,7 +65,7 @@ impl<K: Kind> Query<K> {
     /// [`TimeOutOfStep`], if `t` is not in [0, 1].
     pub fn distance_at(&self, t: f64) -> Result<DistanceBounds, TimeOutOfStep> {
         TimeOutOfStep::check(t)?;
-        Ok(exact::distance_at(self, t))
+        Ok(exact::distance_at::<K>(&self.four(), t))
     }
 }
 
@@ -79,7 +75,7 @@ pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
         match filtered(query, options) {
             Decision::Free(_) => false,
             Decision::Collision(_) => true,
-            Decision::Unknown => exact::collides(query, *options),
+            Decision::Unknown => query.exactly().collides(*options),
         }
     } else {
         // A part of the step, or none of it: NaN.

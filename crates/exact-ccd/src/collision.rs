@@ -1,15 +1,11 @@
 //! A query that collides, and the answers about its contacts.
 
-use crate::distance::{DistanceBounds, Separation};
 use crate::environment;
 use crate::exact::{self, First, FirstContact};
 use crate::filter::{self, Contact, Decision, Proved};
-use crate::impact::Impact;
-use crate::interval::Intervals;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::stage::Stage;
-use crate::time::ContactTime;
+use crate::values::{ContactTime, DistanceBounds, Impact, Intervals, Separation, Stage};
 
 /// A query that [collides](Query::collides), with the intermediate results of that decision.
 ///
@@ -59,7 +55,7 @@ impl<'a, K: Kind> Collision<'a, K> {
             Decision::Free(stage) => return Err(stage),
             Decision::Collision(Proved::Contact(contact)) => Proof::Contact(contact),
             Decision::Collision(Proved::Within(first, stage)) => Proof::Within(first, stage),
-            Decision::Unknown => Proof::Exact(First::of(query, separation).ok_or(Stage::Exact)?),
+            Decision::Unknown => Proof::Exact(First::of(&query.four(), separation).ok_or(Stage::Exact)?),
         };
         Ok(Self {
             query,
@@ -173,7 +169,7 @@ impl<'a, K: Kind> Collision<'a, K> {
     pub(crate) fn determine_impact(&self) -> Impact {
         self.answer(
             |contact| {
-                let exactly = || FirstContact::impact_at_start(self.query);
+                let exactly = || FirstContact::<K>::impact_at_start(&self.query.four());
                 let starts = || self.time().is_start();
                 contact.impact(self.query).or_else(|| starts().then(exactly))
             },
@@ -192,7 +188,7 @@ impl<'a, K: Kind> Collision<'a, K> {
 
     pub(crate) fn determine_distance(&self) -> DistanceBounds {
         if !self.separation.is_zero() && self.time().is_start() {
-            return exact::distance_at(self.query, 0.0);
+            return exact::distance_at::<K>(&self.query.four(), 0.0);
         }
         let d = self.separation.get();
         DistanceBounds { lower: d, upper: d }
@@ -218,7 +214,7 @@ impl<'a, K: Kind> Collision<'a, K> {
             Proof::Exact(first) => exact(first),
             // Cannot panic: the filters prove contact, or nearness, only where the exact path, which defines
             // it, finds it.
-            _ => exact(&First::of(self.query, self.separation).expect("a proved contact exists")),
+            _ => exact(&First::of(&self.query.four(), self.separation).expect("a proved contact exists")),
         })
     }
 }

@@ -8,8 +8,8 @@ use super::row::Row;
 use super::vectors::Instructions;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::options::Options;
 use crate::query::NonFinite;
+use crate::values::Options;
 
 /// A coordinate of a query in an array is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -3,9 +3,8 @@
 use super::row::Row;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::options::Options;
 use crate::query::Query;
-use crate::thickness::Separations;
+use crate::values::{Options, Separations};
 
 /// The callback for collisions. Behind a pointer: contacts are few, and the vector code is compiled
 /// only once for all callbacks.
@@ -76,7 +75,7 @@ mod tests {
     use alloc::vec::Vec;
 
     use super::*;
-    use crate::kind::VertexVertex;
+    use crate::tables::VertexVertex;
 
     fn pass_on<'a>(rows: &'a [Row], queries: &'a [[u32; 2]], passed: Passed<'a, VertexVertex>) {
         let batch = Batch {

@@ -1,6 +1,6 @@
 //! The layout of a vertex: one vector.
 
-use crate::point::Point;
+use crate::tables::Point;
 
 /// The position of a vertex at both ends of the step, as x y z x | x y z x, in one cache line. A
 /// rotation by one place aligns each coordinate with the next one of the same time.

@@ -5,13 +5,11 @@ use alloc::vec::Vec;
 use super::queries::{Batch, Passed, query_of};
 use super::row::Row;
 use super::vectors::Instructions;
-use crate::axis::Axis;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::options::Options;
-use crate::point::Point;
 use crate::query::{NonFinite, Query};
-use crate::thickness::Separations;
+use crate::tables::Point;
+use crate::values::{Axis, Options, Separations};
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
 /// mesh, laid out for many queries. The default has no points.

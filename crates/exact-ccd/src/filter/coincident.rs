@@ -7,11 +7,10 @@
 
 use super::cubic::Cubic;
 use super::planar::is_across;
-use crate::impact::Impact;
-use crate::interval::{Interval, Intervals};
-use crate::kind::{Difference, Kind};
+use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::ContactTime;
+use crate::tables::Difference;
+use crate::values::{ContactTime, Impact, Interval, Intervals};
 
 /// Contact that equal coordinates prove: the first and the last time of an interval or a moment of contact,
 /// each if it is certain. If both are known, there is no other contact.

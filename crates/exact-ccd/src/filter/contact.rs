@@ -11,12 +11,9 @@ use super::impact::parameters_and_normal;
 use super::moment::Moment;
 use super::planar::{Event, Planar};
 use super::position::{self, Position};
-use crate::impact::Impact;
-use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::stage::Stage;
-use crate::time::ContactTime;
+use crate::values::{ContactTime, Impact, Interval, Intervals, Stage};
 
 /// A proved contact, with the intermediate results of the proof.
 #[derive(Clone, Debug)]

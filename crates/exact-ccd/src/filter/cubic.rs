@@ -7,7 +7,7 @@ use arrayvec::ArrayVec;
 use super::number::Lanes;
 use super::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
 use super::vector::interpolate;
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 /// c(t) = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³, each coefficient known to within an
 /// error.

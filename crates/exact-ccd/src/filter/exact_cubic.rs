@@ -13,7 +13,7 @@ use super::window::{Window, sign_at};
 use super::zeros::largest;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 /// c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³, exactly, and in twice the precision where that is needed.
 pub(super) struct ExactCubic {

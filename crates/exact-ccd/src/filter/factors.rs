@@ -6,7 +6,7 @@ use arrayvec::ArrayVec;
 
 use super::fraction::Fraction;
 use super::length::Length;
-use crate::kind::Difference;
+use crate::tables::Difference;
 
 /// The four points at t = 0 and at t = 1.
 pub(super) type Points<L> = [[[L; 3]; 4]; 2];

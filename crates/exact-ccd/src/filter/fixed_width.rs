@@ -15,10 +15,9 @@ use super::length::Volume;
 use super::moment::Moment;
 use super::window::Window;
 use super::zeros::{Moments, insert, narrowed, zeros};
-use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::ContactTime;
+use crate::values::{ContactTime, Interval, Intervals};
 
 const AT_START: Moment = Moment::At(Fraction::START);
 

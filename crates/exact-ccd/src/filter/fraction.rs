@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::dyadic::Dyadic;
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 /// A time of the step, of which parts are left and parts have elapsed: fewer than 2⁶³ of each, and not none
 /// of both.

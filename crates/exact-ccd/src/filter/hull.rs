@@ -11,7 +11,7 @@ use super::number::{Lanes, Points, subtract};
 use super::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
 use super::vector::{dot, minus, towards};
 use crate::kind::Kind;
-use crate::point::Point;
+use crate::tables::Point;
 
 /// The eight values of F at the corners of its domain, by axis. A vertex-face query has six
 /// corners, two of which are repeated.
@@ -255,7 +255,7 @@ fn are_beyond(least: f64, value: impl Fn(usize) -> f64) -> bool {
 mod tests {
     use super::*;
     use crate::filter::gap::{Touching, Within};
-    use crate::kind::{EdgeEdge, VertexFace, VertexVertex};
+    use crate::tables::{EdgeEdge, VertexFace, VertexVertex};
 
     /// Points that move in small integers: the distances from the planes x = ±y, y = ±z and z = ±x are exact
     /// apart from a factor of √2, and none is near the gap.

@@ -2,10 +2,10 @@
 
 use super::cubic::Root;
 use super::position::{NearRoot, longest};
-use crate::impact::unit;
-use crate::kind::{Kind, Side};
-use crate::point::Point;
+use crate::kind::Kind;
 use crate::query::Query;
+use crate::tables::{Point, Side};
+use crate::values::unit;
 
 /// 2⁻³³: the largest error of the parameters and the normal. It is half of the documented one,
 /// which leaves room for the roundings that are not counted here.

@@ -10,9 +10,9 @@ use super::fraction::Fraction;
 use super::length::{Length, Volume};
 use super::moment::Moment;
 use crate::exact::parts;
-use crate::kind::{Difference, Kind, Side};
-use crate::point::Point;
+use crate::kind::Kind;
 use crate::query::Query;
+use crate::tables::{Difference, Point, Side};
 
 /// The points of a query in integers, each axis in a unit of its own: contact is invariant under such
 /// scalings.
@@ -271,7 +271,7 @@ fn volume<L: Length>([x, y, z]: [L; 3], normal: [L::Area; 3]) -> Volume {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kind::VertexFace;
+    use crate::tables::VertexFace;
 
     #[test]
     fn integers_are_short_or_long_or_none_by_the_longest_axis() {

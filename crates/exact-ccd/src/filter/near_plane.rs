@@ -12,7 +12,7 @@ use super::planar::Planar;
 use super::position::{self, Position};
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::stage::Stage;
+use crate::values::Stage;
 
 /// The last stages of contact until a time, for a query in range that the stages before have not settled. A
 /// contact that is later may be found or not.

@@ -3,7 +3,7 @@
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::kind::Difference;
+use crate::tables::Difference;
 
 /// One f64 or several side by side. Each lane computes the same bits, whatever their number.
 pub(crate) trait Lanes:

@@ -13,11 +13,10 @@ use super::double_double::DoubleDouble;
 use super::impact::{parameters_and_normal, vertex_on_edge};
 use super::number::{Number, reach, subtract};
 use super::precise_cubic::PreciseCubic;
-use crate::impact::Impact;
-use crate::interval::{Interval, Intervals};
-use crate::kind::{Difference, Kind, Side};
+use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::ContactTime;
+use crate::tables::{Difference, Side};
+use crate::values::{ContactTime, Impact, Interval, Intervals};
 
 /// The maximal number of crossings. A kind of query has at most four sides. The quadratic of a side
 /// is handled as a cubic, whose roots are at most three.

@@ -5,9 +5,9 @@ use core::cmp::Ordering;
 use super::cubic::Root;
 use super::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
 use super::vector::{cross_along, cross_magnitude_along, interpolate};
-use crate::kind::{Difference, Kind};
-use crate::point::Point;
+use crate::kind::Kind;
 use crate::query::Query;
+use crate::tables::{Difference, Point};
 
 /// The position of two coplanar primitives.
 #[derive(Clone, Copy, PartialEq)]

@@ -7,7 +7,7 @@ use super::cubic::Root;
 use super::double_double::{DoubleDouble, ROUNDOFF};
 use super::number::Number;
 use super::roundoff::{UNDERFLOW, certain_sign, margin};
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 /// c(t) = a₀ + a₁ t + a₂ t² + a₃ t³.
 pub(super) struct PreciseCubic<T = DoubleDouble> {

@@ -9,11 +9,9 @@ use super::hull::Hull;
 use super::near_plane::decide_near_plane;
 use super::nearness;
 use super::number::{Lanes, Points};
-use crate::distance::Separation;
 use crate::kind::Kind;
-use crate::options::{CONTACT, Options};
 use crate::query::Query;
-use crate::stage::Stage;
+use crate::values::{CONTACT, Options, Separation, Stage};
 
 /// Decides whether primitives touch, as far as the filters can.
 #[inline(always)]

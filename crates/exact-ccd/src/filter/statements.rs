@@ -14,10 +14,10 @@ use super::hull::Hull;
 use super::planar::Planar;
 use super::position::{self, Position};
 use crate::exact::FirstContact;
-use crate::interval::Intervals;
-use crate::kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
-use crate::point::Point;
+use crate::kind::Kind;
 use crate::query::Query;
+use crate::tables::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use crate::values::Intervals;
 
 /// Times at which the sign of the cubic is compared: multiples of 2⁻¹⁰, where it often vanishes, a time after
 /// one of them, and others.
@@ -142,7 +142,7 @@ fn sign_at<K: Kind>(query: &Query<K>, t: f64) -> Ordering {
 
 /// All times of contact by the definition.
 fn intervals<K: Kind>(query: &Query<K>) -> Intervals {
-    FirstContact::of(query).map_or_else(Intervals::default, |contact| contact.intervals())
+    FirstContact::<K>::of(&query.four()).map_or_else(Intervals::default, |contact| contact.intervals())
 }
 
 /// Decisions, first times, all times and signs in integers of fixed width.
@@ -150,7 +150,7 @@ fn integers<K: Kind>() -> [usize; 5] {
     let mut known = [0; 5];
     let small = queries::<K>(1500, 0).chain(queries(500, 1));
     for query in small.chain(thrown(800)).chain(mirrored(800)) {
-        let truth = FirstContact::of(&query);
+        let truth = FirstContact::<K>::of(&query.four());
         if let Some(moment) = fixed_width::first_moment(&query) {
             assert_eq!(moment.is_some(), truth.is_some(), "{query:?}");
             known[usize::from(moment.is_some())] += 1;
@@ -210,7 +210,7 @@ fn planes<K: Kind>() {
         if let Some(stretches) = planar.stretches() {
             assert_eq!(
                 !stretches.is_empty(),
-                FirstContact::of(&query).is_some(),
+                FirstContact::<K>::of(&query.four()).is_some(),
                 "{query:?}"
             );
             known[0] += 1;
@@ -280,7 +280,7 @@ fn positions<K: Kind>() {
         let [start, _] = *moving.points();
         let query = Query::<K>::new(start, start).expect("finite coordinates");
         if let Some(found) = position::at(&query, &Root::exactly(0.5, Ordering::Less)) {
-            let touches = FirstContact::of(&query).is_some();
+            let touches = FirstContact::<K>::of(&query.four()).is_some();
             assert_eq!(found == Position::Inside, touches, "{query:?}");
             known[usize::from(touches)] += 1;
         }

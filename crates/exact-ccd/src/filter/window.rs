@@ -12,7 +12,7 @@ use super::dyadic::Dyadic;
 use super::fraction::Fraction;
 use super::length::{Area, Volume};
 use super::wide::Wide;
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 /// An integer of 512 bits.
 ///

@@ -7,8 +7,8 @@ use dashu_int::IBig;
 use crate::environment;
 use crate::exact::to_integers;
 use crate::filter::{Lanes, UNIT, certain_sign, cross, cross_magnitude, dot, margin};
-use crate::point::Point;
 use crate::query::NonFinite;
+use crate::tables::Point;
 
 /// The side of the plane through a, b and c on which d lies, exactly.
 ///

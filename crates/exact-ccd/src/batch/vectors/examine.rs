@@ -9,10 +9,10 @@ use super::planes::{LANES, screen, transposed};
 use super::rows;
 use crate::batch::queries::{Batch, Found, Passed, query_of, rows_of};
 use crate::collision::Collision;
-use crate::distance::Separation;
 use crate::filter::{Decision, Gap, Hull, LEAST_UNTIL, decide_between, decide_near_plane, free_until};
 use crate::kind::Kind;
 use crate::query::Query;
+use crate::values::Separation;
 
 /// Passes the queries of a batch on, in order; those that collide after `until` may be left out.
 #[inline(always)]
@@ -95,8 +95,7 @@ mod tests {
     use super::*;
     use crate::batch::row::Row;
     use crate::batch::vectors::instructions::{Instructions, dispatch};
-    use crate::kind::{EdgeEdge, VertexFace};
-    use crate::point::Point;
+    use crate::tables::{EdgeEdge, Point, VertexFace};
 
     /// Queries at random: some are free in one stretch of time, some in many, and some collide.
     #[test]

@@ -4,10 +4,9 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x8};
 
 use super::planes::LANES;
-use crate::distance::Separation;
 use crate::filter::{Gap, Touching, Within};
 use crate::kind::Kind;
-use crate::thickness::Separations;
+use crate::values::{Separation, Separations};
 
 /// The gap of each query of a batch, by its index.
 pub(super) trait Gaps: Copy {

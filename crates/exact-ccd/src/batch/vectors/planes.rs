@@ -81,7 +81,7 @@ mod tests {
     use super::*;
     use crate::batch::vectors::instructions::{Instructions, dispatch};
     use crate::filter::Touching;
-    use crate::kind::VertexFace;
+    use crate::tables::VertexFace;
 
     #[test]
     fn cubics_are_those_of_the_lanes_in_range() {

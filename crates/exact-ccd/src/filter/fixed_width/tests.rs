@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::*;
 use crate::filter::cubic::Root;
-use crate::kind::EdgeEdge;
+use crate::tables::EdgeEdge;
 
 /// The coefficients of the product of linear functions, given at both ends of the step.
 fn product(factors: [[i128; 2]; 3]) -> [Volume; 4] {

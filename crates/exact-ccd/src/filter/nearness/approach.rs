@@ -10,10 +10,9 @@ use crate::filter::impact::TOLERANCE;
 use crate::filter::number::Lanes;
 use crate::filter::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
 use crate::filter::vector::{cross, dot, minus, towards};
-use crate::impact::{Impact, unit};
 use crate::kind::Kind;
-use crate::point::Point;
-use crate::time::ContactTime;
+use crate::tables::Point;
+use crate::values::{ContactTime, Impact, unit};
 
 /// The closest points at all times of a bracket.
 ///

@@ -16,7 +16,7 @@ use crate::filter::roundoff::{UNIT, margin};
 use crate::filter::{Touching, Within};
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 /// The first time within d, if the first contact determines it, when D > d is known before the time `free`.
 pub(super) fn first_after<K: Kind>(

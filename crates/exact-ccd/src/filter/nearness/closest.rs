@@ -5,7 +5,7 @@ use core::ops::Mul;
 use crate::filter::number::Number;
 use crate::filter::vector::{add, dot, minus, scaled, towards};
 use crate::kind::Kind;
-use crate::point::Point;
+use crate::tables::Point;
 
 /// F at the closest points, as an affine combination of its corners.
 #[derive(Clone, Copy, Debug)]
@@ -114,7 +114,7 @@ fn is_inside<K: Kind>([u, v]: [f64; 2]) -> bool {
 mod tests {
     use super::*;
     use crate::filter::double_double::DoubleDouble;
-    use crate::kind::{EdgeEdge, VertexFace};
+    use crate::tables::{EdgeEdge, VertexFace};
 
     /// Two vectors of length 4 along the first two axes, from a corner.
     fn corners(x: f64, y: f64) -> [Point; 4] {

@@ -9,7 +9,7 @@ use crate::filter::number::Number;
 use crate::filter::vector::dot;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 /// A query for which d is neither tiny nor out of range, in f64 and in twice the precision.
 pub(super) struct Crossings {

@@ -6,9 +6,8 @@ use super::crossing::Crossings;
 use super::leaving::Leaving;
 use super::snapshot::{Headed, Snapshot};
 use crate::filter::double_double::DoubleDouble;
-use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
-use crate::time::ContactTime;
+use crate::values::{ContactTime, Interval, Intervals};
 
 /// The largest number of intervals that are followed.
 const MOST: usize = 8;

@@ -12,7 +12,7 @@ use super::snapshot::Snapshot;
 use crate::filter::double_double::DoubleDouble;
 use crate::filter::vector::dot;
 use crate::kind::Kind;
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 /// The difference of d and the distance to which a step leads, 2⁻⁴⁴: enough for the roundings.
 const MARGIN: f64 = f64::from_bits((1023 - 44) << 52);

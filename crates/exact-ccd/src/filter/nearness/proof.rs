@@ -23,9 +23,10 @@ use crate::filter::proof::{
 };
 use crate::filter::roundoff::UNIT;
 use crate::filter::vector::{cross, dot};
-use crate::kind::{EdgeEdge, Kind, Tables, VertexFace, VertexVertex};
+use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::ContactTime;
+use crate::tables::{EdgeEdge, Tables, VertexFace, VertexVertex};
+use crate::values::ContactTime;
 
 #[test]
 fn turning_directions() {

@@ -2,7 +2,7 @@
 
 use crate::filter::hull::Hull;
 use crate::filter::vector::scaled;
-use crate::point::Point;
+use crate::tables::Point;
 
 /// Corners scaled so that the largest component is in [1/2, 1).
 ///

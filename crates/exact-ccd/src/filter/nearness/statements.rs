@@ -8,15 +8,14 @@ use super::crossing::Crossings;
 use super::scaled::Scaled;
 use super::snapshot::{Headed, Snapshot};
 use super::starts_within;
-use crate::distance::{DistanceBounds, Separation};
 use crate::exact::{self, FirstWithin};
 use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
 use crate::filter::hull::Hull;
 use crate::filter::vector::{cross, minus, scaled};
-use crate::impact::unit;
-use crate::kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
-use crate::point::Point;
+use crate::kind::Kind;
 use crate::query::Query;
+use crate::tables::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use crate::values::{DistanceBounds, Separation, unit};
 
 /// The accuracy that the documentation promises of parameters and normals.
 const ACCURACY: f64 = 1.0 / (1_u64 << 32) as f64;
@@ -46,7 +45,7 @@ fn queries<K: Kind>(count: usize) -> impl Iterator<Item = Query<K>> {
 fn separations<K: Kind>(query: &Query<K>) -> Vec<f64> {
     let mut all = Vec::new();
     for t in TIMES {
-        let d = exact::distance_at(query, t).lower;
+        let d = exact::distance_at::<K>(&query.four(), t).lower;
         all.extend([
             0.75 * d,
             d * (1.0 - 1e-12),
@@ -62,7 +61,7 @@ fn separations<K: Kind>(query: &Query<K>) -> Vec<f64> {
 
 /// The comparison of the distance at a time with d.
 fn compare<K: Kind>(query: &Query<K>, t: f64, d: f64) -> Ordering {
-    let DistanceBounds { lower, upper } = exact::distance_at(query, t);
+    let DistanceBounds { lower, upper } = exact::distance_at::<K>(&query.four(), t);
     if lower == upper {
         lower.total_cmp(&d)
     } else if d <= lower {
@@ -160,7 +159,7 @@ fn answers<K: Kind>() {
     for_all::<K>(24, |query, hull, scaled, d| {
         let separation = Separation::new(d).expect("positive and finite");
         let crossings = Crossings::new(query, scaled);
-        let truth = FirstWithin::of(query, separation);
+        let truth = FirstWithin::of::<K>(&query.four(), separation);
         let time = truth.as_ref().map(FirstWithin::time);
         let expects = |first| assert_eq!(first, time, "{query:?} {d}");
         if compare(query, 0.0, d) == Ordering::Greater {
@@ -224,7 +223,10 @@ fn impacts_next_to_ends<K: Kind>(place: impl Fn([Point; 4], [f64; 2]) -> K::Poin
         let query = Query::<K>::new(start, end).expect("finite coordinates");
         let hull = Hull::new::<K>(&query.four());
         let separation = Separation::new(d).expect("positive and finite");
-        if let (Some(numbers), Some(truth)) = (Scaled::new(&hull, d), FirstWithin::of(&query, separation)) {
+        if let (Some(numbers), Some(truth)) = (
+            Scaled::new(&hull, d),
+            FirstWithin::of::<K>(&query.four(), separation),
+        ) {
             let crossings = Crossings::new(&query, &numbers);
             proved += usize::from(has_impact(&query, &crossings, &truth, d));
         }

@@ -23,9 +23,10 @@ use crate::filter::precise_cubic::PreciseCubic;
 use crate::filter::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
 use crate::filter::vector::{cross, cross_along, interpolate};
 use crate::filter::window::Window;
-use crate::kind::{EdgeEdge, Kind, VertexFace};
+use crate::kind::Kind;
 use crate::predicates::{determinant, error_of_determinant};
 use crate::query::Query;
+use crate::tables::{EdgeEdge, VertexFace};
 
 /// One of the parameters in [0, 1] at which an interpolation has two equal weights, or one of them.
 const PARAMETERS: [f64; 3] = [0.0, 0.5, 1.0];

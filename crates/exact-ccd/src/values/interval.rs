@@ -4,7 +4,7 @@ use alloc::vec::{self, Vec};
 use core::ops::Deref;
 use core::slice;
 
-use crate::time::ContactTime;
+use super::time::ContactTime;
 
 /// A maximal closed interval of times at which primitives touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,6 +1,6 @@
 //! Contact times: algebraic numbers, each given as an f64 or as the two adjacent f64 around it.
 
-use crate::non_negative::NonNegative;
+use super::non_negative::NonNegative;
 
 /// One time of contact in [0, 1]: either exactly an f64, or strictly between two adjacent ones.
 ///

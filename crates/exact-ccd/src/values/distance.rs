@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::non_negative::NonNegative;
+use super::non_negative::NonNegative;
 
 /// A distance d: two primitives touch if they are at most d apart. It is a finite f64, at least 0, in the
 /// unit of the coordinates.

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use crate::distance::{InvalidSeparation, Separation};
+use super::distance::{InvalidSeparation, Separation};
 
 /// A thickness for each vertex of a mesh: primitives are as thick as the thickest of their vertices,
 /// and the separation of two primitives is the sum of theirs.

@@ -1,7 +1,7 @@
 //! The distance at which primitives touch, and the last time that counts.
 
-use crate::distance::Separation;
-use crate::thickness::{Separations, Thickness};
+use super::distance::Separation;
+use super::thickness::{Separations, Thickness};
 
 /// Contact in the whole step: the distance 0, which is the default of [`Options`].
 pub const CONTACT: Options = Options::within(Separation::ZERO);
