@@ -98,7 +98,7 @@ pub(crate) fn decide<'a, K: Kind>(query: &'a Query<K>, options: &Options) -> Res
 #[inline(always)]
 fn filtered<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
     if environment::is_default() {
-        filter::decide(query, options)
+        filter::decide::<K>(&query.four(), options)
     } else {
         Decision::Unknown
     }

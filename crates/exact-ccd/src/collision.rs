@@ -135,7 +135,7 @@ impl<'a, K: Kind> Collision<'a, K> {
 
     pub(crate) fn determine_time(&self) -> ContactTime {
         self.first.unwrap_or_else(|| {
-            let by_filter = |contact: &Contact| contact.first(self.query);
+            let by_filter = |contact: &Contact| contact.first::<K>(&self.query.four());
             self.answer(by_filter, Some, First::time)
         })
     }
@@ -154,8 +154,8 @@ impl<'a, K: Kind> Collision<'a, K> {
 
     pub(crate) fn determine_intervals(&self) -> Intervals {
         self.answer(
-            |contact| contact.intervals(self.query),
-            |first| filter::intervals_within(self.query, self.separation, first),
+            |contact| contact.intervals::<K>(&self.query.four()),
+            |first| filter::intervals_within::<K>(&self.query.four(), self.separation, first),
             First::intervals,
         )
     }
@@ -171,9 +171,11 @@ impl<'a, K: Kind> Collision<'a, K> {
             |contact| {
                 let exactly = || FirstContact::<K>::impact_at_start(&self.query.four());
                 let starts = || self.time().is_start();
-                contact.impact(self.query).or_else(|| starts().then(exactly))
+                contact
+                    .impact::<K>(&self.query.four())
+                    .or_else(|| starts().then(exactly))
             },
-            |first| filter::impact_within(self.query, self.separation, first),
+            |first| filter::impact_within::<K>(&self.query.four(), self.separation, first),
             First::impact,
         )
     }

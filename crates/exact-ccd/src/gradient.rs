@@ -2,8 +2,8 @@
 
 use core::array;
 
-use crate::filter::{cross, dot, minus};
 use crate::kind::Kind;
+use crate::numbers::vector::{cross, dot, minus};
 use crate::query::Query;
 use crate::tables::Point;
 use crate::values::{Impact, Options, Separation, TimeOutOfStep};

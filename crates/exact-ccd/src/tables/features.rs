@@ -73,6 +73,8 @@ pub trait Tables {
     const PARAMETERS: [usize; 2] = [0, 2];
     /// For each of x₀ … x₃, its index among the points of the query.
     const LAYOUT: [usize; 4] = [0, 1, 2, 3];
+    /// The number of points of the query.
+    const COUNT: usize = Self::LAYOUT[3] + 1;
     /// The pairs of features among whose distances the least is that of the primitives.
     const FEATURES: Features;
 }

@@ -53,7 +53,7 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
                         } else if !is_settled && let Passed::Colliding(found) = &mut passed {
                             let query = query_of(rows, &queries[index]);
                             let decision = match rest.cubic(lane) {
-                                Some(cubic) => decide_near_plane(&query, &cubic, until),
+                                Some(cubic) => decide_near_plane::<K>(&query.four(), &cubic, until),
                                 None => Decision::Unknown,
                             };
                             report(found, index, &query, Separation::ZERO, decision);
@@ -80,7 +80,7 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
                     for (lane, &index) in indices.iter().enumerate() {
                         if free[lane] < until {
                             let (query, d) = (query_of(rows, &queries[index]), gaps.separation(index));
-                            let decision = decide_between(&query, d, [free[lane], until]);
+                            let decision = decide_between::<K>(&query.four(), d, [free[lane], until]);
                             report(found, index, &query, d, decision);
                         }
                     }

@@ -3,7 +3,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x8, mask64x8};
 
-use crate::filter::Lanes;
+use crate::numbers::number::Lanes;
 
 impl<S: Simd> Lanes for f64x8<S> {
     type Mask = mask64x8<S>;

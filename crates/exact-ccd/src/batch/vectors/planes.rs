@@ -5,8 +5,10 @@ use fearless_simd::f64x8;
 use fearless_simd::prelude::*;
 
 use crate::batch::row::Row;
-use crate::filter::{Cubic, Gap, Points, Screened, screen_planes};
+use crate::filter::{Gap, Screened, screen_planes};
 use crate::kind::Kind;
+use crate::numbers::cubic::Cubic;
+use crate::tables::Points;
 
 /// The number of queries in a vector.
 pub(super) const LANES: usize = 8;
