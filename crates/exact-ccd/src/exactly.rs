@@ -1,6 +1,6 @@
 //! The answers by the definition alone, without any filter.
 
-use crate::exact::{First, comes_within};
+use crate::exact::First;
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::values::{Impact, Intervals, Options};
@@ -38,10 +38,10 @@ impl<K: Kind> Exactly<'_, K> {
     #[must_use]
     pub fn collides(self, options: impl Into<Options>) -> bool {
         let options = options.into();
-        if options.until >= 1.0 && !options.separation.is_zero() {
-            comes_within::<K>(&self.query.four(), options.separation)
+        if options.until >= 1.0 {
+            First::<K>::exists(&self.query.four(), options.separation)
         } else {
-            // Contact, a part of the step, or none of it: NaN.
+            // A part of the step, or none of it: NaN.
             self.first(options).is_some()
         }
     }

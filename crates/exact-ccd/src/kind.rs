@@ -3,12 +3,11 @@
 use core::fmt::Debug;
 use core::ops::Deref;
 
-use crate::answers;
-use crate::batch::{self, Batch, Instructions};
-use crate::collision::Collision;
-use crate::query::Query;
-use crate::tables::{EdgeEdge, Point, Tables, VertexEdge, VertexFace, VertexVertex};
+use crate::decide;
+use crate::decided::Decided;
+use crate::tables::{EdgeEdge, Point, Points, Tables, VertexEdge, VertexFace, VertexVertex};
 use crate::values::{ContactTime, DistanceBounds, Impact, Intervals, Options, Stage};
+use crate::vectors::{self, Batch, Instructions};
 
 /// The kind of a [`Query`](crate::Query): [`VertexFace`], [`EdgeEdge`], [`VertexEdge`] or [`VertexVertex`].
 /// Sealed.
@@ -18,32 +17,32 @@ pub trait Kind: Tables + Copy {
     /// The indices of those points among the vertices of a mesh, in the same order.
     type Vertices: AsRef<[u32]> + AsMut<[u32]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The number of points of the first primitive, which come first.
-    const FIRST: usize;
+    const FIRST: usize = Self::SECOND;
 
     /// x₀ … x₃ at both ends of the step: the points themselves if they are four.
     #[doc(hidden)]
-    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]>;
+    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = Points<f64>>;
 
     // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
     // crates that call them do not compile it again.
     #[doc(hidden)]
-    fn run(batch: Batch<'_, Self>, instructions: Instructions);
+    fn run(batch: Batch<'_, Self, Self::Vertices>, instructions: Instructions);
     #[doc(hidden)]
-    fn collides(query: &Query<Self>, options: Options) -> bool;
+    fn collides(points: &[Self::Points; 2], options: Options) -> bool;
     #[doc(hidden)]
-    fn decide(query: &Query<Self>, options: Options) -> Result<Collision<'_, Self>, Stage>;
+    fn decide(points: &[Self::Points; 2], options: Options) -> Result<Decided<Self>, Stage>;
     #[doc(hidden)]
-    fn time(collision: &Collision<'_, Self>) -> ContactTime;
+    fn time(decided: &Decided<Self>, points: &[Self::Points; 2]) -> ContactTime;
     #[doc(hidden)]
-    fn intervals(collision: &Collision<'_, Self>) -> Intervals;
+    fn intervals(decided: &Decided<Self>, points: &[Self::Points; 2]) -> Intervals;
     #[doc(hidden)]
-    fn impact(collision: &Collision<'_, Self>) -> Impact;
+    fn impact(decided: &Decided<Self>, points: &[Self::Points; 2]) -> Impact;
     #[doc(hidden)]
-    fn distance(collision: &Collision<'_, Self>) -> DistanceBounds;
+    fn distance(decided: &Decided<Self>, points: &[Self::Points; 2]) -> DistanceBounds;
 }
 
 /// Four points of a query that has fewer: some occur twice.
-struct Repeated([[Point; 4]; 2]);
+struct Repeated(Points<f64>);
 
 impl Repeated {
     #[inline(always)]
@@ -53,7 +52,7 @@ impl Repeated {
 }
 
 impl Deref for Repeated {
-    type Target = [[Point; 4]; 2];
+    type Target = Points<f64>;
 
     #[inline(always)]
     fn deref(&self) -> &Self::Target {
@@ -61,58 +60,62 @@ impl Deref for Repeated {
     }
 }
 
-/// A kind with numbers of points, of a query and of its first primitive, and x₀ … x₃ among them.
+/// A kind with a number of points, and x₀ … x₃ among them.
 macro_rules! kind {
-    ($kind:ident, $count:literal, $first:literal, |$points:ident| $four:expr) => {
+    ($kind:ident, $count:literal, |$points:ident| $four:expr) => {
         impl Kind for $kind {
             type Points = [Point; $count];
             type Vertices = [u32; $count];
-            const FIRST: usize = $first;
 
             #[inline(always)]
-            fn four($points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]> {
+            fn four($points: &[Self::Points; 2]) -> impl Deref<Target = Points<f64>> {
                 $four
             }
 
             #[inline(never)]
-            fn run(batch: Batch<'_, Self>, instructions: Instructions) {
-                batch::run(batch, instructions);
+            fn run(batch: Batch<'_, Self, Self::Vertices>, instructions: Instructions) {
+                vectors::run(batch, instructions);
             }
 
             #[inline(never)]
-            fn collides(query: &Query<Self>, options: Options) -> bool {
-                answers::collides(query, &options)
+            fn collides(points: &[Self::Points; 2], options: Options) -> bool {
+                if options.until >= 1.0 {
+                    decide::collides::<Self>(&Self::four(points), &options)
+                } else {
+                    // A part of the step, or none of it: NaN.
+                    Self::decide(points, options).is_ok()
+                }
             }
 
             #[inline(never)]
-            fn decide(query: &Query<Self>, options: Options) -> Result<Collision<'_, Self>, Stage> {
-                answers::decide(query, &options)
+            fn decide(points: &[Self::Points; 2], options: Options) -> Result<Decided<Self>, Stage> {
+                decide::decide(&Self::four(points), &options)
             }
 
             #[inline(never)]
-            fn time(collision: &Collision<'_, Self>) -> ContactTime {
-                collision.determine_time()
+            fn time(decided: &Decided<Self>, points: &[Self::Points; 2]) -> ContactTime {
+                decided.time(&Self::four(points))
             }
 
             #[inline(never)]
-            fn intervals(collision: &Collision<'_, Self>) -> Intervals {
-                collision.determine_intervals()
+            fn intervals(decided: &Decided<Self>, points: &[Self::Points; 2]) -> Intervals {
+                decided.intervals(&Self::four(points))
             }
 
             #[inline(never)]
-            fn impact(collision: &Collision<'_, Self>) -> Impact {
-                collision.determine_impact()
+            fn impact(decided: &Decided<Self>, points: &[Self::Points; 2]) -> Impact {
+                decided.impact(&Self::four(points))
             }
 
             #[inline(never)]
-            fn distance(collision: &Collision<'_, Self>) -> DistanceBounds {
-                collision.determine_distance()
+            fn distance(decided: &Decided<Self>, points: &[Self::Points; 2]) -> DistanceBounds {
+                decided.distance(&Self::four(points))
             }
         }
     };
 }
 
-kind!(VertexFace, 4, 1, |points| points);
-kind!(EdgeEdge, 4, 2, |points| points);
-kind!(VertexEdge, 3, 1, |points| Repeated::of::<Self>(points));
-kind!(VertexVertex, 2, 1, |points| Repeated::of::<Self>(points));
+kind!(VertexFace, 4, |points| points);
+kind!(EdgeEdge, 4, |points| points);
+kind!(VertexEdge, 3, |points| Repeated::of::<Self>(points));
+kind!(VertexVertex, 2, |points| Repeated::of::<Self>(points));

@@ -75,6 +75,8 @@ mod answers;
 pub mod batch;
 mod ccd;
 mod collision;
+mod decide;
+mod decided;
 pub mod environment;
 mod exact;
 mod exactly;
@@ -87,6 +89,7 @@ pub mod predicates;
 mod query;
 mod tables;
 mod values;
+mod vectors;
 mod weights;
 
 pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};

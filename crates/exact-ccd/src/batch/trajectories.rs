@@ -2,14 +2,13 @@
 
 use alloc::vec::Vec;
 
-use super::queries::{Batch, Passed, query_of};
-use super::row::Row;
-use super::vectors::Instructions;
+use super::collisions::{query_of, with_queries};
 use crate::collision::Collision;
 use crate::kind::Kind;
 use crate::query::{NonFinite, Query};
 use crate::tables::Point;
 use crate::values::{Axis, Options, Separations};
+use crate::vectors::{Batch, Instructions, Passed, Row};
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
 /// mesh, laid out for many queries. The default has no points.
@@ -121,8 +120,9 @@ impl Trajectories {
         &self,
         queries: &[K::Vertices],
         options: impl Into<Options<Separations<'d>>>,
-        mut found: impl FnMut(usize, Collision<'_, K>),
+        found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
+        let mut found = with_queries::<K>(&self.rows, queries, found);
         self.run::<K>(queries, options.into(), Passed::Colliding(&mut found))
     }
 

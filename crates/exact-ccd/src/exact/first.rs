@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 
 use super::first_contact::FirstContact;
-use super::nearness::FirstWithin;
+use super::nearness::{FirstWithin, comes_within};
 use crate::tables::{Points, Tables};
 use crate::values::{ContactTime, Impact, Intervals, Separation};
 
@@ -23,6 +23,15 @@ impl<K: Tables> First<K> {
         } else {
             Self::Within(Box::new(FirstWithin::of::<K>(points, separation)?))
         })
+    }
+
+    /// Returns true if the primitives touch at some time of the step.
+    pub(crate) fn exists(points: &Points<f64>, separation: Separation) -> bool {
+        if separation.is_zero() {
+            FirstContact::<K>::of(points).is_some()
+        } else {
+            comes_within::<K>(points, separation)
+        }
     }
 
     pub(crate) fn time(&self) -> ContactTime {

@@ -7,6 +7,13 @@
 //! within a distance begin and end where one of them reaches its square (`docs/separation.md`).
 //! Every answer of this crate is the one defined here. Coordinates are read as bit patterns: nothing here
 //! depends on the floating-point environment.
+//!
+//! # Tangency
+//!
+//! Where primitives graze, the polynomial of the events has a root at which its sign does not change.
+//! `divisor.rs`, `square_free`, makes it a simple one, `roots.rs` finds it, and the signs of the other
+//! polynomials there decide, as at any root: `motion.rs`, `touches`, for contact, and `nearness/feature.rs`
+//! within a distance.
 
 mod approximation;
 mod bracket;
@@ -38,7 +45,7 @@ pub(crate) use first::First;
 pub(crate) use first_contact::FirstContact;
 #[cfg(test)]
 pub(crate) use nearness::FirstWithin;
-pub(crate) use nearness::{comes_within, distance_at};
+pub(crate) use nearness::distance_at;
 #[cfg(test)]
 pub(crate) use polynomial::Polynomial;
 #[cfg(test)]

@@ -3,6 +3,12 @@
 //! [`screening`] is the ladder of the filters. Its last stages are in [`near_plane`] for contact, and in
 //! [`within`] for a separation above 0. [`contact`] continues to times and impacts. Each bound is derived
 //! beside its code.
+//!
+//! # Tangency
+//!
+//! Where primitives graze, no bound proves a sign beside the double root of the cubic: its roots are unknown,
+//! and [`near_plane`] asks the integers of fixed width. Within a distance that is only reached, neither side
+//! is proved, and the exact path decides.
 
 mod alongside;
 mod coincident;

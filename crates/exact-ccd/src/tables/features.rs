@@ -75,6 +75,8 @@ pub trait Tables {
     const LAYOUT: [usize; 4] = [0, 1, 2, 3];
     /// The number of points of the query.
     const COUNT: usize = Self::LAYOUT[3] + 1;
+    /// The index of the first point of the second primitive among those of the query.
+    const SECOND: usize = Self::LAYOUT[Self::CORNERS[0].1];
     /// The pairs of features among whose distances the least is that of the primitives.
     const FEATURES: Features;
 }

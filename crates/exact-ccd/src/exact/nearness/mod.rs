@@ -26,7 +26,7 @@ use feature::Feature;
 static STEP: [Split; 2] = [Split::START, Split::END];
 
 /// Returns true if the primitives come within d.
-pub(crate) fn comes_within<K: Tables>(points: &Points<f64>, d: Separation) -> bool {
+pub(super) fn comes_within<K: Tables>(points: &Points<f64>, d: Separation) -> bool {
     let features = Approach::new(points, d).features::<K>();
     STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(Feature::crosses)
 }

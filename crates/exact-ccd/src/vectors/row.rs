@@ -6,22 +6,22 @@ use crate::tables::Point;
 /// rotation by one place aligns each coordinate with the next one of the same time.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub(super) struct Row(pub(super) [f64; 8]);
+pub(crate) struct Row(pub(super) [f64; 8]);
 
 /// The places of t = 0 that are compared; those of t = 1 are four above.
 pub(super) const PLACES: u64 = 0b0111;
 
 impl Row {
-    pub(super) fn new([x0, y0, z0]: Point, [x1, y1, z1]: Point) -> Self {
+    pub(crate) fn new([x0, y0, z0]: Point, [x1, y1, z1]: Point) -> Self {
         Self([x0, y0, z0, x0, x1, y1, z1, x1])
     }
 
-    pub(super) fn points(&self) -> [Point; 2] {
+    pub(crate) fn points(&self) -> [Point; 2] {
         let [x0, y0, z0, _, x1, y1, z1, _] = self.0;
         [[x0, y0, z0], [x1, y1, z1]]
     }
 
-    pub(super) fn is_finite(&self) -> bool {
+    pub(crate) fn is_finite(&self) -> bool {
         self.0.iter().fold(true, |all, x| all & x.is_finite())
     }
 }

@@ -1,12 +1,15 @@
 //! The gaps of the queries of a batch.
 
+use core::marker::PhantomData;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x8};
 
 use super::planes::LANES;
 use crate::filter::{Gap, Touching, Within};
-use crate::kind::Kind;
+use crate::tables::Tables;
 use crate::values::{Separation, Separations};
+use crate::vectors::queries::separation_of;
 
 /// The gap of each query of a batch, by its index.
 pub(super) trait Gaps: Copy {
@@ -43,27 +46,37 @@ impl Gaps for Touching {
 }
 
 /// Separations of queries.
-pub(super) struct Separated<'a, K: Kind> {
-    pub(super) queries: &'a [K::Vertices],
-    pub(super) separations: Separations<'a>,
+pub(super) struct Separated<'a, K, V> {
+    queries: &'a [V],
+    separations: Separations<'a>,
+    kind: PhantomData<K>,
 }
 
-impl<K: Kind> Clone for Separated<'_, K> {
+impl<'a, K, V> Separated<'a, K, V> {
+    pub(super) fn new(queries: &'a [V], separations: Separations<'a>) -> Self {
+        Self {
+            queries,
+            separations,
+            kind: PhantomData,
+        }
+    }
+}
+
+impl<K, V> Clone for Separated<'_, K, V> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<K: Kind> Copy for Separated<'_, K> {}
+impl<K, V> Copy for Separated<'_, K, V> {}
 
-impl<K: Kind> Gaps for Separated<'_, K> {
+impl<K: Tables, V: AsRef<[u32]>> Gaps for Separated<'_, K, V> {
     type One = Within<f64>;
     type Eight<S: Simd> = Within<f64x8<S>>;
 
     #[inline(always)]
     fn separation(self, index: usize) -> Separation {
-        let (a, b) = self.queries[index].as_ref().split_at(K::FIRST);
-        self.separations.between(a, b)
+        separation_of::<K>(self.separations, self.queries[index].as_ref())
     }
 
     #[inline(always)]

@@ -7,16 +7,16 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x8, mask64x8};
 
-use crate::batch::row::{PLACES, Row};
 use crate::filter::{Gap, diagonal_limit};
-use crate::kind::Kind;
+use crate::tables::Tables;
+use crate::vectors::row::{PLACES, Row};
 
 /// Returns true if all corners are farther than the gap from a plane x = 0, y = 0 or z = 0, or from one at
 /// 45° between two of them, on one side.
 ///
 /// [`diagonal_limit`] has the bound. Without a gap, x and ±y are only compared.
 #[inline(always)]
-pub(super) fn are_beyond<S: Simd, K: Kind, G: Gap<f64>>(simd: S, rows: [&Row; 4], gap: G) -> bool {
+pub(super) fn are_beyond<S: Simd, K: Tables, G: Gap<f64>>(simd: S, rows: [&Row; 4], gap: G) -> bool {
     let corners = corners::<S, K>(simd, rows);
     let d = gap.value(0.0);
     if are_beyond_axis(corners, f64x8::splat(simd, d)) {
@@ -55,7 +55,7 @@ pub(super) fn are_beyond<S: Simd, K: Kind, G: Gap<f64>>(simd: S, rows: [&Row; 4]
 }
 
 #[inline(always)]
-fn corners<S: Simd, K: Kind>(simd: S, rows: [&Row; 4]) -> [f64x8<S>; 4] {
+fn corners<S: Simd, K: Tables>(simd: S, rows: [&Row; 4]) -> [f64x8<S>; 4] {
     let points = rows.map(
         #[inline(always)]
         |row| f64x8::from_slice(simd, &row.0),

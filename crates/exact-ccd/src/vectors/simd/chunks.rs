@@ -3,10 +3,10 @@
 use core::ops::Range;
 
 use super::planes::LANES;
-use crate::batch::CHUNK;
-use crate::batch::queries::rows_of;
-use crate::batch::row::Row;
-use crate::kind::Kind;
+use crate::tables::Tables;
+use crate::vectors::queries::CHUNK;
+use crate::vectors::queries::rows_of;
+use crate::vectors::row::Row;
 
 /// Calls a function with the indices of each chunk of queries.
 #[inline(always)]
@@ -50,17 +50,17 @@ impl Unsettled {
     /// Passes the queries on by index and rows, eight at a time. The last vector is filled up with
     /// copies of its last query, which have no index.
     #[inline(always)]
-    pub(super) fn for_each_eight<'a, K: Kind>(
+    pub(super) fn for_each_eight<'a, K: Tables, V: AsRef<[u32]>>(
         &self,
         rows: &'a [Row],
-        queries: &[K::Vertices],
+        queries: &[V],
         mut pass_on: impl FnMut(&[usize], &Eight<'a>),
     ) {
         for indices in self.indices[..self.count].chunks(LANES) {
             let last = indices.len() - 1;
             let eight = core::array::from_fn(
                 #[inline(always)]
-                |lane| rows_of::<K>(rows, &queries[indices[last.min(lane)]]),
+                |lane| rows_of::<K>(rows, queries[indices[last.min(lane)]].as_ref()),
             );
             pass_on(indices, &eight);
         }

@@ -1,19 +1,19 @@
 //! A batch of one kind: in vectors, or query by query.
 
 use super::queries::{Batch, Found, Passed};
-use super::vectors::{self, Instructions};
+use super::simd::{self, Instructions};
 use crate::environment;
-use crate::kind::Kind;
+use crate::tables::Tables;
 
 /// Passes the queries of a batch on, in order, by vectors of some instructions.
-pub(crate) fn run<K: Kind>(batch: Batch<'_, K>, instructions: Instructions) {
+pub(crate) fn run<K: Tables, V: AsRef<[u32]>>(batch: Batch<'_, K, V>, instructions: Instructions) {
     let Batch { until, passed, .. } = batch;
     match passed {
         Passed::Unsettled(_) => run_all(Batch { passed, ..batch }, instructions),
         Passed::Colliding(found) => {
-            let found: Found<'_, K> = &mut |index, collision| {
-                if let Some(collision) = collision.until(until) {
-                    found(index, collision);
+            let found: Found<'_, K> = &mut |index, points, decided| {
+                if let Some(decided) = decided.until(points, until) {
+                    found(index, points, decided);
                 }
             };
             let passed = Passed::Colliding(found);
@@ -23,9 +23,9 @@ pub(crate) fn run<K: Kind>(batch: Batch<'_, K>, instructions: Instructions) {
 }
 
 /// The same, but collisions after the last time may be passed on too.
-fn run_all<K: Kind>(batch: Batch<'_, K>, instructions: Instructions) {
+fn run_all<K: Tables, V: AsRef<[u32]>>(batch: Batch<'_, K, V>, instructions: Instructions) {
     if environment::is_default() {
-        vectors::run(batch, instructions);
+        simd::run(batch, instructions);
     } else {
         batch.one_by_one();
     }

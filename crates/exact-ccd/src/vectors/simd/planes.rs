@@ -4,11 +4,11 @@
 use fearless_simd::f64x8;
 use fearless_simd::prelude::*;
 
-use crate::batch::row::Row;
 use crate::filter::{Gap, Screened, screen_planes};
-use crate::kind::Kind;
 use crate::numbers::cubic::Cubic;
 use crate::tables::Points;
+use crate::tables::Tables;
+use crate::vectors::row::Row;
 
 /// The number of queries in a vector.
 pub(super) const LANES: usize = 8;
@@ -37,7 +37,7 @@ impl Rest {
 
 /// Passes eight queries through the filters.
 #[inline(always)]
-pub(super) fn screen<S: Simd, K: Kind, G: Gap<f64x8<S>>>(
+pub(super) fn screen<S: Simd, K: Tables, G: Gap<f64x8<S>>>(
     simd: S,
     rows: &[[&Row; 4]; LANES],
     gaps: G,
@@ -81,9 +81,9 @@ pub(super) fn transposed<S: Simd>(simd: S, rows: &[[&Row; 4]; LANES]) -> Points<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::batch::vectors::instructions::{Instructions, dispatch};
     use crate::filter::Touching;
     use crate::tables::VertexFace;
+    use crate::vectors::simd::instructions::{Instructions, dispatch};
 
     #[test]
     fn cubics_are_those_of_the_lanes_in_range() {

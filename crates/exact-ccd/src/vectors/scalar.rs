@@ -1,7 +1,7 @@
 //! Batches on processors without vectors: query by query, with the same answers.
 
 use super::queries::Batch;
-use crate::kind::Kind;
+use crate::tables::Tables;
 
 /// A set of vector instructions of this processor: the empty one.
 ///
@@ -23,6 +23,6 @@ impl Instructions {
 }
 
 /// Passes the queries of a batch on, in order.
-pub(super) fn run<K: Kind>(batch: Batch<'_, K>, Instructions: Instructions) {
+pub(super) fn run<K: Tables, V: AsRef<[u32]>>(batch: Batch<'_, K, V>, Instructions: Instructions) {
     batch.one_by_one();
 }

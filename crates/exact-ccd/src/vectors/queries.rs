@@ -1,17 +1,20 @@
 //! The queries of a batch, and where those are passed on that touch.
 
 use super::row::Row;
-use crate::collision::Collision;
-use crate::kind::Kind;
-use crate::query::Query;
-use crate::values::{Options, Separations};
+use crate::decide::decide;
+use crate::decided::Decided;
+use crate::tables::{Points, Tables};
+use crate::values::{Options, Separation, Separations};
 
-/// The callback for collisions. Behind a pointer: contacts are few, and the vector code is compiled
-/// only once for all callbacks.
-pub(super) type Found<'f, K> = &'f mut dyn for<'a> FnMut(usize, Collision<'a, K>);
+/// The number of queries that go through one filter before the next filter.
+pub(crate) const CHUNK: usize = 256;
+
+/// The callback for collisions: the index of a query, its points, and what was decided. Behind a pointer:
+/// contacts are few, and the vector code is compiled only once for all callbacks.
+pub(super) type Found<'f, K> = &'f mut dyn FnMut(usize, &Points<f64>, Decided<K>);
 
 /// The queries that are passed on, in order.
-pub(super) enum Passed<'f, K: Kind> {
+pub(crate) enum Passed<'f, K: Tables> {
     /// Each that collides.
     Colliding(Found<'f, K>),
     /// Each that the first filters do not prove to stay beyond its separation, by its index.
@@ -24,26 +27,26 @@ pub(super) enum Passed<'f, K: Kind> {
     unnameable_types,
     reason = "an argument of a hidden function of a sealed trait"
 )]
-pub struct Batch<'a, K: Kind> {
-    pub(super) rows: &'a [Row],
-    pub(super) queries: &'a [K::Vertices],
-    pub(super) separations: Separations<'a>,
-    pub(super) until: f64,
-    pub(super) passed: Passed<'a, K>,
+pub struct Batch<'a, K: Tables, V> {
+    pub(crate) rows: &'a [Row],
+    pub(crate) queries: &'a [V],
+    pub(crate) separations: Separations<'a>,
+    pub(crate) until: f64,
+    pub(crate) passed: Passed<'a, K>,
 }
 
-impl<K: Kind> Batch<'_, K> {
+impl<K: Tables, V: AsRef<[u32]>> Batch<'_, K, V> {
     /// Passes the queries on, each decided by itself.
     pub(super) fn one_by_one(self) {
         match self.passed {
             Passed::Unsettled(unsettled) => (0..self.queries.len()).for_each(unsettled),
             Passed::Colliding(found) => {
                 for (index, vertices) in self.queries.iter().enumerate() {
-                    let (a, b) = vertices.as_ref().split_at(K::FIRST);
-                    let query: Query<K> = query_of(self.rows, vertices);
-                    let options = Options::within(self.separations.between(a, b)).until(self.until);
-                    if let Some(collision) = query.collision(options) {
-                        found(index, collision);
+                    let points = points_of::<K>(self.rows, vertices.as_ref());
+                    let separation = separation_of::<K>(self.separations, vertices.as_ref());
+                    let options = Options::within(separation).until(self.until);
+                    if let Ok(decided) = decide(&points, &options) {
+                        found(index, &points, decided);
                     }
                 }
             }
@@ -53,20 +56,21 @@ impl<K: Kind> Batch<'_, K> {
 
 /// The rows of x₀ … x₃.
 #[inline(always)]
-pub(super) fn rows_of<'a, K: Kind>(rows: &'a [Row], vertices: &K::Vertices) -> [&'a Row; 4] {
-    K::LAYOUT.map(|i| &rows[vertices.as_ref()[i] as usize])
+pub(super) fn rows_of<'a, K: Tables>(rows: &'a [Row], vertices: &[u32]) -> [&'a Row; 4] {
+    K::LAYOUT.map(|i| &rows[vertices[i] as usize])
 }
 
-/// The query of vertices whose rows exist, with finite coordinates.
-pub(super) fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K> {
-    let mut points = [K::Points::default(); 2];
-    for (i, &vertex) in vertices.as_ref().iter().enumerate() {
-        let ends = rows[vertex as usize].points();
-        for (points, end) in points.iter_mut().zip(ends) {
-            points.as_mut()[i] = end;
-        }
-    }
-    Query::from_finite(points)
+/// x₀ … x₃ at t = 0 and at t = 1.
+pub(super) fn points_of<K: Tables>(rows: &[Row], vertices: &[u32]) -> Points<f64> {
+    let points = rows_of::<K>(rows, vertices).map(Row::points);
+    [0, 1].map(|end: usize| points.map(|ends| ends[end]))
+}
+
+/// The separation of a query of vertices.
+#[inline(always)]
+pub(super) fn separation_of<K: Tables>(separations: Separations<'_>, vertices: &[u32]) -> Separation {
+    let (first, second) = vertices.split_at(K::SECOND);
+    separations.between(first, second)
 }
 
 #[cfg(test)]
@@ -97,7 +101,7 @@ mod tests {
         pass_on(
             &rows,
             &queries,
-            Passed::Colliding(&mut |index, _| found.push(index)),
+            Passed::Colliding(&mut |index, _, _| found.push(index)),
         );
         pass_on(
             &rows,
