@@ -18,10 +18,15 @@ pub trait Kind: Tables + Copy {
     type Vertices: AsRef<[u32]> + AsMut<[u32]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The number of points of the first primitive, which come first.
     const FIRST: usize = Self::SECOND;
+    /// This kind as a value.
+    const KIND: AnyKind;
 
     /// x₀ … x₃ at both ends of the step: the points themselves if they are four.
     #[doc(hidden)]
     fn four(points: &[Self::Points; 2]) -> impl Deref<Target = Points<f64>>;
+    /// The points of the query of x₀ … x₃.
+    #[doc(hidden)]
+    fn of_four(four: &Points<f64>) -> [Self::Points; 2];
 
     // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
     // crates that call them do not compile it again.
@@ -60,16 +65,106 @@ impl Deref for Repeated {
     }
 }
 
-/// A kind with a number of points, and x₀ … x₃ among them.
-macro_rules! kind {
-    ($kind:ident, $count:literal, |$points:ident| $four:expr) => {
-        impl Kind for $kind {
-            type Points = [Point; $count];
-            type Vertices = [u32; $count];
+/// For each point of a query with this layout, the first of x₀ … x₃ that it is.
+const fn places<const COUNT: usize>(layout: [usize; 4]) -> [usize; COUNT] {
+    let mut places = [0; COUNT];
+    let mut place = layout.len();
+    while place > 0 {
+        place -= 1;
+        places[layout[place]] = place;
+    }
+    places
+}
+
+/// A computation for a kind that is known at run time: see [`AnyKind::with`].
+pub trait WithKind {
+    /// The result.
+    type Output;
+
+    /// Computes it for a kind.
+    fn with<K: Kind>(self) -> Self::Output;
+}
+
+/// The list of the kinds: documentation, the type, its name, its short name, the names of its points, and
+/// x₀ … x₃ of its points.
+macro_rules! kinds {
+    ($(
+        $(#[$doc:meta])*
+        $kind:ident, $name:literal, $short:literal, [$($point:literal),+], |$points:ident| $four:expr;
+    )+) => {
+        /// A kind of query as a value: one that is known at run time, as from a file or an option.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        pub enum AnyKind {
+            $($(#[$doc])* $kind,)+
+        }
+
+        impl AnyKind {
+            /// All kinds.
+            pub const ALL: &'static [Self] = &[$(Self::$kind),+];
+
+            /// The name, such as `vertex-face`.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $name,)+
+                }
+            }
+
+            /// The short name, such as `vf`.
+            #[must_use]
+            pub const fn short(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $short,)+
+                }
+            }
+
+            /// The names of the points of a query, in their order.
+            #[must_use]
+            pub const fn point_names(self) -> &'static [&'static str] {
+                match self {
+                    $(Self::$kind => &[$($point),+],)+
+                }
+            }
+
+            /// Calls a generic function for this kind.
+            ///
+            /// ```
+            /// use exact_ccd::{AnyKind, Kind, WithKind};
+            ///
+            /// struct Count;
+            ///
+            /// impl WithKind for Count {
+            ///     type Output = usize;
+            ///
+            ///     fn with<K: Kind>(self) -> usize {
+            ///         K::Points::default().as_ref().len()
+            ///     }
+            /// }
+            ///
+            /// assert_eq!(AnyKind::VertexEdge.with(Count), 3);
+            /// ```
+            pub fn with<W: WithKind>(self, computation: W) -> W::Output {
+                match self {
+                    $(Self::$kind => computation.with::<$kind>(),)+
+                }
+            }
+        }
+
+        $(impl Kind for $kind {
+            type Points = [Point; <Self as Tables>::COUNT];
+            type Vertices = [u32; <Self as Tables>::COUNT];
+            const KIND: AnyKind = AnyKind::$kind;
 
             #[inline(always)]
             fn four($points: &[Self::Points; 2]) -> impl Deref<Target = Points<f64>> {
                 $four
+            }
+
+            #[inline(always)]
+            fn of_four(four: &Points<f64>) -> [Self::Points; 2] {
+                const PLACES: [usize; <$kind as Tables>::COUNT] = places(<$kind as Tables>::LAYOUT);
+                four.map(|now| PLACES.map(|place| now[place]))
             }
 
             #[inline(never)]
@@ -111,11 +206,17 @@ macro_rules! kind {
             fn distance(decided: &Decided<Self>, points: &[Self::Points; 2]) -> DistanceBounds {
                 decided.distance(&Self::four(points))
             }
-        }
+        })+
     };
 }
 
-kind!(VertexFace, 4, |points| points);
-kind!(EdgeEdge, 4, |points| points);
-kind!(VertexEdge, 3, |points| Repeated::of::<Self>(points));
-kind!(VertexVertex, 2, |points| Repeated::of::<Self>(points));
+kinds! {
+    /// [`VertexFace`](crate::VertexFace).
+    VertexFace, "vertex-face", "vf", ["p", "v1", "v2", "v3"], |points| points;
+    /// [`EdgeEdge`](crate::EdgeEdge).
+    EdgeEdge, "edge-edge", "ee", ["a0", "a1", "b0", "b1"], |points| points;
+    /// [`VertexEdge`](crate::VertexEdge).
+    VertexEdge, "vertex-edge", "ve", ["p", "a", "b"], |points| Repeated::of::<Self>(points);
+    /// [`VertexVertex`](crate::VertexVertex).
+    VertexVertex, "vertex-vertex", "vv", ["p", "q"], |points| Repeated::of::<Self>(points);
+}

@@ -90,8 +90,7 @@ impl<'a, K: Kind> Queries<'a, K> {
                 first_error::<K>(first, points)
             };
             let sound = &indices[..error.map_or(points.len(), |error| error.query - first)];
-            let mut found =
-                with_queries::<K>(&rows, sound, |index, collision| found(first + index, collision));
+            let mut found = with_queries::<K>(|index, collision| found(first + index, collision));
             let batch = Batch {
                 rows: &rows,
                 queries: sound,

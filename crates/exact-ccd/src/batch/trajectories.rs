@@ -2,13 +2,13 @@
 
 use alloc::vec::Vec;
 
-use super::collisions::{query_of, with_queries};
+use super::collisions::with_queries;
 use crate::collision::Collision;
 use crate::kind::Kind;
 use crate::query::{NonFinite, Query};
 use crate::tables::Point;
 use crate::values::{Axis, Options, Separations};
-use crate::vectors::{Batch, Instructions, Passed, Row};
+use crate::vectors::{Batch, Instructions, Passed, Row, points_of};
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
 /// mesh, laid out for many queries. The default has no points.
@@ -122,7 +122,7 @@ impl Trajectories {
         options: impl Into<Options<Separations<'d>>>,
         found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
-        let mut found = with_queries::<K>(&self.rows, queries, found);
+        let mut found = with_queries::<K>(found);
         self.run::<K>(queries, options.into(), Passed::Colliding(&mut found))
     }
 
@@ -227,4 +227,9 @@ fn first_error(vertex: usize, ends: &[Point; 2]) -> Result<(), TrajectoriesError
             value,
         },
     )
+}
+
+/// The query of vertices whose rows exist.
+fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K> {
+    Query::from_finite(K::of_four(&points_of::<K>(rows, vertices.as_ref())))
 }

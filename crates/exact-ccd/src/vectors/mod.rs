@@ -16,7 +16,7 @@ mod run;
 )]
 mod simd;
 
-pub(crate) use queries::{Batch, CHUNK, Passed};
+pub(crate) use queries::{Batch, CHUNK, Passed, points_of};
 pub(crate) use row::Row;
 pub(crate) use run::run;
 pub use simd::Instructions;

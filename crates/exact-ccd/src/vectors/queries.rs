@@ -61,7 +61,7 @@ pub(super) fn rows_of<'a, K: Tables>(rows: &'a [Row], vertices: &[u32]) -> [&'a 
 }
 
 /// x₀ … x₃ at t = 0 and at t = 1.
-pub(super) fn points_of<K: Tables>(rows: &[Row], vertices: &[u32]) -> Points<f64> {
+pub(crate) fn points_of<K: Tables>(rows: &[Row], vertices: &[u32]) -> Points<f64> {
     let points = rows_of::<K>(rows, vertices).map(Row::points);
     [0, 1].map(|end: usize| points.map(|ends| ends[end]))
 }
