@@ -4,7 +4,7 @@ use crate::environment;
 use crate::exact::{self, First, FirstContact};
 use crate::filter::{self, Contact, Decision, Proved};
 use crate::tables::{Points, Tables};
-use crate::values::{ContactTime, DistanceBounds, Impact, Intervals, Separation, Stage};
+use crate::values::{CONTACT, ContactTime, DistanceBounds, Impact, Intervals, Separation, Stage};
 
 /// The decision that two primitives touch, with the intermediate results from which all answers follow. The
 /// points are those of the decision.
@@ -110,8 +110,21 @@ impl<K: Tables> Decided<K> {
         )
     }
 
-    /// The first time, with the closest points then.
+    /// The first time, with the closest points then: the same bits, whatever the last time that counts. Contact
+    /// at that time may be decided before the stage that decides it in the whole step, which has the impact.
     pub(crate) fn impact(&self, points: &Points<f64>) -> Impact {
+        if let Proof::Contact(Contact::At(_)) = &self.proof
+            && environment::is_default()
+        {
+            let decision = filter::decide::<K>(points, &CONTACT);
+            if let Ok(of_whole) = Self::from_filters(points, self.separation, decision) {
+                return of_whole.impact_as_decided(points);
+            }
+        }
+        self.impact_as_decided(points)
+    }
+
+    fn impact_as_decided(&self, points: &Points<f64>) -> Impact {
         self.answer(
             points,
             |contact| {

@@ -19,8 +19,8 @@ use crate::values::{ContactTime, Impact, Interval, Intervals, Stage};
 pub(crate) enum Contact {
     /// The primitives are coplanar exactly at some roots, and touch at one of them.
     AtRoot(AtRoot),
-    /// The primitives first touch at this root, which is an f64.
-    At(Root),
+    /// The primitives first touch at this time, the last one that counts.
+    At(f64),
     /// The primitives are coplanar at all times, and in contact for an interval that begins like
     /// this.
     Sliding(Event),
@@ -93,7 +93,7 @@ impl Contact {
                 Some((root, _)) => return times_of_roots::<K>(points)(root),
                 None => None,
             },
-            Self::At(root) => return Some(ContactTime::exactly(root.near)),
+            Self::At(time) => return Some(ContactTime::exactly(*time)),
             Self::Sliding(beginning) => Planar::new(points).and_then(|planar| planar.round(beginning)),
             Self::Coincident(coincidence) => coincidence.first,
             Self::AtMoment(moment) => return fixed::time::<K>(points, moment),
@@ -127,10 +127,9 @@ impl Contact {
     pub(crate) fn impact<K: Tables>(&self, points: &Points<f64>) -> Option<Impact> {
         let root = match self {
             Self::AtRoot(at_root) => at_root.since_first()?.0,
-            Self::At(root) => root,
             Self::Coincident(_) => return coincident::impact::<K>(points),
             Self::Sliding(beginning) => return Planar::new(points)?.impact::<K>(beginning),
-            Self::AtMoment(_) => return None,
+            Self::At(_) | Self::AtMoment(_) => return None,
         };
         let time = self.first::<K>(points)?;
         let (parameters, normal) = parameters_and_normal::<K>(points, &root.at(time))?;

@@ -78,7 +78,7 @@ fn decide_until<K: Tables>(points: &Points<f64>, cubic: &Cubic<f64>, until: f64)
     }
     let root = Root::exactly(until, before);
     Some(match position::at::<K>(points, &root)? {
-        Position::Inside => Decision::Collision(Proved::Contact(Contact::At(root))),
+        Position::Inside => Decision::Collision(Proved::Contact(Contact::At(until))),
         Position::Outside => Decision::Free(Stage::Roots),
     })
 }

@@ -72,6 +72,8 @@ fn counts_until<K: Kind>(query: &Query<K>, d: Separation, whole: &Intervals, unt
     let impacts = [query.impact(options), query.exactly().impact(options)];
     let times = impacts.map(|impact| impact.map(|impact| impact.time));
     assert_eq!(times, [first; 2], "{}", context());
+    let of_whole = query.impact(d).filter(|_| counts);
+    assert_eq!(impacts[0], of_whole, "{}", context());
 }
 
 fn single<K: Kind>(count: u32, points: impl Strategy<Value = Points>, rule: impl Strategy<Value = Rule>) {
