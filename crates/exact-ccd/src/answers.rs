@@ -42,8 +42,8 @@ impl<K: Kind> Query<K> {
             .map(|collision| collision.time_of_impact())
     }
 
-    /// The first time at which the primitives touch, if they do, with the closest points then: the same bits for
-    /// each last time that counts.
+    /// The first time at which the primitives touch, if they do, with the closest points then. The last time
+    /// that counts changes no bit of it.
     #[must_use]
     pub fn impact(&self, options: impl Into<Options>) -> Option<Impact> {
         self.collision(options).map(|collision| collision.impact())

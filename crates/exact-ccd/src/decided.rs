@@ -30,7 +30,7 @@ enum Proof<K> {
 }
 
 impl<K: Tables> Decided<K> {
-    /// What follows from the outcome of the filters; the stage if the primitives do not touch.
+    /// The decision by the outcome of the filters; the stage if the primitives do not touch.
     #[inline]
     pub(crate) fn from_filters(
         points: &Points<f64>,
@@ -110,8 +110,8 @@ impl<K: Tables> Decided<K> {
         )
     }
 
-    /// The first time, with the closest points then: the same bits, whatever the last time that counts. Contact
-    /// at that time may be decided before the stage that decides it in the whole step, which has the impact.
+    /// The first time, with the closest points then. The last time that counts changes no bit: contact at
+    /// that time may be decided by another stage than in the whole step, which has the impact.
     pub(crate) fn impact(&self, points: &Points<f64>) -> Impact {
         if let Proof::Contact(Contact::At(_)) = &self.proof
             && environment::is_default()

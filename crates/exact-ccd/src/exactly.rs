@@ -7,11 +7,8 @@ use crate::values::{Impact, Intervals, Options};
 
 /// A query whose answers are computed in integers alone, for audits: those of [`Query`], by the definition.
 ///
-/// Contact is decided without rounding and without tolerance. Coordinates are dyadic rationals, so that a
-/// query is a set of integer polynomials in t. Contact begins and ends at roots of one of them (the four points
-/// become coplanar, or, if they always are, a vertex reaches an edge), and the signs of others at a root decide
-/// contact there. The squared distance is the least of those of the primitives' features, each a quotient of
-/// polynomials. Coordinates are read as bit patterns: no answer depends on the floating-point environment.
+/// They follow from signs of polynomials with integer coefficients, without rounding and without tolerance.
+/// Coordinates are read as bit patterns: no answer depends on the floating-point environment.
 ///
 /// ```
 /// use exact_ccd::{CONTACT, Query, VertexVertex};

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use exact_ccd::{AnyKind, EdgeEdge, Kind, Query, VertexEdge, VertexFace, VertexVertex, WithKind};
 
-/// The kind of the type that a value stands for, and its numbers of points and of those of the first primitive.
+/// The kind of the type, the number of its points, and the number of points of its first primitive.
 struct Described;
 
 impl WithKind for Described {
