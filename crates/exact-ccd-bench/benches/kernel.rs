@@ -16,7 +16,7 @@ mod published;
 use std::hint::black_box;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace};
 use exact_ccd_bench::{mean, median, nanoseconds, nanoseconds_each, quantile};
 use exact_ccd_data::{DataError, DataKind};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion, Step};
@@ -187,7 +187,8 @@ impl Colliding {
         }
         self.impacts.push(nanoseconds(|| query.impact(CONTACT)));
         if self.exact.len() < AUDITED {
-            self.exact.push(nanoseconds(|| exact::intervals(query, CONTACT)));
+            self.exact
+                .push(nanoseconds(|| query.exactly().intervals(CONTACT)));
         }
     }
 }

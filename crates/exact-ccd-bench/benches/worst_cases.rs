@@ -16,7 +16,7 @@ mod hard_cases;
 #[allow(dead_code, reason = "the test target `queries` needs more of it")]
 mod primitives;
 
-use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_bench::nanoseconds;
 
 use hard_cases::extremes::families;
@@ -101,10 +101,10 @@ fn distance<K: Kind>(index: usize, query: &Query<K>) -> Separation {
 
 fn exactly<K: Kind>(query: &Query<K>, d: Separation) -> [f64; ANSWERS.len()] {
     [
-        milliseconds(|| exact::collides(query, d)),
-        milliseconds(|| exact::time_of_impact(query, d)),
-        milliseconds(|| exact::intervals(query, d)),
-        milliseconds(|| exact::impact(query, d)),
+        milliseconds(|| query.exactly().collides(d)),
+        milliseconds(|| query.exactly().time_of_impact(d)),
+        milliseconds(|| query.exactly().intervals(d)),
+        milliseconds(|| query.exactly().impact(d)),
     ]
 }
 

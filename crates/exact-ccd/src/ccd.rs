@@ -1,9 +1,10 @@
 //! Methods of continuous collision detection behind one trait.
 
 use crate::batch::{Trajectories, VertexOutOfRange};
-use crate::kind::{EdgeEdge, Kind, VertexFace};
-use crate::options::CONTACT;
+use crate::kind::Kind;
 use crate::query::Query;
+use crate::tables::{EdgeEdge, VertexFace};
+use crate::values::CONTACT;
 
 /// A decision of queries of one kind, right or wrong: the part of a [`Ccd`] that depends on the kind.
 pub trait Decide<K: Kind>: Send + Sync {
@@ -156,7 +157,7 @@ mod tests {
     use alloc::vec::Vec;
 
     use super::*;
-    use crate::kind::VertexVertex;
+    use crate::tables::VertexVertex;
 
     /// A method with the default functions.
     struct Defaults;

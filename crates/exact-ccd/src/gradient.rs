@@ -2,13 +2,11 @@
 
 use core::array;
 
-use crate::distance::{Separation, TimeOutOfStep};
-use crate::filter::{cross, dot, minus};
-use crate::impact::Impact;
 use crate::kind::Kind;
-use crate::options::Options;
-use crate::point::Point;
+use crate::numbers::vector::{cross, dot, minus};
 use crate::query::Query;
+use crate::tables::Point;
+use crate::values::{Impact, Options, Separation, TimeOutOfStep};
 
 /// The derivatives of a value with respect to the coordinates of all points of a query.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,9 @@
 use core::fmt;
 use core::ops::Deref;
 
-use crate::axis::Axis;
 use crate::kind::Kind;
-use crate::point::Point;
+use crate::tables::Point;
+use crate::values::Axis;
 
 /// Two primitives of a moving mesh over one time step; see [`VertexFace`](crate::VertexFace) and
 /// [`EdgeEdge`](crate::EdgeEdge).

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::{CONTACT, EdgeEdge, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, VertexFace};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{
     Bvh, Candidates, Detector, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step,
@@ -149,7 +149,7 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
             let query = step.query::<K>(ids).expect("a pair of the mesh");
             assert_eq!(
                 query.intervals(CONTACT),
-                exact::intervals(&query, CONTACT),
+                query.exactly().intervals(CONTACT),
                 "{query:?}"
             );
         }

@@ -33,29 +33,10 @@
 //! ```
 
 mod array;
-mod queries;
-mod row;
-mod run;
+mod collisions;
 mod trajectories;
-// The only place of the kernel that names the targets with vectors. For others, `fearless_simd` has only its
-// fallback, whose code for eight queries without vectors takes ten minutes to compile.
-#[cfg_attr(
-    not(any(
-        target_arch = "x86",
-        target_arch = "x86_64",
-        all(target_arch = "aarch64", target_feature = "neon"),
-        all(target_arch = "wasm32", target_feature = "simd128"),
-    )),
-    path = "scalar.rs"
-)]
-mod vectors;
-
-pub(crate) use queries::Batch;
-pub(crate) use run::run;
 
 pub use array::{NonFiniteQuery, Queries};
 pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange};
-pub use vectors::Instructions;
 
-/// The number of queries that go through one filter before the next filter.
-const CHUNK: usize = 256;
+pub use crate::vectors::Instructions;

@@ -4,9 +4,8 @@ use super::instant::Instant;
 use super::motion::Motion;
 use super::narrowing::Narrowing;
 use super::polynomial::{Vector, cross};
-use crate::impact::Impact;
-use crate::kind::{Difference, Kind, Side};
-use crate::point::Point;
+use crate::tables::{Difference, Point, Side, Tables};
+use crate::values::Impact;
 
 /// The primitives at an instant of contact.
 struct Meeting<'a, K> {
@@ -14,7 +13,7 @@ struct Meeting<'a, K> {
     instant: Narrowing,
 }
 
-impl<K: Kind> Motion<K> {
+impl<K: Tables> Motion<K> {
     /// The contact at an instant at which the primitives touch; see [`Impact`] for the cases.
     pub(super) fn impact(&self, instant: &Instant) -> Impact {
         let time = instant.round();
@@ -40,7 +39,7 @@ impl<K: Kind> Motion<K> {
     }
 }
 
-impl<K: Kind> Meeting<'_, K> {
+impl<K: Tables> Meeting<'_, K> {
     /// The difference of two points, with one unit for all axes.
     fn vector(&self, difference: Difference) -> Vector {
         let points = &self.motion.points;

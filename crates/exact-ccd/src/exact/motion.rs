@@ -9,8 +9,7 @@ use super::instant::Instant;
 use super::narrowing::Narrowing;
 use super::points::MovingPoints;
 use super::polynomial::{Polynomial, Vector, cross, cross_component, dot};
-use crate::kind::{Kind, Side};
-use crate::query::Query;
+use crate::tables::{Points, Side, Tables};
 
 /// The points of a query, and the normal of their plane when they are coplanar.
 #[derive(Clone, Debug)]
@@ -23,9 +22,9 @@ pub(crate) struct Motion<K> {
     kind: PhantomData<K>,
 }
 
-impl<K: Kind> Motion<K> {
-    pub(crate) fn new(query: &Query<K>) -> Self {
-        let points = MovingPoints::new(query);
+impl<K: Tables> Motion<K> {
+    pub(crate) fn new(points: &Points<f64>) -> Self {
+        let points = MovingPoints::new(points);
         let [w, e1, e2] = K::SPAN.map(|difference| points.difference(difference));
         let normal = cross(&e1, &e2);
         Self {

@@ -2,8 +2,7 @@
 
 use super::dyadic::to_integers;
 use super::polynomial::{Polynomial, Vector};
-use crate::kind::{Difference, Kind};
-use crate::query::Query;
+use crate::tables::{Difference, Points};
 
 /// The points of a query as polynomials in t. The coordinates on an axis are integers of a unit of its own,
 /// a power of two: contact is invariant under scalings of an axis.
@@ -15,11 +14,10 @@ pub(crate) struct MovingPoints {
 }
 
 impl MovingPoints {
-    pub(crate) fn new<K: Kind>(query: &Query<K>) -> Self {
-        let four = query.four();
+    pub(crate) fn new(points: &Points<f64>) -> Self {
         let mut units = [None; 3];
         let axes = [0, 1, 2].map(|axis: usize| {
-            let at = |i: usize| four[i / 4][i % 4][axis];
+            let at = |i: usize| points[i / 4][i % 4][axis];
             let (integers, unit) = to_integers([0, 1, 2, 3, 4, 5, 6, 7].map(at));
             units[axis] = unit;
             [0, 1, 2, 3].map(|point| Polynomial::between(&integers[point], &integers[point + 4]))

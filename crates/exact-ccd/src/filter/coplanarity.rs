@@ -1,14 +1,13 @@
 //! The cubic c(t) = w · (e₁ × e₂), which vanishes when the primitives lie in one plane.
 
-use super::cubic::Cubic;
-use super::double_double::DoubleDouble;
 use super::gap::Gap;
-use super::number::{Lanes, Number, Points, reach, subtract};
-use super::precise_cubic::PreciseCubic;
-use super::roundoff::{UNIT, margin};
-use super::vector::{add, cross, cross_magnitude, dot};
-use crate::kind::Kind;
-use crate::query::Query;
+use crate::numbers::cubic::Cubic;
+use crate::numbers::double_double::DoubleDouble;
+use crate::numbers::number::{Lanes, Number, reach, subtract};
+use crate::numbers::precise_cubic::PreciseCubic;
+use crate::numbers::roundoff::{UNIT, margin};
+use crate::numbers::vector::{add, cross, cross_magnitude, dot};
+use crate::tables::{Points, Tables};
 
 /// c, and the normals from which it is computed.
 pub(crate) struct Coplanarity<T> {
@@ -36,7 +35,7 @@ pub(super) struct Expansion<T: Number> {
 
 impl<T: Lanes> Coplanarity<T> {
     #[inline(always)]
-    pub(crate) fn new<K: Kind>(points: &Points<T>) -> Self {
+    pub(crate) fn new<K: Tables>(points: &Points<T>) -> Self {
         let expansion = Expansion::<T>::new::<K>(points);
         Self {
             cubic: Cubic::new(expansion.coefficients, expansion.magnitude),
@@ -90,14 +89,14 @@ pub(super) fn length_bound<T: Lanes>(vector: [T; 3]) -> T {
 }
 
 /// c in twice the precision.
-pub(super) fn precise<K: Kind>(query: &Query<K>) -> PreciseCubic {
-    let expansion = Expansion::<DoubleDouble>::new::<K>(&query.four());
+pub(super) fn precise<K: Tables>(points: &Points<f64>) -> PreciseCubic {
+    let expansion = Expansion::<DoubleDouble>::new::<K>(points);
     PreciseCubic::new(expansion.coefficients, expansion.magnitude)
 }
 
 impl<T: Number> Expansion<T> {
     #[inline(always)]
-    pub(super) fn new<K: Kind>(points: &Points<T::Real>) -> Self {
+    pub(super) fn new<K: Tables>(points: &Points<T::Real>) -> Self {
         let w = subtract::<T>(points, K::SPAN[0]);
         let e1 = subtract::<T>(points, K::SPAN[1]);
         let e2 = subtract::<T>(points, K::SPAN[2]);

@@ -7,11 +7,10 @@ use core::ops::Add;
 
 use super::coplanarity::length_bound;
 use super::gap::Gap;
-use super::number::{Lanes, Points, subtract};
-use super::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
-use super::vector::{dot, minus, towards};
-use crate::kind::Kind;
-use crate::point::Point;
+use crate::numbers::number::{Lanes, subtract};
+use crate::numbers::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
+use crate::numbers::vector::{dot, minus, towards};
+use crate::tables::{Point, Points, Tables};
 
 /// The eight values of F at the corners of its domain, by axis. A vertex-face query has six corners; two of
 /// them are repeated.
@@ -23,7 +22,7 @@ pub(crate) struct Hull<T> {
 
 impl<T: Lanes> Hull<T> {
     #[inline(always)]
-    pub(crate) fn new<K: Kind>(points: &Points<T>) -> Self {
+    pub(crate) fn new<K: Tables>(points: &Points<T>) -> Self {
         let mut corners = points[0][0].map(|x| [x; 8]);
         for (corner, &difference) in K::CORNERS.iter().enumerate() {
             for (time, at_time) in subtract::<T>(points, difference).iter().enumerate() {
@@ -185,7 +184,7 @@ impl Hull<f64> {
     /// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
     /// nothing.
     #[inline(never)]
-    pub(super) fn some_direction_separates<K: Kind>(&self, gap: impl Gap<f64>) -> bool {
+    pub(super) fn some_direction_separates<K: Tables>(&self, gap: impl Gap<f64>) -> bool {
         const STEPS: usize = 5;
         let d = gap.value(0.0);
         let corner = |i: usize| [0, 1, 2].map(|axis: usize| self.corners[axis][i]);
@@ -211,7 +210,7 @@ impl Hull<f64> {
 
 /// The corner with the lowest value, and that value. Where values are not a number, no limit is finite.
 #[inline(always)]
-fn lowest<K: Kind>(value_of: impl Fn(usize) -> f64) -> (usize, f64) {
+fn lowest<K: Tables>(value_of: impl Fn(usize) -> f64) -> (usize, f64) {
     // The others are repeated.
     let corners = (1..8).filter(|i| i % 4 < K::FEATURES.vertices.len());
     corners.fold((0, value_of(0)), |lowest, i| {
@@ -254,7 +253,7 @@ fn are_beyond(least: f64, value: impl Fn(usize) -> f64) -> bool {
 mod tests {
     use super::*;
     use crate::filter::gap::{Touching, Within};
-    use crate::kind::{EdgeEdge, VertexFace, VertexVertex};
+    use crate::tables::{EdgeEdge, VertexFace, VertexVertex};
 
     /// Points that move in small integers: the distances from the planes x = ±y, y = ±z and z = ±x are exact
     /// apart from a factor of √2, and none is near the gap.
@@ -308,7 +307,7 @@ mod tests {
         assert!(proved.iter().all(|&count| count > 10), "{proved:?}");
     }
 
-    fn proves<K: Kind>(hull: &Hull<f64>, direction: Point, gap: impl Gap<f64>) -> bool {
+    fn proves<K: Tables>(hull: &Hull<f64>, direction: Point, gap: impl Gap<f64>) -> bool {
         hull.is_beyond_axis(gap)
             || hull.is_beyond_diagonal(gap)
             || hull.is_beyond(direction, gap)
@@ -316,7 +315,7 @@ mod tests {
     }
 
     /// One corner is beyond the origin, or at it, and all others are far on the other side.
-    fn one_corner_prevents_proofs<K: Kind>() {
+    fn one_corner_prevents_proofs<K: Tables>() {
         for &((i, j), _) in K::FEATURES.vertices {
             for (end, axis) in (0..2).flat_map(|end| (0..3).map(move |axis| (end, axis))) {
                 for (sign, value) in [(1.0, -2.0), (-1.0, -2.0), (1.0, 0.0), (-1.0, 0.0)] {
@@ -325,7 +324,7 @@ mod tests {
                         for (point, place) in now.iter_mut().enumerate() {
                             let is_near = time == end && (point == i || point == j);
                             place[axis] = sign
-                                * match (point < K::FIRST, is_near) {
+                                * match (point < K::CORNERS[0].1, is_near) {
                                     (true, false) => 6.0,
                                     (false, false) => -4.0,
                                     (true, true) => 0.0,

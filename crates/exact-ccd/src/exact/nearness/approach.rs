@@ -5,13 +5,12 @@ use alloc::vec::Vec;
 use dashu_int::IBig;
 
 use super::feature::{Feature, Pair};
-use crate::distance::Separation;
 use crate::exact::dyadic::{decompose, to_integers};
 use crate::exact::motion::common;
 use crate::exact::points::MovingPoints;
 use crate::exact::polynomial::{Polynomial, Vector, cross, dot, squared_length};
-use crate::kind::{Difference, Kind};
-use crate::query::Query;
+use crate::tables::{Difference, Points, Tables};
+use crate::values::Separation;
 
 /// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
 /// contact, distance is not invariant under a scaling of one axis.
@@ -24,8 +23,8 @@ pub(super) struct Approach {
 }
 
 impl Approach {
-    pub(super) fn new<K: Kind>(query: &Query<K>, d: Separation) -> Self {
-        let points = MovingPoints::new(query);
+    pub(super) fn new(points: &Points<f64>, d: Separation) -> Self {
+        let points = MovingPoints::new(points);
         let ([separation], of_separation) = to_integers([d.get()]);
         let unit = points.least_unit().into_iter().chain(of_separation).min();
         let unit = unit.unwrap_or_default();
@@ -39,9 +38,9 @@ impl Approach {
     }
 
     /// The points at one time, as constant polynomials, and d = 0.
-    pub(super) fn at<K: Kind>(query: &Query<K>, t: f64) -> Self {
+    pub(super) fn at(points: &Points<f64>, t: f64) -> Self {
         let (numerator, exponent) = decompose(t);
-        let approach = Self::new(query, Separation::ZERO);
+        let approach = Self::new(points, Separation::ZERO);
         let at_time = |coordinate: &Polynomial| {
             let (start, end) = (coordinate.at_start(), coordinate.at_end());
             let moved = (end - &start) * IBig::from(numerator);
@@ -59,7 +58,7 @@ impl Approach {
     }
 
     /// The features of the primitives.
-    pub(super) fn features<K: Kind>(&self) -> Vec<Feature> {
+    pub(super) fn features<K: Tables>(&self) -> Vec<Feature> {
         let vertices = K::FEATURES.vertices.iter().map(|&(difference, parameters)| {
             let x = self.difference(difference);
             (
@@ -103,7 +102,7 @@ impl Approach {
 
     /// ±n · ((x − q) × (y − q)) for each vertex q and edge x y, in the order of the sides. Over n · n, they
     /// are u and v, and 1 − u − v for a triangle, otherwise 1 − u and 1 − v.
-    fn guards_of_inner<K: Kind>(&self, n: &Vector) -> Vec<Polynomial> {
+    fn guards_of_inner<K: Tables>(&self, n: &Vector) -> Vec<Polynomial> {
         let [u, v] = K::PARAMETERS.map(|index| {
             let side = &K::SIDES[index];
             let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));

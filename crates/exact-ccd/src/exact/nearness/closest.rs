@@ -7,16 +7,15 @@ use super::feature::{Feature, Pair};
 use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::{Vector, cross, dot};
-use crate::impact::Impact;
-use crate::kind::{Kind, Side};
-use crate::point::Point;
+use crate::tables::{Point, Side, Tables};
+use crate::values::Impact;
 
 /// The parameters of two points, and the direction from that on the second primitive to that on the
 /// first.
 type PointPair = ([f64; 2], Option<Point>);
 
 /// The closest points at the first instant within d.
-pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: &Instant) -> Impact {
+pub(super) fn impact<K: Tables>(approach: &Approach, features: &[Feature], first: &Instant) -> Impact {
     let time = first.round();
     // In a bracket narrower than the resolution of the ratios, approximations prove nearly all of
     // their signs.
@@ -62,7 +61,7 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPa
 
 /// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of
 /// w.
-fn inner<K: Kind>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> PointPair {
+fn inner<K: Tables>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> PointPair {
     let [w, e1, e2] = K::SPAN.map(|difference| approach.difference(difference));
     let n = cross(&e1, &e2);
     let squared_length = dot(&n, &n);

@@ -11,7 +11,7 @@ use crate::exact::intervals::{Event, Passage};
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::roots::roots_of;
-use crate::kind::{Difference, Side};
+use crate::tables::{Difference, Side};
 
 /// Two features, one of each primitive.
 #[derive(Clone, Copy, Debug)]

@@ -17,9 +17,8 @@ pub(crate) use first_within::FirstWithin;
 use super::instant::Instant;
 use super::narrowing::Narrowing;
 use super::split::Split;
-use crate::distance::Separation;
-use crate::kind::Kind;
-use crate::query::Query;
+use crate::tables::{Points, Tables};
+use crate::values::Separation;
 use approach::Approach;
 use feature::Feature;
 
@@ -27,8 +26,8 @@ use feature::Feature;
 static STEP: [Split; 2] = [Split::START, Split::END];
 
 /// Returns true if the primitives come within d.
-pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
-    let features = Approach::new(query, d).features::<K>();
+pub(super) fn comes_within<K: Tables>(points: &Points<f64>, d: Separation) -> bool {
+    let features = Approach::new(points, d).features::<K>();
     STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(Feature::crosses)
 }
 

@@ -12,8 +12,8 @@ use core::fmt::Write;
 use std::path::Path;
 
 use super::symbol::{Operation, Symbol, record};
-use crate::filter::double_double::ROUNDOFF;
-use crate::filter::roundoff::UNIT;
+use crate::numbers::double_double::ROUNDOFF;
+use crate::numbers::roundoff::UNIT;
 
 /// The statement of a script: if all inputs are at most 1 in magnitude, a value is off by at most some error.
 pub(in crate::filter) struct Script<'a> {
