@@ -65,17 +65,6 @@ impl Deref for Repeated {
     }
 }
 
-/// For each point of a query with this layout, the first of x₀ … x₃ that it is.
-const fn places<const COUNT: usize>(layout: [usize; 4]) -> [usize; COUNT] {
-    let mut places = [0; COUNT];
-    let mut place = layout.len();
-    while place > 0 {
-        place -= 1;
-        places[layout[place]] = place;
-    }
-    places
-}
-
 /// A computation for a kind that is known at run time: see [`AnyKind::with`].
 pub trait WithKind {
     /// The result.
@@ -85,12 +74,13 @@ pub trait WithKind {
     fn with<K: Kind>(self) -> Self::Output;
 }
 
-/// The list of the kinds: documentation, the type, its name, its short name, the names of its points, and
-/// x₀ … x₃ of its points.
+/// The list of the kinds: documentation, the type, its name, its short name, the names of its points, x₀ … x₃
+/// of its points, and the reverse.
 macro_rules! kinds {
     ($(
         $(#[$doc:meta])*
-        $kind:ident, $name:literal, $short:literal, [$($point:literal),+], |$points:ident| $four:expr;
+        $kind:ident, $name:literal, $short:literal, [$($point:literal),+],
+        |$points:ident| $four:expr, |$of_four:ident| $points_of_four:expr;
     )+) => {
         /// A kind of query as a value: one that is known at run time, as from a file or an option.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -162,9 +152,8 @@ macro_rules! kinds {
             }
 
             #[inline(always)]
-            fn of_four(four: &Points<f64>) -> [Self::Points; 2] {
-                const PLACES: [usize; <$kind as Tables>::COUNT] = places(<$kind as Tables>::LAYOUT);
-                four.map(|now| PLACES.map(|place| now[place]))
+            fn of_four($of_four: &Points<f64>) -> [Self::Points; 2] {
+                $points_of_four
             }
 
             #[inline(never)]
@@ -212,11 +201,13 @@ macro_rules! kinds {
 
 kinds! {
     /// [`VertexFace`](crate::VertexFace).
-    VertexFace, "vertex-face", "vf", ["p", "v1", "v2", "v3"], |points| points;
+    VertexFace, "vertex-face", "vf", ["p", "v1", "v2", "v3"], |points| points, |four| *four;
     /// [`EdgeEdge`](crate::EdgeEdge).
-    EdgeEdge, "edge-edge", "ee", ["a0", "a1", "b0", "b1"], |points| points;
+    EdgeEdge, "edge-edge", "ee", ["a0", "a1", "b0", "b1"], |points| points, |four| *four;
     /// [`VertexEdge`](crate::VertexEdge).
-    VertexEdge, "vertex-edge", "ve", ["p", "a", "b"], |points| Repeated::of::<Self>(points);
+    VertexEdge, "vertex-edge", "ve", ["p", "a", "b"],
+    |points| Repeated::of::<Self>(points), |four| four.map(|[p, _, a, b]| [p, a, b]);
     /// [`VertexVertex`](crate::VertexVertex).
-    VertexVertex, "vertex-vertex", "vv", ["p", "q"], |points| Repeated::of::<Self>(points);
+    VertexVertex, "vertex-vertex", "vv", ["p", "q"],
+    |points| Repeated::of::<Self>(points), |four| four.map(|[p, _, q, _]| [p, q]);
 }

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 const ORDER: &[&[&str]] = &[
     &["tables", "environment"],
     &["values"],
-    &["numbers", "exact"],
+    &["exact"],
+    &["numbers"],
     &["fixed"],
     &["filter"],
     &["decided"],

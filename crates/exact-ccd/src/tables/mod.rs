@@ -10,6 +10,6 @@ mod kinds;
 mod points;
 
 pub(crate) use features::{Difference, Side, Tables};
-pub use kinds::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+pub use kinds::*;
 pub use points::Point;
 pub(crate) use points::Points;

@@ -62,8 +62,11 @@ pub(super) fn rows_of<'a, K: Tables>(rows: &'a [Row], vertices: &[u32]) -> [&'a 
 
 /// x₀ … x₃ at t = 0 and at t = 1.
 pub(crate) fn points_of<K: Tables>(rows: &[Row], vertices: &[u32]) -> Points<f64> {
-    let points = rows_of::<K>(rows, vertices).map(Row::points);
-    [0, 1].map(|end: usize| points.map(|ends| ends[end]))
+    let mut points = [[[0.0; 3]; 4]; 2];
+    for (place, row) in rows_of::<K>(rows, vertices).into_iter().enumerate() {
+        [points[0][place], points[1][place]] = row.points();
+    }
+    points
 }
 
 /// The separation of a query of vertices.
