@@ -64,7 +64,6 @@ impl<K: Kind> Exactly<'_, K> {
 
     /// The first time at which the primitives touch, if it counts.
     fn first(self, options: Options) -> Option<First<K>> {
-        let first = First::of(&self.query.four(), options.separation)?;
-        (options.until >= 1.0 || first.time().is_at_most(options.until)).then_some(first)
+        First::of(&self.query.four(), options.separation)?.until(options.until)
     }
 }

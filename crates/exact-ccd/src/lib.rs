@@ -39,6 +39,7 @@
 //! | [`Query`] | one query and its answers |
 //! | [`Options`] | the distance at which primitives touch, and the last time that counts |
 //! | [`Collision`] | a query that collides; times and impact continue from the decision |
+//! | [`motion`] | queries of points on curves and of rigid bodies, decided in integers |
 //! | [`batch`] | many queries at a time, by vector instructions |
 //! | [`predicates`] | orientation and intersection of points at rest |
 //! | [`AnyKind`] | the list of the kinds, for one that is known at run time |
@@ -85,6 +86,7 @@ mod filter;
 mod fixed;
 mod gradient;
 mod kind;
+pub mod motion;
 mod numbers;
 pub mod predicates;
 mod query;

@@ -33,7 +33,7 @@ pub struct NonFinite {
 }
 
 /// The end of a time step, in a message.
-struct At(Option<usize>);
+pub(crate) struct At(pub(crate) Option<usize>);
 
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

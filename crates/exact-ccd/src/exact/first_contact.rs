@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use super::instant::Instant;
 use super::intervals::{Event, Passage, intervals_of};
 use super::motion::Motion;
+use super::points::MovingPoints;
 use super::roots::roots;
 use super::split::Split;
 use crate::tables::{Points, Tables};
@@ -22,8 +23,14 @@ pub(crate) struct FirstContact<K> {
 
 impl<K: Tables> FirstContact<K> {
     /// The earliest contact of a query, if there is one.
+    #[cfg(test)]
     pub(crate) fn of(points: &Points<f64>) -> Option<Self> {
-        let motion = Motion::new(points);
+        Self::along(MovingPoints::along(points))
+    }
+
+    /// The earliest contact, if there is one.
+    pub(crate) fn along(points: MovingPoints) -> Option<Self> {
+        let motion = Motion::<K>::new(points);
         let instants = roots(motion.events());
         let first = instants.iter().position(|instant| motion.touches(instant))?;
         Some(Self {
@@ -57,7 +64,7 @@ impl<K: Tables> FirstContact<K> {
 
     /// The impact of a query whose primitives touch at t = 0.
     pub(crate) fn impact_at_start(points: &Points<f64>) -> Impact {
-        Motion::<K>::new(points).impact(&Instant::At(Split::START))
+        Motion::<K>::new(MovingPoints::along(points)).impact(&Instant::At(Split::START))
     }
 
     /// The earliest contact: time, parameters and normal.

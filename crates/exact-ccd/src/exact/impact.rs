@@ -40,10 +40,15 @@ impl<K: Tables> Motion<K> {
 }
 
 impl<K: Tables> Meeting<'_, K> {
-    /// The difference of two points, with one unit for all axes.
+    /// The difference of two points, times the weight, with one unit for all axes.
     fn vector(&self, difference: Difference) -> Vector {
         let points = &self.motion.points;
-        points.to_scale(points.difference(difference))
+        points.to_scale(points.weighted_difference(difference))
+    }
+
+    /// The direction of a vector in the coordinates of the world, unless it vanishes.
+    fn direction(&self, vector: Vector) -> Option<Point> {
+        self.instant.direction(self.motion.points.to_world(vector))
     }
 
     /// (u, v) as ratios of the sides' areas to the normal, which does not vanish.
@@ -71,7 +76,7 @@ impl<K: Tables> Meeting<'_, K> {
     /// contact. The first derivative of c that does not vanish determines the sign of c there.
     fn normal_of_plane(&self) -> Option<Point> {
         let [_, e1, e2] = K::SPAN.map(|difference| self.vector(difference));
-        let normal = self.instant.direction(cross(&e1, &e2))?;
+        let normal = self.direction(cross(&e1, &e2))?;
         let mut derivative = self.motion.volume.clone();
         let mut is_above = true;
         while !derivative.is_zero() {
@@ -111,7 +116,7 @@ impl<K: Tables> Meeting<'_, K> {
 
         (
             side.parameters(along),
-            self.instant.direction(self.across_line(edge, towards_first)),
+            self.direction(self.across_line(edge, towards_first)),
         )
     }
 

@@ -17,12 +17,14 @@
 
 mod approximation;
 mod bracket;
+mod displacement;
 mod divisor;
 mod dyadic;
 mod evaluation;
 mod expansion;
 mod first;
 mod first_contact;
+mod frame;
 mod gap;
 mod guess;
 mod impact;
@@ -36,9 +38,11 @@ mod nearness;
 mod order;
 mod points;
 mod polynomial;
+mod quaternion;
 mod ratio;
 mod roots;
 mod split;
+mod turn;
 
 pub(crate) use dyadic::{parts, to_integers};
 pub(crate) use first::First;
@@ -46,7 +50,9 @@ pub(crate) use first_contact::FirstContact;
 #[cfg(test)]
 pub(crate) use nearness::FirstWithin;
 pub(crate) use nearness::distance_at;
+pub(crate) use points::MovingPoints;
 #[cfg(test)]
 pub(crate) use polynomial::Polynomial;
 #[cfg(test)]
 pub(crate) use roots::roots;
+pub(crate) use turn::{Turn, cosine_sign, vanishes};

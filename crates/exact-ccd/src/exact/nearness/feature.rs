@@ -104,6 +104,12 @@ impl Feature {
         [&self.numerator, &self.denominator]
     }
 
+    /// The numerator less d² times the denominator.
+    #[cfg(test)]
+    pub(super) fn excess(&self) -> &Polynomial {
+        &self.excess
+    }
+
     /// Returns true if the quotient is the squared distance of two points of the primitives.
     pub(super) fn exists(&self, instant: &Narrowing) -> bool {
         self.existence(instant).is_ge()

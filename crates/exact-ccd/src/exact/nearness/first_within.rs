@@ -7,8 +7,11 @@ use super::feature::Feature;
 use super::{STEP, closest, is_within_at};
 use crate::exact::instant::Instant;
 use crate::exact::intervals::{Event, Passage, intervals_of};
+use crate::exact::points::MovingPoints;
 use crate::exact::split::Split;
-use crate::tables::{Points, Tables};
+#[cfg(test)]
+use crate::tables::Points;
+use crate::tables::Tables;
 use crate::values::{ContactTime, Impact, Intervals, Separation};
 
 /// The first time at which the primitives are within d, with the polynomials that it follows from.
@@ -22,8 +25,14 @@ pub(crate) struct FirstWithin {
 }
 
 impl FirstWithin {
-    /// The first time within d, if there is one.
+    /// The first time of a query within d, if there is one.
+    #[cfg(test)]
     pub(crate) fn of<K: Tables>(points: &Points<f64>, d: Separation) -> Option<Self> {
+        Self::along::<K>(&MovingPoints::along(points), d)
+    }
+
+    /// The first time within d, if there is one.
+    pub(crate) fn along<K: Tables>(points: &MovingPoints, d: Separation) -> Option<Self> {
         let approach = Approach::new(points, d);
         let features = approach.features::<K>();
         let starts = is_within_at(&features, &STEP[0]);

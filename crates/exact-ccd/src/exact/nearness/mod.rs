@@ -11,13 +11,19 @@ mod distance;
 mod feature;
 mod first_within;
 
+#[cfg(test)]
+use alloc::vec::Vec;
+
 pub(crate) use distance::distance_at;
 pub(crate) use first_within::FirstWithin;
 
 use super::instant::Instant;
 use super::narrowing::Narrowing;
+use super::points::MovingPoints;
+#[cfg(test)]
+use super::polynomial::Polynomial;
 use super::split::Split;
-use crate::tables::{Points, Tables};
+use crate::tables::Tables;
 use crate::values::Separation;
 use approach::Approach;
 use feature::Feature;
@@ -26,7 +32,7 @@ use feature::Feature;
 static STEP: [Split; 2] = [Split::START, Split::END];
 
 /// Returns true if the primitives come within d.
-pub(super) fn comes_within<K: Tables>(points: &Points<f64>, d: Separation) -> bool {
+pub(super) fn comes_within<K: Tables>(points: &MovingPoints, d: Separation) -> bool {
     let features = Approach::new(points, d).features::<K>();
     STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(Feature::crosses)
 }
@@ -35,4 +41,15 @@ pub(super) fn comes_within<K: Tables>(points: &Points<f64>, d: Separation) -> bo
 fn is_within_at(features: &[Feature], t: &Split) -> bool {
     let instant = &Narrowing::new(Instant::At(t.clone()));
     features.iter().any(|feature| feature.is_within(instant))
+}
+
+/// The degrees of the excesses of all pairs of features.
+#[cfg(test)]
+pub(super) fn excess_degrees<K: Tables>(
+    points: &MovingPoints,
+    d: Separation,
+    degree: impl Fn(&Polynomial) -> usize,
+) -> Vec<usize> {
+    let features = Approach::new(points, d).features::<K>();
+    features.iter().map(|feature| degree(feature.excess())).collect()
 }
