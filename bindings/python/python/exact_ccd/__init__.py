@@ -13,6 +13,7 @@ from ._native import CrossingError, UncertifiedError, __version__
 from .audits import AuditReport, Violation, audit
 from .contacts import CONTACT, PAIR, Contact
 from .detectors import Detector, Progress
+from .groups import CanCollide, Place
 from .meshes import Mesh, MeshFile, read_mesh
 from .queries import IMPACT, Intervals, Kind, Queries
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
@@ -25,6 +26,7 @@ __all__ = [
     "PAIR",
     "Answer",
     "AuditReport",
+    "CanCollide",
     "Contact",
     "Contacts",
     "CrossingError",
@@ -37,6 +39,7 @@ __all__ = [
     "Mesh",
     "MeshFile",
     "PairCounts",
+    "Place",
     "Progress",
     "Queries",
     "StepReport",
