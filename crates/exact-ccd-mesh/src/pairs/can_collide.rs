@@ -89,8 +89,8 @@ impl CanCollide {
         )
     }
 
-    /// A pair can collide if the matrix allows the groups of any vertex of the first primitive and any vertex of
-    /// the second.
+    /// A pair can collide if the matrix allows the groups of any vertex of the first primitive and of any
+    /// vertex of the second.
     ///
     /// `groups` has a number for each vertex. A vertex without a number can collide with every other. The
     /// diagonal of the matrix is the pairs of a group with itself.
