@@ -10,7 +10,7 @@
 """
 
 from ._native import CrossingError, UncertifiedError, __version__
-from .audits import AuditReport, Violation, audit
+from .audits import audit
 from .contacts import CONTACT, PAIR, Contact
 from .detectors import Detector, Progress
 from .groups import CanCollide, Place
@@ -18,6 +18,7 @@ from .meshes import Mesh, MeshFile, read_mesh
 from .queries import IMPACT, Intervals, Kind, Queries
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
+from .violations import AuditReport, Violation
 from .worlds import Contacts, StepReports, WorldFreeSteps, Worlds
 
 __all__ = [

@@ -12,10 +12,11 @@ import ray
 from numpy.typing import ArrayLike, NDArray
 
 from .._arrays import as_array, distances
-from ..audits import AuditReport, examine, in_files, parts_of, write_certificate
+from ..audits import in_files, parts_of, write_certificate
 from ..frames import ArrayFrames, FileFrames, FilePath, Frames, Rules, ordered
 from ..groups import CanCollide
 from ..half_spaces import HalfSpaces
+from ..violations import AuditReport, examine
 from ..welding import PerVertex, Weld, per_vertex, remaining
 from ..detectors import Detector, Progress
 from .chunks import Chunk, Finished, Results, absolute, chunks, digest, file_system

@@ -14,9 +14,9 @@ import numpy as np
 import pyarrow.fs
 
 from .._native import __version__
-from ..audits import AuditReport, Violation
 from ..contacts import Contact
 from ..groups import Place
+from ..violations import AuditReport, Violation
 
 
 class Chunk(NamedTuple):
