@@ -64,7 +64,9 @@ pub use mesh::{
     check_positions,
 };
 pub use overlaps::{BoxKind, CandidateError, CandidateOptions};
-pub use pairs::{CanCollide, MinDistance, Pair, PairCounts, PairKind, ThicknessCount};
+pub use pairs::{
+    CanCollide, GroupError, GroupMatrix, MinDistance, Pair, PairCounts, PairKind, ThicknessCount,
+};
 pub use search::{Candidates, Contact, Detector, FirstContacts, StepReport, contact_points, step};
 pub use steps::{Motion, MotionError, Step, StepError, Welding};
 
