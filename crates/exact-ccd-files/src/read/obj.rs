@@ -1,4 +1,5 @@
-//! Wavefront OBJ: the statements `v`, `f`, `l`, `p`, `o` and `g`. All others are skipped.
+//! Wavefront OBJ: the statements `v`, `f`, `l`, `p`, `o` and `g`. Those of free-form surfaces are named in a
+//! note, and all others are skipped.
 //!
 //! The format counts from 1, and so do errors.
 
@@ -10,7 +11,8 @@ use super::budget::Budget;
 use super::cells::Cells;
 use super::group::Group;
 use super::tokens::{Number, Syntax, Tokens};
-use crate::error::{Fault, ParseError, Place};
+use crate::error::{Fault, ParseError, Place, quoted};
+use crate::note::{Fact, Note};
 
 /// The number of the first vertex, and of the first element of a kind.
 const FIRST: usize = 1;
@@ -59,6 +61,20 @@ impl Elements {
         Ok(())
     }
 
+    /// Removes the last element and appends it to others, if it has this number of corners.
+    fn move_last(&mut self, corners: usize, to: &mut Self) {
+        let Some(last) = self.count().checked_sub(1) else {
+            return;
+        };
+        let first = self.corners.len() - self.corners(last..last + 1).len();
+        if self.corners.len() - first == corners {
+            self.ends.pop();
+            to.places.extend(self.places.pop());
+            to.corners.extend(self.corners.drain(first..));
+            to.ends.push(to.corners.len());
+        }
+    }
+
     /// The corners of these elements, from 1.
     fn corners(&self, elements: Range<usize>) -> &[i64] {
         let end = |count: usize| if count == 0 { 0 } else { self.ends[count - 1] };
@@ -99,6 +115,10 @@ impl Elements {
 /// Elements may come before their vertices, so indices, from 1, are resolved at the end.
 struct Statements<'a> {
     positions: Vec<Point>,
+    /// The place of the first vertex with two coordinates, and the number of such vertices.
+    planar: Option<(Place, usize)>,
+    /// The first statement of each kind that is not read.
+    notes: Vec<Note>,
     faces: Elements,
     polylines: Elements,
     points: Elements,
@@ -124,6 +144,8 @@ pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
     }
     let mut statements = Statements {
         positions: Vec::new(),
+        planar: None,
+        notes: Vec::new(),
         faces: Elements::new("face"),
         polylines: Elements::new("polyline"),
         points: Elements::new("point"),
@@ -134,12 +156,18 @@ pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
         let vertices = statements.positions.len();
         match tokens.word() {
             // A weight or a colour may follow.
-            Some(b"v") => statements.positions.push(tokens.point()?),
-            Some(b"f") => statements.faces.add(&mut tokens, vertices)?,
+            Some(b"v") => statements.add_vertex(&mut tokens)?,
+            Some(b"f") => {
+                let Statements { faces, polylines, .. } = &mut statements;
+                faces.add(&mut tokens, vertices)?;
+                // A face of two corners is a line.
+                faces.move_last(2, polylines);
+            }
             Some(b"l") => statements.add_polyline(&mut tokens)?,
             Some(b"p") => statements.points.add(&mut tokens, vertices)?,
             Some(b"o" | b"g") => statements.begin_group(tokens.rest_of_line().trim_ascii()),
-            _ => {}
+            Some(word) => statements.note_unread(word, tokens.place()),
+            None => {}
         }
     }
     if statements.positions.is_empty() {
@@ -149,7 +177,41 @@ pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
     statements.into_cells()
 }
 
+/// Statements with geometry that is not read, and the remedy.
+const UNREAD: &[(&[u8], &str)] = {
+    const MESH: &str = "convert free-form curves and surfaces to a mesh before export";
+    &[
+        (b"curv", MESH),
+        (b"curv2", MESH),
+        (b"surf", MESH),
+        (b"call", "join the files"),
+    ]
+};
+
 impl<'a> Statements<'a> {
+    /// Reads a vertex: three coordinates, or two. A weight or a colour may follow three.
+    fn add_vertex(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
+        let (x, y) = (tokens.coordinate()?, tokens.coordinate()?);
+        let z = if tokens.is_line_empty() {
+            self.planar.get_or_insert((tokens.place(), 0)).1 += 1;
+            0.0
+        } else {
+            tokens.coordinate()?
+        };
+        self.positions.push([x, y, z]);
+        Ok(())
+    }
+
+    fn note_unread(&mut self, word: &[u8], place: Place) {
+        let Some((name, remedy)) = UNREAD.iter().find(|(name, _)| *name == word) else {
+            return;
+        };
+        let note = Fact::not_read(format!("the statement {}", quoted(name)), *remedy).at(place);
+        if self.notes.iter().all(|other| other.fact != note.fact) {
+            self.notes.push(note);
+        }
+    }
+
     fn add_polyline(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
         let number = self.polylines.count();
         self.polylines.add(tokens, self.positions.len())?;
@@ -205,7 +267,17 @@ impl<'a> Statements<'a> {
 
     fn into_cells(mut self) -> Result<Cells, ParseError> {
         let vertex_count = self.positions.len();
-        let mut cells = Cells::default();
+        if let Some((place, count)) = self.planar {
+            if count < vertex_count {
+                let expected = "three coordinates, as other vertices have";
+                return Err(Fault::expected(expected, "two").at(place));
+            }
+            self.notes.push(Fact::TwoCoordinates.at(place));
+        }
+        let mut cells = Cells {
+            notes: std::mem::take(&mut self.notes),
+            ..Cells::default()
+        };
         cells.faces.first = FIRST;
         for face in self.faces.resolved(vertex_count) {
             let (place, vertices) = face?;
@@ -232,14 +304,11 @@ impl Begin<'_> {
     }
 }
 
-/// The index of the vertex in `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`.
+/// The index of the vertex in `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`. Some
+/// programs leave out numbers after a slash.
 fn index(corner: &[u8]) -> Option<i64> {
     let mut parts = corner.split(|&byte| byte == b'/');
     let vertex = i64::parse(parts.next()?)?;
-    let texture = parts.next();
-    let normal = parts.next();
-    let is_number = |part: &[u8]| i64::parse(part).is_some();
-    let texture_fits = texture.is_none_or(|part| is_number(part) || (part.is_empty() && normal.is_some()));
-    let fits = texture_fits && normal.is_none_or(is_number) && parts.next().is_none();
-    fits.then_some(vertex)
+    let fits = |part: &[u8]| part.is_empty() || i64::parse(part).is_some();
+    (parts.by_ref().take(2).all(fits) && parts.next().is_none()).then_some(vertex)
 }
