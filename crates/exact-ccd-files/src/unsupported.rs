@@ -56,9 +56,15 @@ const FORMATS: &[(&[&str], Unsupported)] = &[
         &["pkl", "pickle", "joblib"],
         Unsupported::new("a pickle of Python, which may run code when it is loaded", ARRAYS),
     ),
-    (&["pt", "pth", "safetensors"], Unsupported::new("tensors of PyTorch", ARRAYS)),
+    (
+        &["pt", "pth", "safetensors"],
+        Unsupported::new("tensors of PyTorch", ARRAYS),
+    ),
     (&["mat"], Unsupported::new("data of MATLAB", ARRAYS)),
-    (&["pc2", "mdd", "mcx", "mcc"], Unsupported::new("a cache of positions", CACHE)),
+    (
+        &["pc2", "mdd", "mcx", "mcc"],
+        Unsupported::new("a cache of positions", CACHE),
+    ),
     (
         &["bgeo", "sc", "bhclassic"],
         Unsupported::new("Houdini's own format", HOUDINI),
@@ -67,7 +73,10 @@ const FORMATS: &[(&[&str], Unsupported)] = &[
         &["pcd", "las", "laz", "e57", "xyz", "pts"],
         Unsupported::new("a cloud of points", POINTS),
     ),
-    (&["bvh", "c3d", "asf", "amc"], Unsupported::new("a motion of bones", BONES)),
+    (
+        &["bvh", "c3d", "asf", "amc"],
+        Unsupported::new("a motion of bones", BONES),
+    ),
     (
         &["inp", "bdf", "nas", "mesh", "ele", "node"],
         Unsupported::new("this format", MESHIO),

@@ -51,7 +51,8 @@ impl Scene {
         }
         for path in &options.others {
             let (name, file) = named(path);
-            let found = Frames::parts_of_paths(std::slice::from_ref(&file), false, &options.of_others(), notes)?;
+            let found =
+                Frames::parts_of_paths(std::slice::from_ref(&file), false, &options.of_others(), notes)?;
             for (part, frames) in found {
                 let count = frames.count();
                 let rests = count == 1;

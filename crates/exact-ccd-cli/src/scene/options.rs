@@ -45,7 +45,12 @@ impl SceneOptions {
             .iter()
             .chain(&self.others)
             .map(|path| named(path).1)
-            .chain(self.faces.iter().filter(|name| name.ends_with(".npy")).map(PathBuf::from))
+            .chain(
+                self.faces
+                    .iter()
+                    .filter(|name| name.ends_with(".npy"))
+                    .map(PathBuf::from),
+            )
             .collect()
     }
 }

@@ -44,7 +44,11 @@ impl ReadOptions {
     /// [`ReadOptions::faces`].
     #[must_use]
     pub fn with_arrays(self, positions: Option<String>, faces: Option<String>) -> Self {
-        Self { positions, faces, ..self }
+        Self {
+            positions,
+            faces,
+            ..self
+        }
     }
 
     /// The same options with another limit on the size.

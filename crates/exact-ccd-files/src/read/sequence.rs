@@ -119,7 +119,9 @@ impl FrameSequence {
     /// parts is an error.
     pub fn open(path: impl AsRef<Path>, options: impl Into<ReadOptions>) -> Result<Self, ReadError> {
         let (path, options) = (path.as_ref(), options.into());
-        let ReadOptions { polygons, max_size, .. } = options;
+        let ReadOptions {
+            polygons, max_size, ..
+        } = options;
         let source = match (extension(path).as_deref(), Format::of_path(path)) {
             (Some("pvd"), _) => timed(read_pvd_within(path, max_size)?),
             (Some("series"), _) => timed(read_series_within(path, max_size)?),
@@ -247,7 +249,10 @@ fn read_arrays(path: &Path, format: Format, options: &ReadOptions) -> Result<Sou
     if format == Format::Npy && (names.positions.is_some() || names.faces.is_some()) {
         let expected = "a file .npy for --faces and no name for --positions: this file has one array";
         let source = Fault::expected(expected, "the name of an array").at(Place::File);
-        return Err(ReadError::Parse { path: path.to_owned(), source });
+        return Err(ReadError::Parse {
+            path: path.to_owned(),
+            source,
+        });
     }
     let read_faces = |file| parse_file(Path::new(file), options.max_size, numpy::read_faces);
     let faces = faces_file.map(read_faces).transpose()?;

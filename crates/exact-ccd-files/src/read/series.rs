@@ -38,7 +38,9 @@ pub(super) fn read_pvd_within(path: &Path, max_size: u64) -> Result<List<PathBuf
 /// The name and the files of each part of the collection in a file of at most `max_size` bytes. All parts have
 /// the same times.
 pub(super) fn read_pvd_parts(path: &Path, max_size: u64) -> Result<Vec<(String, List<PathBuf>)>, ReadError> {
-    let parts = parse_file(path, max_size, |bytes, budget| parts_of(vtk::read_collection(bytes, budget)?))?;
+    let parts = parse_file(path, max_size, |bytes, budget| {
+        parts_of(vtk::read_collection(bytes, budget)?)
+    })?;
     let parts = parts.into_iter();
     Ok(parts.map(|(name, list)| (name, in_folder(path, list))).collect())
 }
@@ -57,7 +59,9 @@ type List<T> = Vec<(f64, T)>;
 
 fn in_folder(path: &Path, list: List<String>) -> List<PathBuf> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    list.into_iter().map(|(time, file)| (time, folder.join(file))).collect()
+    list.into_iter()
+        .map(|(time, file)| (time, folder.join(file)))
+        .collect()
 }
 
 /// The list of each part, in the order in which the parts begin.
@@ -78,7 +82,8 @@ fn parts_of(entries: Vec<CollectionEntry>) -> Result<Vec<(String, List<String>)>
         let times = |list: &List<String>| list.iter().map(|(time, _)| *time).collect::<Vec<_>>();
         if let Some((other, _)) = rest.iter().find(|(_, other)| times(other) != times(list)) {
             let [first, other] = [first, other].map(|name| quoted(name.as_bytes()));
-            let expected = format!("a file of the part {other} at each time of the part {first}, and at no other");
+            let expected =
+                format!("a file of the part {other} at each time of the part {first}, and at no other");
             return Err(Fault::expected(expected, "other times").at(Place::File));
         }
     }
@@ -94,8 +99,8 @@ fn check_times(entries: &[(f64, String)]) -> Result<(), ParseError> {
         let (expected, found) = if time > before {
             continue;
         } else if time == before {
-            let expected = "one file for each time, or another attribute `part` of each (make one file of the \
-                            parts, in ParaView with Merge Blocks, or a list for each part)";
+            let expected = "one file for each time (make one file of the parts, in ParaView with Merge \
+                            Blocks, or a list for each part)";
             (expected, format!("`{first}` and `{second}` at the time {time}"))
         } else {
             let expected = "files sorted by time (sort the list)";

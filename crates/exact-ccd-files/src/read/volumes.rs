@@ -26,5 +26,8 @@ pub(super) fn notes(solids: &[Solid], positions: &[Point]) -> impl Iterator<Item
     let (inverted, of) = (negative.min(positive), positive + negative + flat);
     let inverted = (inverted > 0).then_some(Fact::Inverted { count: inverted, of });
     let flat = (flat > 0).then_some(Fact::Flat { count: flat, of });
-    [inverted, flat].into_iter().flatten().map(|fact| fact.at(Place::File))
+    [inverted, flat]
+        .into_iter()
+        .flatten()
+        .map(|fact| fact.at(Place::File))
 }

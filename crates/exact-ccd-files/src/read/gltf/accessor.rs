@@ -58,13 +58,23 @@ impl Accessors<'_> {
         let scalar = scalar.ok_or_else(|| wrong(index, expected))?;
         let size = scalar.size();
         self.budget.take(accessor.count.saturating_mul(8 * N as u64))?;
-        let greatest = if accessor.normalized { greatest(scalar) } else { 1.0 };
+        let greatest = if accessor.normalized {
+            greatest(scalar)
+        } else {
+            1.0
+        };
         let number = |at: &[u8], k: usize| {
             let real = scalar.real(&at[k * size..][..size], ByteOrder::LittleEndian);
-            if greatest == 1.0 { real } else { (real / greatest).max(-1.0) }
+            if greatest == 1.0 {
+                real
+            } else {
+                (real / greatest).max(-1.0)
+            }
         };
         let elements = self.elements(accessor, index, N * size)?;
-        Ok(elements.map(|at| std::array::from_fn(|k| number(at, k))).collect())
+        Ok(elements
+            .map(|at| std::array::from_fn(|k| number(at, k)))
+            .collect())
     }
 
     /// The elements of an accessor as times, which increase.

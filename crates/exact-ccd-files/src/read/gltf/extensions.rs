@@ -24,7 +24,8 @@ const READ: [&str; 2] = ["KHR_mesh_quantization", "EXT_mesh_gpu_instancing"];
 
 /// Extensions that change geometry and are not read, and the remedy.
 const NOT_READ: [(&str, &str); 10] = {
-    const UNCOMPRESSED: &str = "export it without compression of meshes (in Blender: without Data > Compression)";
+    const UNCOMPRESSED: &str =
+        "export it without compression of meshes (in Blender: without Data > Compression)";
     const UNPACKED: &str = "decompress it with gltf-transform copy IN OUT";
     const MESHES: &str = "export the shapes as meshes";
     [
@@ -34,9 +35,18 @@ const NOT_READ: [(&str, &str); 10] = {
         ("KHR_implicit_shapes", MESHES),
         ("KHR_physics_rigid_bodies", MESHES),
         ("OMI_physics_shape", MESHES),
-        ("KHR_node_visibility", "remove the nodes that are hidden: they are read"),
-        ("MSFT_lod", "export each level of detail as a file: the first one is read"),
-        ("KHR_animation_pointer", "bake the animation to translations of nodes"),
+        (
+            "KHR_node_visibility",
+            "remove the nodes that are hidden: they are read",
+        ),
+        (
+            "MSFT_lod",
+            "export each level of detail as a file: the first one is read",
+        ),
+        (
+            "KHR_animation_pointer",
+            "bake the animation to translations of nodes",
+        ),
         ("KHR_gaussian_splatting", "reconstruct the surface"),
     ]
 };

@@ -9,6 +9,7 @@ mod document;
 mod extensions;
 mod instances;
 mod motion;
+mod primitive;
 mod scene;
 mod transform;
 
@@ -17,13 +18,13 @@ use std::path::Path;
 
 use super::budget::Budget;
 use super::cells::Cells;
-use super::polygons::strip;
 use crate::error::{Fault, ParseError, Place};
 use crate::note::Fact;
 use accessor::Accessors;
 use buffers::Buffers;
-use document::{Document, Mode, Node, Primitive, at};
+use document::{Document, Node, at};
 use motion::Motion;
+use primitive::{Part, check_count};
 pub(super) use scene::Scene;
 use scene::{Placed, Run};
 use transform::Transform;
@@ -111,12 +112,6 @@ struct Reader<'a> {
     cells: Cells,
 }
 
-/// A primitive and its place in its mesh.
-struct Part<'a> {
-    number: usize,
-    primitive: &'a Primitive,
-}
-
 impl Reader<'_> {
     /// Reads the nodes of the scene, each before its children.
     fn read_nodes(&mut self) -> Result<(), Fault> {
@@ -153,13 +148,20 @@ impl Reader<'_> {
             None => vec![None],
             Some(instancing) => {
                 let instances = instances::read(&instancing.attributes, &self.accessors)?;
-                instances.into_iter().map(|instance| Some(Box::new(instance))).collect()
+                instances
+                    .into_iter()
+                    .map(|instance| Some(Box::new(instance)))
+                    .collect()
             }
         };
         for instance in instances {
             self.read_mesh(mesh)?;
             let end = self.cells.positions.len();
-            self.runs.push(Run { end, placed, instance });
+            self.runs.push(Run {
+                end,
+                placed,
+                instance,
+            });
         }
         Ok(())
     }
@@ -168,9 +170,11 @@ impl Reader<'_> {
     fn note_unread(&mut self) {
         let document = self.accessors.document;
         let nodes = document.nodes.iter().zip(&self.visited);
-        let left_out = nodes.filter(|(node, visited)| node.mesh.is_some() && !**visited).count();
+        let left_out = nodes
+            .filter(|(node, visited)| node.mesh.is_some() && !**visited)
+            .count();
         if left_out > 0 {
-            let part = format!("the meshes of {left_out} nodes that are not in the default scene");
+            let part = format!("meshes of nodes that are not in the default scene: {left_out}");
             let remedy = "export them in one scene, or remove them";
             self.cells.note(Fact::not_read(part, remedy).at(Place::File));
         }
@@ -222,7 +226,7 @@ impl Reader<'_> {
             let part = Part { number, primitive };
             let vertices = self.vertices(&part, first, self.accessors.count(positions)?)?;
             check_count(&part, vertices.len())?;
-            self.add(primitive.mode, &vertices);
+            primitive::add(&mut self.cells, primitive.mode, &vertices);
         }
         Ok(())
     }
@@ -247,56 +251,6 @@ impl Reader<'_> {
         };
         indices.into_iter().map(vertex).collect()
     }
-
-    /// Adds the elements of a list of vertices.
-    fn add(&mut self, mode: Mode, vertices: &[u32]) {
-        let cells = &mut self.cells;
-        let triangles = &mut cells.faces.triangles;
-        match mode {
-            Mode::Points => cells.points.extend(vertices),
-            Mode::Lines => cells.lines.extend(vertices.as_chunks::<2>().0),
-            Mode::LineStrip => cells.add_polyline(vertices),
-            Mode::LineLoop => {
-                cells.add_polyline(vertices);
-                if let [first, .., last] = vertices {
-                    cells.lines.push([*last, *first]);
-                }
-            }
-            Mode::Triangles => triangles.extend(vertices.as_chunks::<3>().0),
-            Mode::TriangleStrip => triangles.extend(strip(vertices)),
-            Mode::TriangleFan => {
-                if let Some((&center, around)) = vertices.split_first() {
-                    triangles.extend(around.windows(2).map(|pair| [center, pair[0], pair[1]]));
-                }
-            }
-        }
-        cells.faces.count = cells.faces.triangles.len();
-    }
-}
-
-/// Refuses a number of vertices with which the last element of a primitive is not whole.
-fn check_count(part: &Part, count: usize) -> Result<(), Fault> {
-    let (is_whole, expected) = match part.primitive.mode {
-        Mode::Points => (true, ""),
-        Mode::Lines => (count.is_multiple_of(2), "two vertices for each line"),
-        Mode::Triangles => (count.is_multiple_of(3), "three vertices for each triangle"),
-        Mode::LineStrip | Mode::LineLoop => (count != 1, "two or more vertices of a strip of lines"),
-        Mode::TriangleStrip | Mode::TriangleFan => {
-            let is_whole = !matches!(count, 1 | 2);
-            (is_whole, "three or more vertices of a strip or fan of triangles")
-        }
-    };
-    if is_whole {
-        return Ok(());
-    }
-    let place = match part.primitive.indices {
-        Some(accessor) => format!("accessor {accessor}"),
-        None => format!("primitive {} without indices", part.number),
-    };
-    Err(Fault::expected(
-        format!("{expected} in {place}"),
-        count.to_string(),
-    ))
 }
 
 fn unsupported(mesh: u32, with: &str) -> Fault {

@@ -46,7 +46,12 @@ impl Motion {
         let animations = &accessors.document.animations;
         let is_relevant = |animation: &&Animation| targets(animation, moves).next().is_some();
         let relevant: Vec<&Animation> = animations.iter().filter(is_relevant).collect();
-        let not_read = |part: String, remedy| Ok((Self::default(), Some(Fact::not_read(part, remedy).at(Place::File))));
+        let not_read = |part: String, remedy| {
+            Ok((
+                Self::default(),
+                Some(Fact::not_read(part, remedy).at(Place::File)),
+            ))
+        };
         match relevant[..] {
             [] => Ok((Self::default(), None)),
             [animation] => match Self::of(animation, accessors, moves)? {
@@ -58,13 +63,20 @@ impl Motion {
             },
             _ => {
                 let part = format!("{} animations", relevant.len());
-                not_read(part, "the meshes are at rest; export one animation, or each frame as OBJ or PLY")
+                not_read(
+                    part,
+                    "the meshes are at rest; export one animation, or each frame as OBJ or PLY",
+                )
             }
         }
     }
 
     /// The motion by an animation, or the part of it that is not read.
-    fn of(animation: &Animation, accessors: &Accessors, moves: &[bool]) -> Result<Result<Self, String>, Fault> {
+    fn of(
+        animation: &Animation,
+        accessors: &Accessors,
+        moves: &[bool],
+    ) -> Result<Result<Self, String>, Fault> {
         let mut motion = Self::default();
         for (node, path, sampler) in targets(animation, moves) {
             let sampler = at(&animation.samplers, sampler, "sampler")?;
@@ -83,12 +95,16 @@ impl Motion {
                 }),
                 "rotation" if !is_spline => {
                     let values = accessors.vectors(sampler.output, "VEC4", "four numbers of a rotation")?;
-                    let Some(value) = constant(&values) else { return unread };
+                    let Some(value) = constant(&values) else {
+                        return unread;
+                    };
                     motion.rotations.insert(node, value);
                 }
                 "scale" if !is_spline => {
                     let values = accessors.vectors(sampler.output, "VEC3", "three numbers of a scale")?;
-                    let Some(value) = constant(&values) else { return unread };
+                    let Some(value) = constant(&values) else {
+                        return unread;
+                    };
                     motion.scales.insert(node, value);
                 }
                 // Without morph targets, which are refused, weights have no effect.
@@ -96,7 +112,10 @@ impl Motion {
                 _ => return unread,
             }
         }
-        for Track { times, values, node, .. } in &motion.tracks {
+        for Track {
+            times, values, node, ..
+        } in &motion.tracks
+        {
             if times.is_empty() || times.len() != values.len() {
                 let expected = format!("a translation of node {node} at each of {} keys", times.len());
                 return Err(Fault::expected(expected, values.len().to_string()));
@@ -120,7 +139,10 @@ impl Motion {
         let Some(&moment) = self.moments.get(frame) else {
             return BTreeMap::new();
         };
-        self.tracks.iter().map(|track| (track.node, track.value(moment))).collect()
+        self.tracks
+            .iter()
+            .map(|track| (track.node, track.value(moment)))
+            .collect()
     }
 }
 
@@ -146,7 +168,9 @@ fn moments(tracks: &[Track]) -> Vec<Moment> {
     times.dedup();
     let moment = |time| {
         let [before, after] = [true, false].map(|is_before_jump| Moment { time, is_before_jump });
-        let jumps = tracks.iter().any(|track| track.holds && track.value(before) != track.value(after));
+        let jumps = tracks
+            .iter()
+            .any(|track| track.holds && track.value(before) != track.value(after));
         [jumps.then_some(before), Some(after)]
     };
     times.into_iter().flat_map(moment).flatten().collect()

@@ -68,7 +68,10 @@ impl Scene {
         let mut positions = Vec::new();
         for run in &self.runs {
             let node = &transforms[run.placed as usize];
-            let transform = run.instance.as_deref().map_or(*node, |instance| node.then(instance));
+            let transform = run
+                .instance
+                .as_deref()
+                .map_or(*node, |instance| node.then(instance));
             let points = &self.points[positions.len()..run.end];
             positions.extend(points.iter().map(|&point| transform.apply(point)));
         }

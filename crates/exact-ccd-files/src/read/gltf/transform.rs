@@ -35,7 +35,11 @@ impl Transform {
         let translation = moved.or(node.translation.as_deref());
         let rotation = node.rotation.as_deref().copied().unwrap_or([0.0, 0.0, 0.0, 1.0]);
         let scale = node.scale.as_deref().copied().unwrap_or([1.0; 3]);
-        Ok(Self::of_parts(translation.copied().unwrap_or_default(), rotation, scale))
+        Ok(Self::of_parts(
+            translation.copied().unwrap_or_default(),
+            rotation,
+            scale,
+        ))
     }
 
     /// The map T R S: first the scale, then the rotation, then the translation.

@@ -62,7 +62,11 @@ pub(super) fn read(
         Version::V2 => elements.read_v2(tokens)?,
         Version::V40 | Version::V41 => elements.read_blocks(version, tokens)?,
     }
-    tokens.expect_line_of(if version == Version::V1 { "$ENDELM" } else { "$EndElements" })
+    tokens.expect_line_of(if version == Version::V1 {
+        "$ENDELM"
+    } else {
+        "$EndElements"
+    })
 }
 
 impl Elements<'_, '_> {

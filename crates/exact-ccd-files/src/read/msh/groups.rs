@@ -76,7 +76,11 @@ impl<'b> Groups<'b> {
         let entity = tokens.integer(INT, "the tag of an entity")?;
         let place = tokens.place();
         // A bounding box; in version 4.1, a point has a position.
-        let coordinates = if dimension == 0 && version == Version::V41 { 3 } else { 6 };
+        let coordinates = if dimension == 0 && version == Version::V41 {
+            3
+        } else {
+            6
+        };
         for _ in 0..coordinates {
             tokens.real(DOUBLE, "a coordinate of an entity")?;
         }

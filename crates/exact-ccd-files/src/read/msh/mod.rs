@@ -106,7 +106,9 @@ fn read_sections(version: Version, tokens: &mut Tokens) -> Result<Cells, ParseEr
                 elements = true;
             }
             (b"$Elements" | b"$ELM", None) => return unexpected("`$Nodes` before the elements"),
-            (b"$Nodes" | b"$NOD" | b"$Elements" | b"$ELM", _) => return unexpected("a section of which there is no other"),
+            (b"$Nodes" | b"$NOD" | b"$Elements" | b"$ELM", _) => {
+                return unexpected("a section of which there is no other");
+            }
             (b"$PhysicalNames", _) => groups.read_names(tokens)?,
             (b"$Entities", _) if matches!(version, Version::V40 | Version::V41) => {
                 if elements {
@@ -118,7 +120,9 @@ fn read_sections(version: Version, tokens: &mut Tokens) -> Result<Cells, ParseEr
             ([b'$', name @ ..], _) if name.iter().all(u8::is_ascii_alphanumeric) => {
                 if name == b"NodeData" {
                     let remedy = "if it has displacements, add them to the positions (in Gmsh: Plugin(Warp))";
-                    cells.notes.push(Fact::not_read("the section `$NodeData`", remedy).at(place));
+                    cells
+                        .notes
+                        .push(Fact::not_read("the section `$NodeData`", remedy).at(place));
                 }
                 let name = String::from_utf8_lossy(name);
                 tokens.skip_to(&format!("$End{name}"))?;

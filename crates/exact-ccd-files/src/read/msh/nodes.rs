@@ -51,7 +51,11 @@ pub(super) fn read(version: Version, tokens: &mut Tokens) -> Result<Nodes, Parse
         Version::V1 | Version::V2 => read_list(tokens, &mut nodes)?,
         Version::V40 | Version::V41 => read_blocks(version, tokens, &mut nodes)?,
     }
-    tokens.expect_line_of(if version == Version::V1 { "$ENDNOD" } else { "$EndNodes" })?;
+    tokens.expect_line_of(if version == Version::V1 {
+        "$ENDNOD"
+    } else {
+        "$EndNodes"
+    })?;
     Ok(nodes)
 }
 

@@ -209,7 +209,8 @@ fn form_of<F>(entry: &Entry, role: &Role<F>) -> Result<F, ParseError> {
 
 /// The error of an archive without any array of a mesh.
 fn no_mesh(archive: &Archive) -> ParseError {
-    let is_poses = |entry: &Entry| matches!(&*entry.name.to_ascii_lowercase(), "poses" | "pose_body" | "trans" | "transl");
+    const POSES: [&str; 5] = ["poses", "pose_body", "body_pose", "root_orient", "global_orient"];
+    let is_poses = |entry: &Entry| POSES.contains(&&*entry.name);
     let expected = if archive.arrays.iter().any(is_poses) {
         "arrays of a mesh, not poses (compute the vertices of each frame with the body model, and save them with \
          numpy.savez(\"motion.npz\", positions=vertices, faces=model.faces))"
@@ -232,9 +233,7 @@ fn named<F>(archive: &Archive, roles: &[&Role<F>]) -> Result<Option<(usize, F)>,
         .collect();
     match found[..] {
         [] => Ok(None),
-        [(number, entry, role)] => {
-            Ok(Some((number, form_of(entry, role)?)))
-        }
+        [(number, entry, role)] => Ok(Some((number, form_of(entry, role)?))),
         _ => {
             let names = roles.iter().flat_map(|role| role.names);
             let names: Vec<_> = names.map(|name| format!("`{name}`")).collect();

@@ -109,7 +109,10 @@ impl Arrays {
             let expected = "no faces beside those of --faces";
             return Err(Fault::expected(expected, "an array of faces").at(Place::File));
         }
-        Ok(Self { faces: Some(faces), ..self })
+        Ok(Self {
+            faces: Some(faces),
+            ..self
+        })
     }
 
     /// The positions of a frame, from 0.
@@ -147,7 +150,9 @@ impl Arrays {
         }
         if self.description.is_none() && self.faces.is_none() {
             let remedy = "--faces FILE.npy has them, or numpy.savez(\"motion.npz\", positions=x, faces=f)";
-            cells.note(Fact::not_read("faces, which an array of positions does not have", remedy).at(Place::File));
+            cells.note(
+                Fact::not_read("faces, which an array of positions does not have", remedy).at(Place::File),
+            );
         }
         // Vertices of no element are points beside tetrahedra, too.
         if self.tetrahedra.is_some() {

@@ -17,9 +17,17 @@ use crate::note::{Fact, Note};
 pub(super) fn read<'a>(header: &'a Header<'a>, mut tokens: Tokens<'a>) -> Result<Cells, ParseError> {
     let vertex_count = find(header, "vertex")?.count;
     let mut cells = Cells::default();
-    for element in header.elements.iter().filter(|element| may_be_unread_mesh(element)) {
+    for element in header
+        .elements
+        .iter()
+        .filter(|element| may_be_unread_mesh(element))
+    {
         // A file of rods or of points may have no faces.
-        if !header.elements.iter().any(|element| matches!(element.name, b"face" | b"tristrips")) {
+        if !header
+            .elements
+            .iter()
+            .any(|element| matches!(element.name, b"face" | b"tristrips"))
+        {
             find(header, "face")?;
         }
         if element.count > 0 {
@@ -71,9 +79,9 @@ fn find<'a>(header: &'a Header<'a>, name: &str) -> Result<&'a Element<'a>, Parse
         .ok_or_else(missing)
 }
 
-/// Returns true for an element that is not read and may have vertices: one with lists, or edges.
+/// Returns true for an element that is not read and may have vertices: one with lists of integers, or edges.
 fn may_be_unread_mesh(element: &Element) -> bool {
-    let is_list = |property: &Property| matches!(property.kind, Kind::List { .. });
+    let is_list = |property: &Property| matches!(property.kind, Kind::List { item, .. } if item.is_integer());
     match element.name {
         b"vertex" | b"face" | b"tristrips" => false,
         b"edge" => end_points(element).is_none(),
@@ -112,7 +120,10 @@ impl<'a> Rows<'_, 'a> {
     /// Ends a row. More values than declared are left out, as by other programs.
     fn end(&mut self) {
         if self.longer.is_none() && self.tokens.end().is_err() {
-            let part = format!("values beyond those that the header declares, in rows of {}", quoted(self.element.name));
+            let part = format!(
+                "values beyond those that the header declares, in rows of {}",
+                quoted(self.element.name)
+            );
             let remedy = "declare them as properties";
             self.longer = Some(Fact::not_read(part, remedy).at(self.tokens.place()));
         }
@@ -135,7 +146,9 @@ impl<'a> Rows<'_, 'a> {
             let mut position = [0.0; 3];
             for property in &element.properties {
                 match (axes.iter().position(|axis| property.name == *axis), property.kind) {
-                    (Some(axis), Kind::One(scalar)) => position[axis] = self.tokens.real(scalar, "a number")?,
+                    (Some(axis), Kind::One(scalar)) => {
+                        position[axis] = self.tokens.real(scalar, "a number")?
+                    }
                     _ => skip(property, self.tokens)?,
                 }
             }

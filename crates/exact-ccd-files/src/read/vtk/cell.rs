@@ -17,7 +17,8 @@ pub(super) const WARP: &str = "if the points do not have the displacement, apply
 
 /// Returns true for the name of an array of points that may be a displacement.
 pub(super) fn is_displacement(name: &[u8]) -> bool {
-    name.get(..4).is_some_and(|beginning| beginning.eq_ignore_ascii_case(b"disp"))
+    name.get(..4)
+        .is_some_and(|beginning| beginning.eq_ignore_ascii_case(b"disp"))
 }
 
 /// Adds cell number `cell` of a file: its type by VTK's number, and its corners.

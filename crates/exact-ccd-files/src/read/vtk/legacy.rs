@@ -108,10 +108,12 @@ impl Sections<'_> {
         let rest = self.tokens.rest();
         self.tokens.budget().step(rest.len() as u64);
         let mut windows = rest.windows(VECTORS.len() + 4);
-        let found = windows.any(|window| window.starts_with(VECTORS) && is_displacement(&window[VECTORS.len()..]));
+        let found =
+            windows.any(|window| window.starts_with(VECTORS) && is_displacement(&window[VECTORS.len()..]));
         if found {
             let place = self.tokens.place();
-            self.cells.note(Fact::not_read("displacements among the data", WARP).at(place));
+            self.cells
+                .note(Fact::not_read("displacements among the data", WARP).at(place));
         }
     }
 
