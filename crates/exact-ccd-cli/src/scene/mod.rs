@@ -19,7 +19,7 @@ use crate::failure::Failure;
 use crate::notes::Notes;
 pub(crate) use frames::Frames;
 pub(crate) use options::SceneOptions;
-use part::{Part, named};
+use part::{Part, named, part_name};
 use rules::Rules;
 pub(crate) use summary::Summary;
 
@@ -51,21 +51,25 @@ impl Scene {
         }
         for path in &options.others {
             let (name, file) = named(path);
-            let frames = Frames::of_paths(std::slice::from_ref(&file), false, options.read_options(), notes)?;
-            let count = frames.count();
-            let rests = count == 1;
-            if !rests && count != frame_count {
-                let first = parts.first().map_or("", |part| part.name.as_str());
-                return Err(Failure::of(
-                    &file,
-                    format_args!(
-                        "{count} frames, expected {frame_count} as of {first}, or 1 of a mesh at rest"
-                    ),
-                ));
+            let found =
+                Frames::parts_of_paths(std::slice::from_ref(&file), false, &options.of_others(), notes)?;
+            for (part, frames) in found {
+                let count = frames.count();
+                let rests = count == 1;
+                if !rests && count != frame_count {
+                    let first = parts.first().map_or("", |part| part.name.as_str());
+                    return Err(Failure::of(
+                        &file,
+                        format_args!(
+                            "{count} frames, expected {frame_count} as of {first}, or 1 of a mesh at rest"
+                        ),
+                    ));
+                }
+                parts.push(Part::open(part_name(&name, part), frames, rests, weld)?);
             }
-            parts.push(Part::open(name, frames, rests, weld)?);
         }
         part::make_names_unique(&mut parts);
+        parts.iter().for_each(|part| part.add_file_notes(notes));
         let frame = joined(&mut parts, None, 0)?;
         let contents = part::contents(&parts, &frame);
         let mut ids = FileIds::default();
@@ -94,11 +98,12 @@ impl Scene {
         let mut moving = Vec::new();
         if let [file] = files {
             let (name, file) = named(file);
-            let frames = Frames::of_file(&file, read_options)?;
-            if frames.count() != 2 {
-                return Err(frames::frame_count(&file, frames.count(), 2));
+            for (part, frames) in Frames::parts_of_file(&file, &read_options)? {
+                if frames.count() != 2 {
+                    return Err(frames::frame_count(&file, frames.count(), 2));
+                }
+                moving.push((part_name(&name, part), frames));
             }
-            moving.push((name, frames));
         } else {
             let (pairs, rest) = files.as_chunks::<2>();
             if let [file] = rest {
@@ -109,7 +114,7 @@ impl Scene {
             }
             for [start, end] in pairs {
                 let ((name, start), (_, end)) = (named(start), named(end));
-                moving.push((name, Frames::of_pair(&start, &end, read_options)?));
+                moving.push((name, Frames::of_pair(&start, &end, &read_options)?));
             }
         }
         Self::open(moving, options, notes)
@@ -123,9 +128,11 @@ impl Scene {
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
         let (names, files): (Vec<_>, Vec<_>) = paths.iter().map(|path| named(path)).unzip();
-        let frames = Frames::of_paths(&files, as_given, options.read_options(), notes)?;
+        let parts = Frames::parts_of_paths(&files, as_given, &options.read_options(), notes)?;
         let name = names.into_iter().next().unwrap_or_default();
-        Self::open(vec![(name, frames)], options, notes)
+        let parts = parts.into_iter();
+        let moving = parts.map(|(part, frames)| (part_name(&name, part), frames));
+        Self::open(moving.collect(), options, notes)
     }
 
     pub(crate) fn frame_count(&self) -> usize {
@@ -205,7 +212,14 @@ fn joined(parts: &mut [Part], mesh: Option<&TriangleMesh>, index: usize) -> Resu
 }
 
 impl SceneOptions {
+    /// The options of reading a part that moves.
     fn read_options(&self) -> ReadOptions {
+        self.of_others()
+            .with_arrays(self.positions.clone(), self.faces.clone())
+    }
+
+    /// The options of reading another part: its arrays have other names.
+    fn of_others(&self) -> ReadOptions {
         let polygons = if self.triangles_only {
             Polygons::Refuse
         } else {

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use super::part::named;
 use super::rules::Rules;
 
-/// The options `--with`, `--ignore`, `--only`, `--weld`, `--triangles-only` and `--max-size`.
+/// The options `--with`, `--ignore`, `--only`, `--weld`, `--triangles-only`, `--max-size`, `--positions` and
+/// `--faces`.
 #[derive(clap::Args)]
 pub(crate) struct SceneOptions {
     /// A further part; may be repeated. One frame is a mesh at rest, an obstacle: obstacles are not
@@ -28,6 +29,13 @@ pub(crate) struct SceneOptions {
     /// data, or data that a file names several times. The memory of reading is proportional to it.
     #[arg(long, value_name = "BYTES")]
     pub(super) max_size: Option<u64>,
+    /// The name of the array of positions in the .npz files of parts that move, not of --with.
+    #[arg(long, value_name = "NAME")]
+    pub(super) positions: Option<String>,
+    /// The name of the array of faces in the .npz files of parts that move, not of --with; or a file
+    /// .npy with their faces, which .npy files of positions need.
+    #[arg(long, value_name = "NAME")]
+    pub(super) faces: Option<String>,
 }
 
 impl SceneOptions {
@@ -37,6 +45,12 @@ impl SceneOptions {
             .iter()
             .chain(&self.others)
             .map(|path| named(path).1)
+            .chain(
+                self.faces
+                    .iter()
+                    .filter(|name| name.ends_with(".npy"))
+                    .map(PathBuf::from),
+            )
             .collect()
     }
 }

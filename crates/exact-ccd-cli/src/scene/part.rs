@@ -3,12 +3,13 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Contents, FileIds, Group, MeshFile, ReadMotionError};
+use exact_ccd_files::{Contents, FileIds, Group, MeshFile, Note, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, Point, TriangleMesh, Welding};
 use exact_ccd_view::Body;
 
 use super::Frames;
 use crate::failure::Failure;
+use crate::notes::Notes;
 
 /// A mesh in motion, or at rest if it has one frame.
 pub(super) struct Part {
@@ -25,6 +26,8 @@ pub(super) struct Part {
     pub(super) ids: FileIds,
     /// The names of the arrays of the file.
     pub(super) arrays: Option<String>,
+    /// Facts about the file of the first frame.
+    file_notes: Vec<Note>,
     /// The mesh of all frames in their files.
     mesh: TriangleMesh,
     welded: Option<(Welding, TriangleMesh)>,
@@ -45,6 +48,7 @@ impl Part {
             groups,
             ids,
             arrays,
+            notes: file_notes,
             ..
         } = first?;
         let mesh = frame.mesh.clone();
@@ -59,6 +63,7 @@ impl Part {
             contents,
             ids,
             arrays,
+            file_notes,
             mesh,
             welded: None,
             groups,
@@ -75,6 +80,19 @@ impl Part {
             part.welded = Some((welding, mesh));
         }
         Ok(part)
+    }
+
+    /// Adds the notes about the file of the first frame.
+    pub(super) fn add_file_notes(&self, notes: &mut Notes) {
+        let file = self.frames.file(0).display();
+        for note in &self.file_notes {
+            let text = format!("{file}: {note}");
+            if note.fact.is_warning() {
+                notes.warn(text);
+            } else {
+                notes.note(text);
+            }
+        }
     }
 
     fn weld(&self, is_stl: bool) -> Result<(Welding, TriangleMesh), Failure> {
@@ -209,6 +227,11 @@ pub(super) fn named(path: &Path) -> (String, PathBuf) {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let stem = name.split('.').find(|stem| !stem.is_empty()).unwrap_or("part");
     (stem.to_owned(), path.to_owned())
+}
+
+/// The name of a part of a file: that of the file, and its own, if it has one.
+pub(super) fn part_name(file: &str, part: Option<String>) -> String {
+    part.map_or(file.to_owned(), |part| format!("{file}-{part}"))
 }
 
 /// Appends a number to the names that an earlier part has.

@@ -11,6 +11,7 @@ mod contact_lists;
 mod convert;
 mod distances;
 mod examples;
+mod files_in_use;
 mod folder;
 mod golden;
 mod half_spaces;
