@@ -143,6 +143,12 @@ impl Frames {
         sequence.file(*frame)
     }
 
+    /// The time of a frame, if its list of files has times.
+    pub(super) fn time(&self, index: usize) -> Option<f64> {
+        let (sequence, frame) = self.0.get(index)?;
+        sequence.time(*frame)
+    }
+
     pub(super) fn read(&self, index: usize) -> Result<MeshFile, ReadError> {
         let (sequence, frame) = &self.0[index];
         sequence.read(*frame)
