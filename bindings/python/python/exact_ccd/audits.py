@@ -82,7 +82,7 @@ def audit(
     certificate : path, optional
         A file to write: the proof of the report, for the program exact-ccd-check and PLY files of the same
         frames (docs/certificates.md). It is about all pairs and one distance: without `groups`,
-        `can_collide`, `half_spaces` and thicknesses.
+        `can_collide`, `weld`, `half_spaces` and thicknesses.
 
     Returns
     -------
@@ -114,7 +114,7 @@ def audit(
     min_distance = remaining(min_distance, kept)
     detector = Detector(mesh, min_distance=min_distance, threads=threads)
     planes = None if half_spaces is None else HalfSpaces(half_spaces, min_distance)
-    parts = parts_of(certificate, min_distance, half_spaces, groups, can_collide)
+    parts = parts_of(certificate, min_distance, half_spaces, groups, can_collide, weld or None)
     page = None if view is None else Page("Audit", mesh)
     titles = positions.names() if isinstance(positions, FileFrames) else map("frame {}".format, count())
 
@@ -137,7 +137,8 @@ def parts_of(certificate: Optional[FilePath], min_distance: Any, *others: object
         return None
     if np.ndim(min_distance) > 0 or any(other is not None for other in others):
         raise ValueError(
-            "a certificate is about all pairs and one distance: leave out half spaces, groups, can_collide and thicknesses"
+            "a certificate is about all pairs and one distance of the vertices in the files: "
+            "leave out half spaces, groups, can_collide, weld and thicknesses"
         )
     return []
 

@@ -84,7 +84,7 @@ def audit(
         raise ValueError("steps and window must be 1 or more")
     if results is not None and callable(can_collide):
         raise ValueError("results are not kept for a function can_collide: give a matrix of groups, or no results")
-    parts_of(certificate, min_distance, half_spaces, groups, can_collide)
+    parts_of(certificate, min_distance, half_spaces, groups, can_collide, weld or None)
     distance = remaining(distances(min_distance, None), source.kept)
     settings = Settings(distance, Rules(groups, can_collide, names), half_spaces)
     # Errors of the mesh and of the settings are those of the caller.
