@@ -35,8 +35,8 @@ pub(super) fn read_pvd_within(path: &Path, max_size: u64) -> Result<List<PathBuf
     }
 }
 
-/// The name and the files of each part of the collection in a file of at most `max_size` bytes. All parts have
-/// the same times.
+/// The name and the files of each part of the collection in a file of at most `max_size` bytes. All parts
+/// have the same times.
 pub(super) fn read_pvd_parts(path: &Path, max_size: u64) -> Result<Vec<(String, List<PathBuf>)>, ReadError> {
     let parts = parse_file(path, max_size, |bytes, budget| {
         parts_of(vtk::read_collection(bytes, budget)?)

@@ -1,4 +1,4 @@
-//! The grammar of files in use, where it is wider than that of the formats, and the notes about what is not read.
+//! The grammar of files in use, where it is wider than that of the formats, and notes about what is not read.
 
 use exact_ccd_files::{Fact, Format, FrameSequence, MeshFile, Polygons};
 
@@ -231,10 +231,10 @@ fn the_surface_of_tetrahedra_needs_no_order_of_corners() {
         faces.sort_unstable();
         faces
     };
-    let positive = msh(["1 2 3 4", "2 4 3 5"], "1 1 1\n");
-    let mixed = msh(["1 2 3 4", "2 3 4 5"], "1 1 1\n");
-    let inverted = msh(["1 2 3 4", "2 4 3 5"], "0.1 0.1 0.1\n");
-    let flat = msh(["1 2 3 4", "2 4 3 5"], "0.5 0.5 0\n");
+    let positive = msh(["1 2 3 4", "2 3 4 5"], "1 1 1\n");
+    let mixed = msh(["1 2 3 4", "2 4 3 5"], "1 1 1\n");
+    let inverted = msh(["1 2 3 4", "2 3 4 5"], "0.1 0.1 0.1\n");
+    let flat = msh(["1 2 3 4", "2 3 4 5"], "0.5 0.5 0\n");
     assert_eq!(sets(&positive).len(), 6);
     for (file, fact) in [
         (&positive, None),
