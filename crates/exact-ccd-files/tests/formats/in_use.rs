@@ -152,10 +152,7 @@ fn blocks_of_stl_may_end_in_two_words() {
     let two = words
         .iter()
         .fold(one.to_owned(), |file, (from, to)| file.replace(from, to));
-    assert_eq!(
-        read(Format::Stl, one).frame,
-        read(Format::Stl, &two.repeat(1)).frame
-    );
+    assert_eq!(read(Format::Stl, one).frame, read(Format::Stl, &two).frame);
     assert_eq!(read(Format::Stl, &two.repeat(2)).frame.mesh.faces().len(), 2);
     let wrong = one.replace("endloop", "end facet");
     let error = MeshFile::parse(wrong.as_bytes(), Format::Stl, Polygons::Refuse).unwrap_err();
