@@ -25,7 +25,7 @@ pub fn read_pvd(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError
 pub(super) fn read_pvd_within(path: &Path, max_size: u64) -> Result<List<PathBuf>, ReadError> {
     let mut parts = read_pvd_parts(path, max_size)?;
     match parts.len() {
-        0 | 1 => Ok(parts.pop().map_or(Vec::new(), |(_, list)| list)),
+        0 | 1 => Ok(parts.pop().map_or_else(Vec::new, |(_, list)| list)),
         count => {
             let expected = "a collection of one part (open each part with `FrameSequence::open_parts`)";
             let source = Fault::expected(expected, format!("{count} parts")).at(Place::File);
@@ -74,6 +74,10 @@ fn parts_of(entries: Vec<CollectionEntry>) -> Result<Vec<(String, List<String>)>
             parts.len() - 1
         });
         parts[number].1.push((time, file));
+    }
+    if parts.is_empty() {
+        // A list without files has one part without frames.
+        parts.push((String::new(), Vec::new()));
     }
     for (_, list) in &parts {
         check_times(list)?;

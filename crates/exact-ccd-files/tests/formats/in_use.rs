@@ -371,6 +371,8 @@ fn each_part_of_a_collection_is_a_sequence() {
         );
         temporary("in_use/parts.pvd", list)
     };
+    let nothing = FrameSequence::open_parts(collection(&[]), Polygons::Refuse).unwrap();
+    assert_eq!(nothing.iter().map(FrameSequence::len).collect::<Vec<_>>(), [0]);
     let all = [
         entry(0, "0", "a0"),
         entry(0, "1", "b0"),
