@@ -35,9 +35,8 @@ pub struct ReadOptions {
     /// The name of the array of positions in `.npz` files that are read as a
     /// [`FrameSequence`](crate::FrameSequence).
     pub positions: Option<String>,
-    /// The name of the array of faces in `.npz` files that are read as a
-    /// [`FrameSequence`](crate::FrameSequence); or a file `.npy` with the faces, which `.npy` files of positions
-    /// need. A name that ends in `.npy` is that of a file.
+    /// The name of the array of faces in these files; or a file `.npy` with the faces, which `.npy` files of
+    /// positions need. A name that ends in `.npy` is that of a file.
     pub faces: Option<String>,
 }
 
