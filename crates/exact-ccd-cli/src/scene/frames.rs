@@ -29,8 +29,8 @@ impl Frames {
         }
     }
 
-    /// All frames of each part in a file, and the names of the parts if there are several, as in a collection of
-    /// ParaView.
+    /// All frames of each part in a file, and the names of the parts if there are several, as in a
+    /// collection of ParaView.
     pub(super) fn parts_of_file(
         file: &Path,
         options: &ReadOptions,
@@ -54,7 +54,8 @@ impl Frames {
         Ok(parts)
     }
 
-    /// The frames in files, folders and lists of files, as [`Frames::of_paths`]; of one file, those of each part.
+    /// The frames in files, folders and lists of files, as [`Frames::of_paths`]; of one file, those of each
+    /// part.
     pub(super) fn parts_of_paths(
         paths: &[PathBuf],
         as_given: bool,

@@ -19,7 +19,11 @@ fn audit(names: &[&str], more: &[&str]) -> Run {
         .map(|name| files().join(name).to_string_lossy().into_owned())
         .collect();
     let paths = paths.iter().map(String::as_str);
-    let arguments: Vec<&str> = ["audit"].into_iter().chain(paths).chain(more.iter().copied()).collect();
+    let arguments: Vec<&str> = ["audit"]
+        .into_iter()
+        .chain(paths)
+        .chain(more.iter().copied())
+        .collect();
     Folder::new().run(&arguments)
 }
 
@@ -63,20 +67,30 @@ fn a_node_that_moves_hits_another_one() {
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn arrays_without_a_mesh_are_no_pass() {
     const FOLDER: &str = "npz-of-poses-is-free";
-    let [poses, positions, faces, frames] =
-        ["amass_like.npz", "positions_without_faces.npy", "faces.npy", "frames_without_faces"]
-            .map(|name| format!("{FOLDER}/{name}"));
+    let [poses, positions, faces, frames] = [
+        "amass_like.npz",
+        "positions_without_faces.npy",
+        "faces.npy",
+        "frames_without_faces",
+    ]
+    .map(|name| format!("{FOLDER}/{name}"));
     for (names, message) in [
         (&[&*poses][..], "not poses (compute the vertices of each frame"),
         (&[&faces], "name an array of faces with --faces FILE.npy"),
-        (&[&positions, &faces], "name an array of faces with --faces FILE.npy"),
+        (
+            &[&positions, &faces],
+            "name an array of faces with --faces FILE.npy",
+        ),
         (&[&frames], "--positions NAME and --faces NAME"),
     ] {
         let run = audit(names, &[]);
         assert!(run.error().contains(message), "{run:?}");
     }
     let alone = audit(&[&positions], &[]);
-    assert!(alone.stderr.contains("warning: ") && alone.stderr.contains("not read: faces, which"), "{alone:?}");
+    assert!(
+        alone.stderr.contains("warning: ") && alone.stderr.contains("not read: faces, which"),
+        "{alone:?}"
+    );
     let faces = files().join(faces);
     let both = audit(&[&positions], &["--faces", &faces.to_string_lossy()]);
     assert_eq!((both.status, both.stderr.as_str()), (1, ""), "{both:?}");
@@ -86,7 +100,14 @@ fn arrays_without_a_mesh_are_no_pass() {
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn each_part_of_a_collection_is_a_part() {
     let run = audit(&["pvd-parts/animation.pvd"], &[]);
-    assert!(run.stdout.contains("part animation-0: vertices 0 to 7\npart animation-1: vertices 8 to 15\n"), "{run:?}");
-    let apart = audit(&["pvd-parts/animation.pvd"], &["--ignore", "animation-0:animation-1"]);
+    assert!(
+        run.stdout
+            .contains("part animation-0: vertices 0 to 7\npart animation-1: vertices 8 to 15\n"),
+        "{run:?}"
+    );
+    let apart = audit(
+        &["pvd-parts/animation.pvd"],
+        &["--ignore", "animation-0:animation-1"],
+    );
     assert_eq!(apart.status, 0, "{apart:?}");
 }

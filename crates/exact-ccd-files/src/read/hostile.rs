@@ -213,7 +213,7 @@ const PLAIN: &[(&str, Format, Make)] = &[
     }),
     ("glTF, nodes of the scene", Format::Gltf, |count| {
         let nodes = vec!["{}"; count].join(",");
-        let roots: Vec<String> = (0..count).map(|k| k.to_string()).collect();
+        let roots: Vec<String> = (0..count).map(|k| format!("{k:6}")).collect();
         gltf(&format!(
             "\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{nodes}]",
             roots.join(",")

@@ -32,9 +32,10 @@ pub struct ReadOptions {
     ///
     /// It bounds the memory of a reading: see [the limits](crate#limits).
     pub max_size: u64,
-    /// The name of the array of positions in `.npz` files.
+    /// The name of the array of positions in `.npz` files that are read as a
+    /// [`FrameSequence`](crate::FrameSequence).
     pub positions: Option<String>,
-    /// The name of the array of faces in `.npz` files; or a file `.npy` with the faces, which `.npy` files of
+    /// The name of the array of faces in these files; or a file `.npy` with the faces, which `.npy` files of
     /// positions need. A name that ends in `.npy` is that of a file.
     pub faces: Option<String>,
 }

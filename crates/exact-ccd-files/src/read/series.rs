@@ -25,7 +25,7 @@ pub fn read_pvd(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError
 pub(super) fn read_pvd_within(path: &Path, max_size: u64) -> Result<List<PathBuf>, ReadError> {
     let mut parts = read_pvd_parts(path, max_size)?;
     match parts.len() {
-        0 | 1 => Ok(parts.pop().map_or(Vec::new(), |(_, list)| list)),
+        0 | 1 => Ok(parts.pop().map_or_else(Vec::new, |(_, list)| list)),
         count => {
             let expected = "a collection of one part (open each part with `FrameSequence::open_parts`)";
             let source = Fault::expected(expected, format!("{count} parts")).at(Place::File);
@@ -35,8 +35,8 @@ pub(super) fn read_pvd_within(path: &Path, max_size: u64) -> Result<List<PathBuf
     }
 }
 
-/// The name and the files of each part of the collection in a file of at most `max_size` bytes. All parts have
-/// the same times.
+/// The name and the files of each part of the collection in a file of at most `max_size` bytes. All parts
+/// have the same times.
 pub(super) fn read_pvd_parts(path: &Path, max_size: u64) -> Result<Vec<(String, List<PathBuf>)>, ReadError> {
     let parts = parse_file(path, max_size, |bytes, budget| {
         parts_of(vtk::read_collection(bytes, budget)?)
@@ -74,6 +74,10 @@ fn parts_of(entries: Vec<CollectionEntry>) -> Result<Vec<(String, List<String>)>
             parts.len() - 1
         });
         parts[number].1.push((time, file));
+    }
+    if parts.is_empty() {
+        // A list without files has one part without frames.
+        parts.push((String::new(), Vec::new()));
     }
     for (_, list) in &parts {
         check_times(list)?;

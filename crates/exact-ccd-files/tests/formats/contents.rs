@@ -194,7 +194,11 @@ fn known_formats_without_a_reader_name_the_export_that_works() {
         ("cloth.mdd", "a cache of positions", "numpy.savez"),
         ("cloth.bgeo", "Houdini's own format", ".obj or .ply"),
         ("cloth.bgeo.sc", "Houdini's own format", ".obj or .ply"),
-        ("cloth.pkl", "a pickle of Python", "numpy.savez"),
+        (
+            "cloth.pkl",
+            "a pickle of Python, which may run code when it is loaded",
+            "numpy.savez",
+        ),
         ("cloth.hdf5", "HDF5", "numpy.savez"),
         ("walk.bvh", "a motion of bones", "OBJ or PLY"),
     ] {

@@ -40,8 +40,8 @@ const FRAMES: &str = "the meshes are at rest; export each frame as OBJ or PLY wi
                       the animation";
 
 impl Motion {
-    /// The motion by the animation of a file, if it translates nodes only. `moves` has the nodes of meshes and
-    /// the nodes above them. Otherwise, a note about it.
+    /// The motion by the animation of a file, if it translates nodes only; otherwise, a note about it.
+    /// `moves` is true for the nodes of meshes and the nodes above them.
     pub(super) fn read(accessors: &Accessors, moves: &[bool]) -> Result<(Self, Option<Note>), Fault> {
         let animations = &accessors.document.animations;
         let is_relevant = |animation: &&Animation| targets(animation, moves).next().is_some();

@@ -72,8 +72,8 @@ fn read_list(tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
     Ok(())
 }
 
-/// Reads nodes in blocks, one for each entity of the geometry: in version 4.0, each as tag and coordinates; in
-/// version 4.1, all tags, then all coordinates.
+/// Reads nodes in blocks, one for each entity of the geometry: in version 4.0, each as tag and coordinates;
+/// in version 4.1, all tags, then all coordinates.
 fn read_blocks(version: Version, tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
     tokens.begin(Record::one("the numbers of blocks and nodes"))?;
     let blocks = tokens.size("the number of blocks")?;

@@ -72,7 +72,10 @@ impl Elements {
     }
 
     /// The line and the vertices of each element.
-    pub(super) fn resolved(&self, vertex_count: usize) -> impl Iterator<Item = Result<(Place, Vec<u32>), ParseError>> {
+    pub(super) fn resolved(
+        &self,
+        vertex_count: usize,
+    ) -> impl Iterator<Item = Result<(Place, Vec<u32>), ParseError>> {
         let in_range = move |&index: &u32| (index as usize) < vertex_count;
         (0..self.count()).map(move |element| {
             let corners = self.corners(element..element + 1).iter();

@@ -147,7 +147,7 @@ impl<'a> Rows<'_, 'a> {
             for property in &element.properties {
                 match (axes.iter().position(|axis| property.name == *axis), property.kind) {
                     (Some(axis), Kind::One(scalar)) => {
-                        position[axis] = self.tokens.real(scalar, "a number")?
+                        position[axis] = self.tokens.real(scalar, "a number")?;
                     }
                     _ => skip(property, self.tokens)?,
                 }

@@ -102,9 +102,9 @@ impl Sections<'_> {
         Ok(true)
     }
 
-    /// Adds a note about displacements among the data of points, which are not read: a line `VECTORS NAME TYPE`.
+    /// Adds a note about displacements among the data of points, which are not read: `VECTORS NAME TYPE`.
     fn note_displacements(&mut self) {
-        const VECTORS: &[u8] = b"\nVECTORS ";
+        const VECTORS: &[u8] = b"VECTORS ";
         let rest = self.tokens.rest();
         self.tokens.budget().step(rest.len() as u64);
         let mut windows = rest.windows(VECTORS.len() + 4);
