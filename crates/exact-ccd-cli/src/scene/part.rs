@@ -118,7 +118,8 @@ impl Part {
         Ok((welding, mesh))
     }
 
-    /// Refuses a tolerance that is too near to the rounding of the positions, see [`Welding::restrict_within`].
+    /// Refuses a tolerance that is too near to the rounding of the positions, see
+    /// [`Welding::restrict_within`].
     fn check_tolerance(&self, tolerance: f64, positions: &[Point]) -> Result<(), Failure> {
         let most = positions
             .as_flattened()
@@ -135,8 +136,8 @@ impl Part {
         )))
     }
 
-    /// The vertices that a tolerance has joined in the first frame, as [`Shape::joined`] has them. It is known
-    /// until that frame is read.
+    /// The vertices that a tolerance has joined in the first frame, as [`Shape::joined`] has them. It is
+    /// known until that frame is read.
     pub(super) fn joined(&self) -> (usize, f64) {
         let first = self.loaded.first().and_then(Option::as_ref);
         first.map_or((0, 0.0), |frame| self.shape.joined(&frame.positions))
