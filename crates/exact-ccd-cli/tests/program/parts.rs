@@ -82,9 +82,9 @@ fn a_contact_names_its_parts_and_the_ids_in_their_files() {
         "--with",
         "spike.obj",
         "--half-space",
-        "1.5,0,0,-1,0,0",
+        "-1,0,0,-1,0,0",
     ]);
-    assert!(run.stdout.contains("box0: vertex"), "{run:?}");
+    assert!(run.stdout.contains("box0: vertex 1 and half space 0"), "{run:?}");
 }
 
 #[test]
