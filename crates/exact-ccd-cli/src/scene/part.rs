@@ -268,16 +268,12 @@ pub(super) fn named(path: &Path) -> (String, PathBuf) {
     (stem.to_owned(), path.to_owned())
 }
 
-/// Appends a number to the names that an earlier part has.
-pub(super) fn make_names_unique(parts: &mut [Part]) {
-    for index in 1..parts.len() {
-        let (before, rest) = parts.split_at_mut(index);
-        let is_taken = |name: &str| before.iter().any(|part| part.name == name);
-        if is_taken(&rest[0].name) {
-            let numbered = (2..).map(|number| format!("{}-{number}", rest[0].name));
-            if let Some(name) = numbered.into_iter().find(|name| !is_taken(name)) {
-                rest[0].name = name;
-            }
-        }
+/// The name, with a number if a part has it.
+pub(super) fn unique_name(parts: &[Part], name: String) -> String {
+    let is_taken = |name: &str| parts.iter().any(|part| part.name == name);
+    if !is_taken(&name) {
+        return name;
     }
+    let mut numbered = (2..).map(|number: u64| format!("{name}-{number}"));
+    numbered.find(|name| !is_taken(name)).unwrap_or(name)
 }

@@ -162,6 +162,14 @@ fn faces_alone_leave_out_wires_and_points() {
             .error(),
         "--faces-only=sail: there is no part sail; there are panels, body"
     );
+    // A second part of one name gets a number, also here.
+    let twice = ["step", "panels.obj", "panels.obj", "--with", "panels=body.obj"];
+    assert_eq!(
+        folder
+            .run(&[&twice[..], &["--faces-only=panels-2"]].concat())
+            .status,
+        1
+    );
     // Ids are those of the file.
     folder.write(
         "low.obj",
