@@ -193,8 +193,8 @@ fn an_intersection_has_the_point_where_the_edge_meets_the_face() {
     );
 }
 
-/// Faces in one plane touch in vertices and edges, and no edge passes through one: the point is on both, up to
-/// rounding.
+/// Faces in one plane touch in vertices and edges, and no edge passes through one: the point is on both, up
+/// to rounding.
 #[test]
 fn faces_in_one_plane_have_common_points() {
     let triangle = |x: f64, y: f64| [[x, y, 0.0], [x + 4.0, y + 0.25, 0.0], [x + 0.5, y + 3.0, 0.0]];
