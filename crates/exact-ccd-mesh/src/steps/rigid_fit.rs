@@ -132,10 +132,9 @@ fn greatest_eigenvector(mut m: [[f64; 4]; 4]) -> [f64; 4] {
             };
             m.iter_mut().for_each(turn);
             vectors.iter_mut().for_each(turn);
-            for column in 0..4 {
-                let [a, b] = [m[p][column], m[q][column]];
-                (m[p][column], m[q][column]) = (cosine * a - sine * b, sine * a + cosine * b);
-            }
+            let (row_p, row_q) = (m[p], m[q]);
+            m[p] = [0, 1, 2, 3].map(|k: usize| cosine * row_p[k] - sine * row_q[k]);
+            m[q] = [0, 1, 2, 3].map(|k: usize| sine * row_p[k] + cosine * row_q[k]);
         }
     }
     let greatest = (1..4).fold(0, |best, i| if m[i][i] > m[best][best] { i } else { best });
