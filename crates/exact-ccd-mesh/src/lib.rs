@@ -31,8 +31,8 @@
 //!   [`Pair`] has the kinds of pairs, and which distances they cover.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
 //! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
-//! - [`intersections`] finds the places where a mesh at rest meets itself, [`enclosed`] the components inside of
-//!   closed ones, and an [`Audit`] certifies a sequence of frames.
+//! - [`intersections`] finds the places where a mesh at rest meets itself, [`enclosed`] the components inside
+//!   of closed ones, and an [`Audit`] certifies a sequence of frames.
 //! - A [`RigidFit`] is the rotation of a body from one frame to another.
 //!
 //! No result depends on the number of threads, and no input causes a panic.

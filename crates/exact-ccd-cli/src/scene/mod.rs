@@ -56,6 +56,7 @@ impl Scene {
         let frame_count = moving.iter().map(|(_, frames)| frames.count()).max().unwrap_or(0);
         let mut parts = Vec::new();
         for (name, frames) in moving {
+            let name = part::unique_name(&parts, name);
             parts.push(Part::open(name, frames, false, options)?);
         }
         for path in &options.others {
@@ -74,10 +75,10 @@ impl Scene {
                         ),
                     ));
                 }
-                parts.push(Part::open(part_name(&name, part), frames, rests, options)?);
+                let name = part::unique_name(&parts, part_name(&name, part));
+                parts.push(Part::open(name, frames, rests, options)?);
             }
         }
-        part::make_names_unique(&mut parts);
         parts.iter().for_each(|part| part.add_file_notes(notes));
         if let Some(tolerance) = options.weld {
             parts.iter().for_each(|part| part.note_joined(tolerance, notes));

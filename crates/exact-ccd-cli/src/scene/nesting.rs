@@ -37,7 +37,8 @@ impl Scene {
         Ok(())
     }
 
-    /// The name of a component for messages: its body, if there are several, and its least vertex in the file.
+    /// The name of a component for messages: its body, if there are several, and its least vertex in the
+    /// file.
     pub(super) fn component_name(&self, vertex: u32) -> String {
         let id = self.file_vertex(vertex);
         match self.names.name(&[vertex]) {

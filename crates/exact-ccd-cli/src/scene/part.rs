@@ -136,7 +136,8 @@ impl Part {
         Ok((welding, mesh))
     }
 
-    /// Refuses a tolerance that is too near to the rounding of the positions, see [`Welding::restrict_within`].
+    /// Refuses a tolerance that is too near to the rounding of the positions, see
+    /// [`Welding::restrict_within`].
     fn check_tolerance(&self, tolerance: f64, positions: &[Point]) -> Result<(), Failure> {
         let most = positions
             .as_flattened()
@@ -153,8 +154,8 @@ impl Part {
         )))
     }
 
-    /// The vertices that a tolerance has joined in the first frame, as [`Shape::joined`] has them. It is known
-    /// until that frame is read.
+    /// The vertices that a tolerance has joined in the first frame, as [`Shape::joined`] has them. It is
+    /// known until that frame is read.
     pub(super) fn joined(&self) -> (usize, f64) {
         let first = self.loaded.first().and_then(Option::as_ref);
         first.map_or((0, 0.0), |frame| self.shape.joined(&frame.positions))
@@ -290,16 +291,12 @@ pub(super) fn part_name(file: &str, part: Option<String>) -> String {
     part.map_or(file.to_owned(), |part| format!("{file}-{part}"))
 }
 
-/// Appends a number to the names that an earlier part has.
-pub(super) fn make_names_unique(parts: &mut [Part]) {
-    for index in 1..parts.len() {
-        let (before, rest) = parts.split_at_mut(index);
-        let is_taken = |name: &str| before.iter().any(|part| part.name == name);
-        if is_taken(&rest[0].name) {
-            let numbered = (2..).map(|number| format!("{}-{number}", rest[0].name));
-            if let Some(name) = numbered.into_iter().find(|name| !is_taken(name)) {
-                rest[0].name = name;
-            }
-        }
+/// The name, with a number if a part has it.
+pub(super) fn unique_name(parts: &[Part], name: String) -> String {
+    let is_taken = |name: &str| parts.iter().any(|part| part.name == name);
+    if !is_taken(&name) {
+        return name;
     }
+    let mut numbered = (2..).map(|number: u64| format!("{name}-{number}"));
+    numbered.find(|name| !is_taken(name)).unwrap_or(name)
 }

@@ -21,8 +21,8 @@ pub(super) enum Coincidence {
 impl Part {
     /// The reason why two vertices are in one place, where all frames are like these.
     ///
-    /// At a seam, exporters split vertices of surfaces that end there: each is at an edge of one face. A vertex
-    /// of a closed surface is not; and where welding makes two faces one, they lie on each other.
+    /// At a seam, exporters split vertices of surfaces that end there: each is at an edge of one face. A
+    /// vertex of a closed surface is not; and where welding makes two faces one, they lie on each other.
     pub(super) fn coincidence(&self, vertices: [u32; 2], frames: &[&[Point]]) -> Coincidence {
         if self.is_welded() {
             return Coincidence::Other;

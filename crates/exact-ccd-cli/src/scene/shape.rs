@@ -89,8 +89,8 @@ impl Shape {
         }
     }
 
-    /// The number of vertices that are welded to others in a frame of the file with these positions, but not in the
-    /// same place, and their greatest distance, rounded.
+    /// The number of vertices that are welded to others in a frame of the file with these positions, but not
+    /// in the same place, and their greatest distance, rounded.
     pub(super) fn joined(&self, in_file: &[Point]) -> (usize, f64) {
         let unwelded = Self {
             of_faces: self.of_faces.clone(),

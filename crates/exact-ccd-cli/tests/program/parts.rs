@@ -82,9 +82,9 @@ fn a_contact_names_its_parts_and_the_ids_in_their_files() {
         "--with",
         "spike.obj",
         "--half-space",
-        "1.5,0,0,-1,0,0",
+        "-1,0,0,-1,0,0",
     ]);
-    assert!(run.stdout.contains("box0: vertex"), "{run:?}");
+    assert!(run.stdout.contains("box0: vertex 1 and half space 0"), "{run:?}");
 }
 
 #[test]
@@ -161,6 +161,14 @@ fn faces_alone_leave_out_wires_and_points() {
             .run(&[&command[..], &["--faces-only=sail"]].concat())
             .error(),
         "--faces-only=sail: there is no part sail; there are panels, body"
+    );
+    // A second part of one name gets a number, also here.
+    let twice = ["step", "panels.obj", "panels.obj", "--with", "panels=body.obj"];
+    assert_eq!(
+        folder
+            .run(&[&twice[..], &["--faces-only=panels-2"]].concat())
+            .status,
+        1
     );
     // Ids are those of the file.
     folder.write(

@@ -20,12 +20,13 @@ pub struct Enclosed {
     pub outer: u32,
 }
 
-/// The [components](TriangleMesh::components) with an edge whose least vertex lies inside of a closed component,
-/// sorted. A component is closed if each edge of its faces has an even number of faces.
+/// The [components](TriangleMesh::components) with an edge whose least vertex lies inside of a closed
+/// component, sorted. A component is closed if each edge of its faces has an even number of faces.
 ///
-/// Surfaces one of which is inside of the other do not touch, and a motion that is free of contact keeps them so. A
-/// point is inside if a ray from it meets the faces an odd number of times, which exact predicates decide. Where the
-/// vertex touches a face of the closed component, that is a contact, and the pair is left out here.
+/// Surfaces one of which is inside of the other do not touch, and a motion that is free of contact keeps them
+/// so. A point is inside if a ray from it meets the faces an odd number of times, which exact predicates
+/// decide. Where the vertex touches a face of the closed component, that is a contact, and the pair is left
+/// out here.
 ///
 /// ```
 /// use exact_ccd_mesh::{CanCollide, Enclosed, TriangleMesh, enclosed};
@@ -160,17 +161,17 @@ enum Meets {
 
 /// The way in which the ray from a point in the direction of x meets a face, exactly.
 ///
-/// The ray starts from p + (0, ε, ε²) for all ε > 0 that are small enough. Seen along x, such a point is on no
-/// line through two points, so it is inside or outside of the face there, and a closed surface is met as often as
-/// any other ray meets it, modulo 2. If it is inside for all small ε, then p is in the closed face, seen along x,
-/// and the face is not parallel to x: p is before its plane, behind it, or a point of the face.
+/// The ray starts from p + (0, ε, ε²) for all ε > 0 that are small enough. Seen along x, such a point is on
+/// no line through two points, so it is inside or outside of the face there, and a closed surface is met as
+/// often as any other ray meets it, modulo 2. If it is inside for all small ε, then p is in the closed face,
+/// seen along x, and the face is not parallel to x: p is before its plane, behind it, or a point of the face.
 fn ray_meets(p: Point, [a, b, c]: [Point; 3]) -> Meets {
     let first = turn(p, a, b);
     if first == Equal || turn(p, b, c) != first || turn(p, c, a) != first {
         return Meets::Not;
     }
-    // All positions are finite. A face that turns counterclockwise, seen against x, turns clockwise as seen from
-    // the points before it.
+    // All positions are finite. A face that turns counterclockwise, seen against x, turns clockwise as seen
+    // from the points before it.
     match orient3d([a, b, c, p]).unwrap_or(Equal) {
         Equal => Meets::AtItsStart,
         side if side == first => Meets::Beyond,
@@ -178,11 +179,12 @@ fn ray_meets(p: Point, [a, b, c]: [Point; 3]) -> Meets {
     }
 }
 
-/// `Greater` if p + (ε, ε²), a and b turn counterclockwise in the plane of y and z, for all small ε > 0, `Less` if
-/// they turn clockwise. `Equal` only if a and b are the same point there.
+/// `Greater` if p + (ε, ε²), a and b turn counterclockwise in the plane of y and z, for all small ε > 0,
+/// `Less` if they turn clockwise. `Equal` only if a and b are the same point there.
 ///
-/// The orientation is (a_y − p_y − ε) (b_z − p_z − ε²) − (a_z − p_z − ε²) (b_y − p_y − ε). Its terms without ε are
-/// the orientation of p, a and b, the factor of ε is a_z − b_z, that of ε² is b_y − a_y, and those of ε³ cancel.
+/// The orientation is (a_y − p_y − ε) (b_z − p_z − ε²) − (a_z − p_z − ε²) (b_y − p_y − ε). Its terms without
+/// ε are the orientation of p, a and b, the factor of ε is a_z − b_z, that of ε² is b_y − a_y, and those of
+/// ε³ cancel.
 fn turn(p: Point, a: Point, b: Point) -> Ordering {
     let flat = |point: Point| [0.0, point[1], point[2]];
     // Seen from above the plane.

@@ -1,5 +1,5 @@
-//! Meshes at rest: the places where a mesh meets itself, the components inside of closed ones, and the check that
-//! nothing crosses where a step begins.
+//! Meshes at rest: the places where a mesh meets itself, the components inside of closed ones, and the check
+//! that nothing crosses where a step begins.
 
 mod enclosed;
 mod intersections;

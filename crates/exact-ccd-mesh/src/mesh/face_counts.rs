@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use super::connectivity::{TriangleMesh, sides};
 
 impl TriangleMesh {
-    /// The number of faces at each of the [edges](Self::edges): 1 at a rim, 0 for a loose edge. A face that has
-    /// an edge twice counts twice.
+    /// The number of faces at each of the [edges](Self::edges): 1 at a rim, 0 for a loose edge. A face that
+    /// has an edge twice counts twice.
     ///
     /// ```
     /// use exact_ccd_mesh::TriangleMesh;

@@ -6,15 +6,15 @@ use exact_ccd::Point;
 
 use crate::vector::{cross, dot, minus};
 
-/// The weight of no rotation, relative to the spread of the points: it settles what the points leave open, as the
-/// turn of a rod about itself, and changes other fits by about this share.
+/// The weight of no rotation, relative to the spread of the points: it settles what the points leave open, as
+/// the turn of a rod about itself, and changes other fits by about this share.
 const PREFERENCE: f64 = 1e-9;
 
 /// The rotation and translation that bring points nearest to others, in the mean square: B. K. P. Horn,
 /// *Closed-form solution of absolute orientation using unit quaternions*, 1987. In floating point, rounded.
 ///
-/// Where vertices move in straight lines, a body that turns shrinks on the way: a vertex at the distance r of the
-/// axis is r cos(angle / 2) away from it at t = 1/2.
+/// Where vertices move in straight lines, a body that turns shrinks on the way: a vertex at the distance r of
+/// the axis is r cos(angle / 2) away from it at t = 1/2.
 ///
 /// ```
 /// use exact_ccd_mesh::RigidFit;
@@ -31,10 +31,11 @@ const PREFERENCE: f64 = 1e-9;
 pub struct RigidFit {
     /// The angle of the rotation in radians, from 0 to π.
     pub angle: f64,
-    /// The greatest distance of a moved point from its place at the end, relative to `size`: 0 of a rigid body.
+    /// The greatest distance of a moved point from its place at the end, relative to `size`: 0 of a rigid
+    /// body.
     pub residual: f64,
-    /// The greatest distance, relative to `size`, by which a vertex in straight motion is nearer to the axis at
-    /// t = 1/2 than a rotation keeps it: r (1 − cos(angle / 2)).
+    /// The greatest distance, relative to `size`, by which a vertex in straight motion is nearer to the axis
+    /// at t = 1/2 than a rotation keeps it: r (1 − cos(angle / 2)).
     pub shrinkage: f64,
     /// The greatest distance of a point from their mean, at the start.
     pub size: f64,
@@ -91,8 +92,8 @@ impl RigidFit {
     }
 }
 
-/// The unit quaternion, real part first, of the rotation that brings points nearest to others: the eigenvector of
-/// the greatest eigenvalue of Horn's matrix.
+/// The unit quaternion, real part first, of the rotation that brings points nearest to others: the
+/// eigenvector of the greatest eigenvalue of Horn's matrix.
 fn rotation(from: &[Point], to: &[Point]) -> [f64; 4] {
     let mut s = [[0.0; 3]; 3];
     for (a, b) in from.iter().zip(to) {
@@ -112,8 +113,9 @@ fn rotation(from: &[Point], to: &[Point]) -> [f64; 4] {
     ])
 }
 
-/// A unit eigenvector of the greatest eigenvalue of a symmetric matrix, by Jacobi's method: each rotation of two
-/// axes makes one entry zero. It converges in a few sweeps; the number of sweeps is limited for all input.
+/// A unit eigenvector of the greatest eigenvalue of a symmetric matrix, by Jacobi's method: each rotation of
+/// two axes makes one entry zero. It converges in a few sweeps; the number of sweeps is limited for all
+/// input.
 fn greatest_eigenvector(mut m: [[f64; 4]; 4]) -> [f64; 4] {
     let mut vectors: [[f64; 4]; 4] =
         [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|column| f64::from(row == column)));
@@ -130,10 +132,9 @@ fn greatest_eigenvector(mut m: [[f64; 4]; 4]) -> [f64; 4] {
             };
             m.iter_mut().for_each(turn);
             vectors.iter_mut().for_each(turn);
-            for column in 0..4 {
-                let [a, b] = [m[p][column], m[q][column]];
-                (m[p][column], m[q][column]) = (cosine * a - sine * b, sine * a + cosine * b);
-            }
+            let (row_p, row_q) = (m[p], m[q]);
+            m[p] = [0, 1, 2, 3].map(|k: usize| cosine * row_p[k] - sine * row_q[k]);
+            m[q] = [0, 1, 2, 3].map(|k: usize| sine * row_p[k] + cosine * row_q[k]);
         }
     }
     let greatest = (1..4).fold(0, |best, i| if m[i][i] > m[best][best] { i } else { best });

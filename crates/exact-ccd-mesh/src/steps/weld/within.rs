@@ -13,11 +13,11 @@ type Cell = (u32, [i64; 3]);
 
 impl Welding {
     /// Separates the vertices that are not near each other in a frame with these positions: what
-    /// [`restrict`](Self::restrict) does with a tolerance of 0. Two vertices stay together if they are at most
-    /// `tolerance` apart, or if a chain of such vertices connects them. Distances are rounded.
+    /// [`restrict`](Self::restrict) does with a tolerance of 0. Two vertices stay together if they are at
+    /// most `tolerance` apart, or if a chain of such vertices connects them. Distances are rounded.
     ///
-    /// The new vertex moves as the first of its vertices. So the surface changes by the distance of the others
-    /// from it, and so does every answer. The tolerance should be at least 2⁻⁵⁰ of the coordinates, in
+    /// The new vertex moves as the first of its vertices. So the surface changes by the distance of the
+    /// others from it, and so does every answer. The tolerance should be at least 2⁻⁵⁰ of the coordinates, in
     /// magnitude; of a smaller one, vertices may be kept apart that are within it.
     ///
     /// ```
@@ -65,8 +65,8 @@ impl Welding {
 
 /// The cell of a position in a grid of twice the tolerance.
 ///
-/// Quotients of positions within the tolerance differ by at most 1/2. Below 2⁵⁰, each is rounded by at most 1/8,
-/// so that the computed ones differ by less than 1, and their cells by at most 1 along each axis.
+/// Quotients of positions within the tolerance differ by at most 1/2. Below 2⁵⁰, each is rounded by at most
+/// 1/8, so that the computed ones differ by less than 1, and their cells by at most 1 along each axis.
 fn cell(position: Point, tolerance: f64) -> [i64; 3] {
     let side = 2.0 * tolerance;
     // A quotient that is no number, 0 / 0, is 0 here, and those beyond the integers are the last ones.
