@@ -86,7 +86,12 @@ fn named(text: &str, module: &[String], is_folder: bool) -> Vec<Vec<String>> {
                 let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':'));
                 let parts = rest[..end.unwrap_or(rest.len())].split("::");
                 let parts = parts.filter(|part| !part.is_empty()).map(str::to_owned);
-                paths.push(base.iter().cloned().chain(parts).collect());
+                let mut path: Vec<String> = base.iter().cloned().chain(parts).collect();
+                // A list of modules is no path, and has no place in the order.
+                if path.is_empty() {
+                    path.push("crate".to_owned());
+                }
+                paths.push(path);
             }
         }
         // The files of a folder, imported by its own module.
