@@ -17,7 +17,7 @@ const ORDER: &[&[&str]] = &[
     &["kind"],
     &["query"],
     &["collision"],
-    &["answers", "exactly", "weights"],
+    &["answers", "exactly", "weights", "motion"],
     &["predicates", "batch", "gradient"],
     &["ccd"],
     &["lib"],

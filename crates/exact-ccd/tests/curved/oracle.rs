@@ -69,8 +69,8 @@ fn assert_defined<K: Defined>(case: &Case<K>, d: f64) -> bool {
     first.is_some()
 }
 
-/// Compares the queries of a family with numbers of all sorts, for contact and within a distance. Fewer are compared
-/// where the definition is slow: with many digits, and within a distance.
+/// Compares the queries of a family with numbers of all sorts, for contact and within a distance. Fewer are
+/// compared where the definition is slow: with many digits, and within a distance.
 fn check<K: Defined>(share: usize, case: impl Fn(Numbers, &mut Rng) -> Case<K>) {
     let mut random = Rng::with_seed(1);
     let (mut touching, mut free) = (0, 0);
