@@ -18,7 +18,7 @@ const ORDER: &[&[&str]] = &[
     &["kind"],
     &["query"],
     &["collision"],
-    &["answers", "exactly", "weights"],
+    &["answers", "exactly", "weights", "motion"],
     &["predicates", "batch", "gradient"],
     &["ccd"],
     &["lib"],

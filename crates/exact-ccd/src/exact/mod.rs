@@ -16,6 +16,7 @@
 //! within a distance.
 
 mod approximation;
+mod bodies;
 mod bracket;
 mod displacement;
 mod divisor;

@@ -2,6 +2,8 @@
 
 use core::ops::Mul;
 
+use dashu_int::IBig;
+
 use super::polynomial::{Polynomial, Vector};
 
 /// A quaternion, the scalar first. All components have one degree.
@@ -21,7 +23,8 @@ impl Quaternion {
     /// A vector as a quaternion without a scalar part.
     pub(super) fn pure(vector: &Vector) -> Self {
         let [x, y, z] = vector.clone();
-        Self([&x - &x, x, y, z])
+        let zero = Polynomial::constant(IBig::ZERO).elevated(x.degree());
+        Self([zero, x, y, z])
     }
 
     pub(super) fn degree(&self) -> usize {

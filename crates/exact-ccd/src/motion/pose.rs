@@ -7,8 +7,8 @@ use crate::tables::Point;
 
 /// An orientation and a place: the point v of the body is at o + N v / |q|², where N v = q v q*.
 ///
-/// The quaternion q, scalar first, is taken exactly, and may have any length but 0: every one is a rotation. Nothing is
-/// normalised, so that a body keeps its shape, and the end of a step is the start of the next one.
+/// The quaternion q, scalar first, is taken exactly, and may have any length but 0: every one is a rotation.
+/// Nothing is normalised, so that a body keeps its shape, and the end of a step is the start of the next one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     rotation: [f64; 4],
@@ -38,8 +38,8 @@ impl Pose {
         self.place
     }
 
-    /// This pose with the one of both opposite quaternions that is nearer to that of an earlier pose: the turn from
-    /// there is at most 180°. The two are the same rotation.
+    /// This pose with the one of both opposite quaternions that is nearer to that of an earlier pose: the
+    /// turn from there is at most 180°. The two are the same rotation.
     #[must_use]
     pub fn nearer_turn(self, earlier: &Self) -> Self {
         if exact::cosine_sign([earlier.rotation, self.rotation]).is_lt() {

@@ -7,13 +7,14 @@ use super::pose::{Pose, check_points, check_rotation};
 use crate::exact::{Turn, vanishes};
 use crate::tables::Point;
 
-/// The motion of a rigid body from t = 0 to t = 1: it turns by q(t) = (1 − t) q₀ + t q₁, and its origin moves on a Bézier
-/// curve o(t) of degree 1 to 3. The point v of the body is at o(t) + q v q* / |q|².
+/// The motion of a rigid body from t = 0 to t = 1: it turns by q(t) = (1 − t) q₀ + t q₁, and its origin moves
+/// on a Bézier curve o(t) of degree 1 to 3. The point v of the body is at o(t) + q v q* / |q|².
 ///
-/// The quaternions, scalar first, are taken exactly, and need not have length 1. If they have the same length, the orientations
-/// are those of spherical interpolation (slerp) at other times: the turn is faster half way than at both ends. Where a body also
-/// translates, this is another motion than slerp. q₁ and −q₁ are the same orientation, but one of them leads there by a turn of
-/// more than 180° (see [`Pose::nearer_turn`]).
+/// The quaternions, scalar first, are taken exactly, and need not have length 1. If they have the same
+/// length, the orientations are those of spherical interpolation (slerp) at other times: the turn is faster
+/// half way than at both ends. Where a body also translates, this is another motion than slerp. q₁ and −q₁
+/// are the same orientation, but one of them leads there by a turn of more than 180° (see
+/// [`Pose::nearer_turn`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidMotion {
     quaternions: [[f64; 4]; 2],
@@ -24,12 +25,12 @@ pub struct RigidMotion {
 const MOST_PLACES: usize = 4;
 
 impl RigidMotion {
-    /// The motion with these quaternions at t = 0 and t = 1, scalar first, and with these two to four control points
-    /// of the place of the origin. Free fall has three.
+    /// The motion with these quaternions at t = 0 and t = 1, scalar first, and with these two to four control
+    /// points of the place of the origin. Free fall has three.
     ///
     /// # Errors
-    /// [`InvalidMotion`], if a number is not finite, if a quaternion is 0, if the quaternion vanishes in the step (q₁ = −λ q₀ for a
-    /// positive λ), or for another number of control points.
+    /// [`InvalidMotion`], if a number is not finite, if a quaternion is 0, if the quaternion vanishes in the
+    /// step (q₁ = −λ q₀ for a positive λ), or for another number of control points.
     pub fn new(quaternions: [[f64; 4]; 2], places: &[Point]) -> Result<Self, InvalidMotion> {
         for (time, &quaternion) in quaternions.iter().enumerate() {
             check_rotation(quaternion, Some(time))?;

@@ -1,4 +1,5 @@
-//! The places of points that move on curves, from the definition: quotients X / w of polynomials with rational coefficients.
+//! The places of points that move on curves, from the definition: quotients X / w of polynomials with
+//! rational coefficients.
 //!
 //! Nothing is divided out, and all is in the coordinates of the world.
 
@@ -114,8 +115,9 @@ impl Place {
     }
 }
 
-/// The points as integer polynomials, all times one positive function, and the distance times the same function. Each point is
-/// multiplied by the weight of one of the other primitive: the weights of the points of a primitive are equal.
+/// The points as integer polynomials, all times one positive function, and the distance times the same
+/// function. Each point is multiplied by the weight of one of the other primitive: the weights of the points
+/// of a primitive are equal.
 pub(crate) fn common(places: &[Place], first: usize, d: f64) -> (Vec<Vector>, Polynomial) {
     let [one, two] = [&places[0].w, &places[first].w];
     let mut all: Vec<Rational> = Vec::new();

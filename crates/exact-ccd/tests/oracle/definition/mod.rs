@@ -50,7 +50,8 @@ pub(crate) fn intervals(
     intervals_of(primitives, &points, &Polynomial::new(vec![d]))
 }
 
-/// The same for points whose coordinates are polynomials, and for a distance that is one, not negative in the step.
+/// The same for points whose coordinates are polynomials, and for a distance that is one, not negative in the
+/// step.
 pub(crate) fn intervals_of(
     primitives: Primitives,
     points: &[Vector],
