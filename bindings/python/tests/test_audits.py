@@ -87,7 +87,7 @@ def test_files(tmp_path) -> None:
 
 
 def test_stl_files_are_welded(tmp_path) -> None:
-    # Two faces with a common edge, of which copies would touch, and one that falls through them.
+    # Two faces with a common edge, whose copies would touch, and one that falls through them.
     faces = [[0, 1, 2], [2, 1, 3], [4, 5, 6]]
     below = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0]]
     positions = np.array([[*below, [1, 1, z], [1, 2, z + 4], [2, 1, z + 4]] for z in (3, 1, -3)], float)
