@@ -6,8 +6,8 @@
 //! 1. *Loosen*: along the smoothed gradient of the length of the curves in which the mesh intersects itself
 //!    (Volino and Magnenat-Thalmann 2006), until no edge passes through a face and no pair touches.
 //! 2. *Separate*: apart, until no pair is within the minimum distance, if there is one.
-//! 3. *Return*: towards the given positions and the given shape, as far as it goes. Each step is certified to be
-//!    free of contact, so that nothing intersects any more.
+//! 3. *Return*: towards the given positions and the given shape, as far as it goes. Each step is certified to
+//!    be free of contact, so that nothing intersects any more.
 //!
 //! ```
 //! use std::sync::Arc;
