@@ -10,7 +10,7 @@ use crate::problem::{Ended, Problem, moved};
 use crate::progress::Phase;
 
 /// The smoothing of the gradient: (1 + `SMOOTHING` L)⁻¹, with L the Laplacian of the graph of edges. It
-/// spreads the displacement of a vertex over about √30 edges around it. With 5, tangled knots stay tangled.
+/// spreads the displacement of a vertex over about √30 edges around it. Less leaves knots tangled.
 const SMOOTHING: f64 = 30.0;
 
 /// The smoothing of the displacement from the given positions. Each round takes the mean of both.
