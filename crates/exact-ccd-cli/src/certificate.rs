@@ -104,6 +104,12 @@ impl Certificate<'_> {
         self.add(&frame.mesh, [before, &frame.positions], is_first, contact)
     }
 
+    /// Adds the statement that a mesh at rest is free, as that of a step that ends where it starts.
+    #[cfg(feature = "repair")]
+    pub(crate) fn add_rest(&mut self, mesh: &TriangleMesh, positions: &[Point]) -> Result<(), Failure> {
+        self.add(mesh, [positions; 2], true, None)
+    }
+
     fn add(
         &mut self,
         mesh: &TriangleMesh,

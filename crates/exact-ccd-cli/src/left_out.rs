@@ -8,11 +8,17 @@ use crate::failure::Failure;
 type Optional = (&'static str, &'static str, &'static str);
 
 const QUERIES: &str = "queries";
+const REPAIR: &str = "repair";
 const SIMULATE: &str = "simulate";
 const FULL: &str = "full";
 
 /// All commands that have a feature.
-const OPTIONAL: [Optional; 8] = [
+const OPTIONAL: [Optional; 9] = [
+    (
+        "repair",
+        REPAIR,
+        "Move the vertices of a mesh that intersects itself until it does not, and decide exactly that it does not",
+    ),
     (
         "queries",
         QUERIES,
@@ -55,6 +61,7 @@ const OPTIONAL: [Optional; 8] = [
 fn left_out() -> impl Iterator<Item = Optional> {
     let is_in = |feature: &str| match feature {
         QUERIES => cfg!(feature = "queries"),
+        REPAIR => cfg!(feature = "repair"),
         SIMULATE => cfg!(feature = "simulate"),
         _ => cfg!(feature = "full"),
     };

@@ -28,6 +28,8 @@ mod output;
 mod progress;
 #[cfg(feature = "queries")]
 mod queries;
+#[cfg(feature = "repair")]
+mod repair;
 mod report;
 #[cfg(feature = "queries")]
 mod round;
@@ -63,6 +65,8 @@ struct Program {
 enum Command {
     Step(step::Arguments),
     Audit(audit::Arguments),
+    #[cfg(feature = "repair")]
+    Repair(repair::Arguments),
     #[cfg(feature = "queries")]
     Queries(queries::Arguments),
     #[cfg(feature = "queries")]
@@ -128,6 +132,8 @@ fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Fail
     pool.install(|| match &program.command {
         Command::Step(arguments) => step::run(arguments),
         Command::Audit(arguments) => audit::run(arguments),
+        #[cfg(feature = "repair")]
+        Command::Repair(arguments) => repair::run(arguments),
         #[cfg(feature = "queries")]
         Command::Queries(arguments) => queries::run(arguments),
         #[cfg(feature = "queries")]

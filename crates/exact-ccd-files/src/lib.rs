@@ -70,7 +70,8 @@ pub use read::{
 };
 pub use unsupported::Unsupported;
 pub use write::{
-    PointArray, UnstructuredGrid, write_obj, write_ply, write_ply_with_parts, write_pvd, write_vtp, write_vtu,
+    PointArray, UnstructuredGrid, with_obj_positions, write_obj, write_ply, write_ply_with_parts, write_pvd,
+    write_vtp, write_vtu,
 };
 
 /// The examples in the README of the repository, as tests.

@@ -193,6 +193,17 @@ impl Scene {
         moving.map(|part| part.vertices.clone()).collect()
     }
 
+    /// The vertices of the obstacles, and of the parts and groups with these names.
+    #[cfg(feature = "repair")]
+    pub(crate) fn resting_vertices(&self, names: &[String]) -> Result<Vec<u32>, Failure> {
+        let obstacles = self.parts.iter().filter(|part| part.is_obstacle);
+        let mut vertices: Vec<u32> = obstacles.flat_map(|part| part.vertices.clone()).collect();
+        for name in names {
+            vertices.extend(vertex_set::named_set(&self.parts, name)?.vertices());
+        }
+        Ok(vertices)
+    }
+
     /// The named bodies of the scene, for pages: its parts, or the groups of a part where each vertex is in
     /// one. None, if all is one part without groups.
     pub(crate) fn bodies(&self) -> Vec<Body> {

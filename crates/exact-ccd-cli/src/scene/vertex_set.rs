@@ -21,6 +21,13 @@ impl VertexSet {
         vertices.iter().any(|&vertex| self.has(vertex))
     }
 
+    /// The vertices.
+    #[cfg(feature = "repair")]
+    pub(super) fn vertices(&self) -> impl Iterator<Item = u32> {
+        let end = self.first + self.flags.len() as u32;
+        (self.first..end).filter(|&vertex| self.has(vertex))
+    }
+
     /// Returns true if they are of the part with these vertices.
     pub(super) fn is_of(&self, part: &Range<u32>) -> bool {
         part.contains(&self.first)

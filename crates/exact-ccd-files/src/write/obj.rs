@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::io;
 
-use exact_ccd_mesh::Frame;
+use exact_ccd_mesh::{Frame, Point};
 
 use super::check::check_frame;
 
@@ -33,6 +33,38 @@ pub fn write_obj(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {
         push(&mut text, format_args!("l {a} {b}\n"));
     }
     writer.write_all(text.as_bytes())
+}
+
+/// The text of an OBJ file with other coordinates of its vertices, and otherwise the same.
+///
+/// Returns `None` if the file has another number of vertices, or one in several lines. Weights and colors behind the
+/// coordinates stay. Each coordinate is the shortest decimal that reads back as the same `f64`.
+///
+/// ```
+/// use exact_ccd_files::with_obj_positions;
+///
+/// let text = "# A point.\nv 0 0 0 1 0.5 0 # red\np 1\n";
+/// let moved = with_obj_positions(text, &[[0.1, 0.0, 2.0]]);
+/// assert_eq!(moved.as_deref(), Some("# A point.\nv 0.1 0.0 2.0 1 0.5 0 # red\np 1\n"));
+/// assert_eq!(with_obj_positions(text, &[]), None);
+/// ```
+#[must_use]
+pub fn with_obj_positions(text: &str, positions: &[Point]) -> Option<String> {
+    let mut places = positions.iter();
+    let mut changed = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        let mut words = line.split_whitespace();
+        if words.next() != Some("v") {
+            changed.push_str(line);
+            continue;
+        }
+        // The text behind the third coordinate.
+        let z = words.nth(2).filter(|z| !z.starts_with(['#', '\\']))?;
+        let end = z.as_ptr().addr() - line.as_ptr().addr() + z.len();
+        let [x, y, z] = places.next()?;
+        push(&mut changed, format_args!("v {x:?} {y:?} {z:?}{}", &line[end..]));
+    }
+    places.next().is_none().then_some(changed)
 }
 
 fn push(text: &mut String, line: std::fmt::Arguments<'_>) {

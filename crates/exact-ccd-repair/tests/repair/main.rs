@@ -10,7 +10,9 @@ use exact_ccd::{CONTACT, EdgeEdge, Options, Query, Separation, VertexFace};
 use exact_ccd_mesh::{
     Bvh, CanCollide, Detector, IntersectionOptions, Point, PositionsError, TriangleMesh, intersections,
 };
-use exact_ccd_repair::{Outcome, Phase, Reason, RepairError, RepairOptions, Repaired, Unrepaired, repair, repair_in_f32};
+use exact_ccd_repair::{
+    Outcome, Phase, Reason, RepairError, RepairOptions, Repaired, Unrepaired, repair, repair_in_f32,
+};
 use shapes::{Body, boxed, flattened, grid, joined, klein_bottle, limb, sphere, torus, twisted_strip};
 
 fn repaired(body: &Body, options: &RepairOptions<'_>) -> Repaired {
@@ -335,7 +337,8 @@ fn positions_in_single_precision_are_free_as_they_are_rounded() {
     for distance in [0.0, 1e-3] {
         let distance = Separation::new(distance).expect("it is finite");
         let options = RepairOptions::default().with_min_distance(distance);
-        let Outcome::Repaired(repaired) = repair_in_f32(&body.mesh, &body.positions, &options).expect("they fit")
+        let Outcome::Repaired(repaired) =
+            repair_in_f32(&body.mesh, &body.positions, &options).expect("they fit")
         else {
             panic!("it is free to move")
         };
