@@ -6,8 +6,8 @@ use crate::filter::{self, Contact, Decision, Proved};
 use crate::tables::{Points, Tables};
 use crate::values::{CONTACT, ContactTime, DistanceBounds, Impact, Intervals, Separation, Stage};
 
-/// The decision that two primitives touch, with the intermediate results from which all answers follow. The
-/// points are those of the decision.
+/// The decision that two primitives touch, with the intermediate results from which all answers follow. Its
+/// functions take the points of the decided query.
 #[derive(Clone, Debug)]
 #[expect(
     unnameable_types,

@@ -6,8 +6,8 @@ use super::polynomial::Polynomial;
 use super::split::Split;
 
 impl Polynomial {
-    /// All values in [low, high], two times that are not far apart, by approximations, the last of which
-    /// takes the slope in the interval into account.
+    /// All values in [low, high], two times that are not far apart, by approximations. The last one takes the
+    /// slope in the interval into account.
     ///
     /// Around a number at which the polynomial does not vanish, all values in a narrow bracket have a
     /// sign: the error of each approximation is then proportional to the width.

@@ -83,7 +83,7 @@ fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Orderin
 
 /// The same moment, if it certainly is a time with few digits, or a root in a narrower window.
 ///
-/// If a window contains the bracket and exactly one root, it is this root.
+/// The only root in a window that contains the bracket is the root of the bracket.
 pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
     let Moment::Root(window, root) = moment else {
         return None;

@@ -230,7 +230,8 @@ fn equal_motions_are_at_rest<K: Kind>() {
     });
 }
 
-/// The first time of a step divided at t = 1/2 is that of the first half, halved, or that of the second one.
+/// A step is divided at t = 1/2. Its first time is half the first time t of the first half, if there is one,
+/// and otherwise (1 + t) / 2 for the second half.
 fn assert_divided<K: Kind>([whole, first, second]: [&CurvedQuery<K>; 3]) {
     for options in options() {
         let time = |query: &CurvedQuery<K>| query.time_of_impact(options);

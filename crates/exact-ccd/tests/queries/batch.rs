@@ -345,8 +345,8 @@ fn errors_of_arrays_name_query_and_coordinate() {
     }
 }
 
-/// The differences of one corner, far away at both ends, are rounded across a plane at 45 degrees. Those of
-/// the others are small.
+/// The differences of one corner, far away at both ends, are rounded across a plane at 45 degrees. The
+/// differences of the other corners are small.
 #[test]
 fn a_far_corner_counts_whatever_the_others_are() {
     let far = 2f64.powi(53);

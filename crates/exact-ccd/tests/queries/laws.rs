@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use exact_ccd::{Collision, ContactTime, Interval, Intervals, Kind, Query, Separation};
 
-/// All times at which the primitives touch. They are checked to be ordered intervals of the step, the same
-/// as those of the exact path bit for bit, and consistent with the other answers, which are computed apart
+/// All times at which the primitives touch. They are checked to be ordered intervals of the step, equal to
+/// the answer of the exact path bit for bit, and consistent with the other answers, which are computed apart
 /// from them, and with the primitives at single times.
 pub(crate) fn checked<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
     // Times are equal if their bits are.

@@ -287,7 +287,8 @@ fn a_root_just_before_the_zero_of_a_factor_is_kept() {
     assert_eq!(truth.map(|contact| contact.time()), Some(expected));
 }
 
-/// Returns true if a moment is a time, or a root in a window that contains the bracket of one in another.
+/// Returns true if a moment is a time, or a root in a window that contains the bracket of a root in another
+/// window.
 fn contains(narrow: &Moment, window: &Window, root: &Root) -> bool {
     let Moment::Root(narrow, _) = narrow else {
         return true;
