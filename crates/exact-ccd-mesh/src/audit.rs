@@ -25,9 +25,9 @@ use crate::steps::{MotionError, StepError};
 /// compared.
 ///
 /// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either, but for a
-/// vertex and an edge that another edge connects. In the first frame, the least distance of primitives that
-/// do not intersect is that of a vertex and a face, of two edges, or of a vertex and a loose edge or vertex,
-/// and all of these pairs are examined at rest.
+/// vertex and an edge that another edge connects. In the first frame, primitives that do not intersect are
+/// nearest at a vertex and a face, at two edges, or at a vertex and a loose edge or vertex, and all of these
+/// pairs are examined at rest.
 ///
 /// ```
 /// use exact_ccd_mesh::{Audit, Frame, Violation};
@@ -88,7 +88,7 @@ impl Audit {
         Self { min_distance, ..self }
     }
 
-    /// The same audit, restricted to the pairs that can collide: those of an edge and a face, too.
+    /// The same audit, restricted to the pairs that can collide. This holds for an edge and a face, too.
     #[must_use]
     pub fn with_can_collide(self, can_collide: CanCollide) -> Self {
         Self { can_collide, ..self }
@@ -99,7 +99,7 @@ impl Audit {
     /// # Errors
     /// [`MotionError`] names the difference between the mesh of this frame, which it calls the end,
     /// and the mesh of the frames before; or the positions that are not finite; or the number of
-    /// thicknesses that is not that of vertices. The frame counts as not examined.
+    /// thicknesses, if it is not the number of vertices. The frame counts as not examined.
     pub fn examine(&mut self, frame: Frame) -> Result<Option<Violation>, MotionError> {
         Ok(self.add(frame, false)?.first().copied())
     }
@@ -114,7 +114,8 @@ impl Audit {
     }
 
     /// All violations of the next frame, which is examined at rest in any case, and of the step that leads to
-    /// it, sorted by frame and time. The first violation of a sequence is that of [`examine`](Self::examine).
+    /// it, sorted by frame and time. The first violation of a sequence is the same as by
+    /// [`examine`](Self::examine).
     ///
     /// A contact in the first frame is one at rest, and the step after it does not have it again. Any other
     /// contact that lasts is one of every step in which the pair touches.

@@ -40,8 +40,8 @@ pub(crate) enum PrimitiveSet {
     Edges,
     /// The vertices of no edge. The corner of a face whose three corners are one vertex is among them.
     LooseVertices,
-    /// The loose vertices, the ends of rods, and the corners of triangles of rods: the vertices all of whose
-    /// edges may have a vertex in common with a loose edge of which they are no end.
+    /// The loose vertices, the ends of rods, and the corners of triangles of rods. A loose edge without such
+    /// a vertex may share a vertex with each edge of the vertex.
     Ends,
     /// The edges of no face.
     LooseEdges,

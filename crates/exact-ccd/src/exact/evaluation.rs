@@ -29,7 +29,8 @@ impl Polynomial {
     }
 
     /// The polynomial in τ at t, known to k bits. The precision doubles until the sign is known, and then
-    /// grows by the missing bits. Once it reaches the length of the plain integer, the plain integer is computed.
+    /// grows by the missing bits. Once it reaches the length of the plain integer, the plain integer is
+    /// computed.
     fn value_from(&self, mut precision: usize, t: &Split, bits: usize) -> Approximation {
         while t.is_inner_ratio() && precision < self.length_at(t) {
             let value = self.values(t, t, precision);

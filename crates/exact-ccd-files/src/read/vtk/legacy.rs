@@ -135,7 +135,7 @@ impl Sections<'_> {
         let size = self.tokens.count("the number of integers")?;
         let (corners, ends) = if self.tokens.next_is("OFFSETS") {
             let mut ends = integers(&mut self.tokens, count)?;
-            // The first offset is that of cell 0.
+            // The first offset belongs to cell 0.
             if !ends.is_empty() && ends.remove(0) != 0 {
                 return Err(Fault::expected("offset 0", "another one").at(place));
             }

@@ -91,7 +91,7 @@ fn is_within(a: Point, b: Point, tolerance: f64) -> bool {
 mod tests {
     use super::*;
 
-    /// The sets are those of all pairs within the tolerance, whatever the order of the vertices.
+    /// The sets unite all pairs within the tolerance, whatever the order of the vertices.
     #[test]
     fn sets_are_those_of_all_pairs() {
         let mut random = fastrand::Rng::with_seed(49);

@@ -174,7 +174,7 @@ fn candidates_are_those_of_all_pairs_that_can_collide() {
     }
 }
 
-/// Of five vertices, of which the last two have no flag and no group.
+/// Five vertices. The last two have no flag and no group.
 #[test]
 fn rules_name_the_pairs_that_they_allow() {
     let obstacles = CanCollide::not_two_obstacles(vec![true, false, true]);
