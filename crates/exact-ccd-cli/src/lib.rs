@@ -81,7 +81,7 @@ enum Command {
     Man(documents::Manual),
 }
 
-/// Runs the program with these arguments, of which the first is its name.
+/// Runs the program with these arguments. The first one is its name.
 ///
 /// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error, 3 if there is
 /// no certificate. The help text and errors in the arguments end the process.

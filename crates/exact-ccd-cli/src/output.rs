@@ -19,8 +19,8 @@ pub(crate) struct Output {
     output: PathBuf,
 }
 
-/// The name of a file for an answer on the command line, which is not that of a mesh file or of a list of
-/// them: where the name is left out, the first input behind the option would be replaced.
+/// The name of a file for an answer on the command line. The name of a mesh file, or of a list of mesh files,
+/// is an error: where the name is left out, the answer would replace the first input behind the option.
 pub(crate) fn answer() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|file| {
         let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
@@ -198,8 +198,8 @@ pub(crate) fn write_file_soon(
 /// Writes a file and replaces an existing one atomically: after an error or a crash, the old file
 /// is unchanged.
 ///
-/// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft
-/// in the folder, whose name is that of the file between a point and a number.
+/// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft in the
+/// folder. The name of the draft is a point, the name of the file, and a number.
 pub(crate) fn replace_file<T>(
     file: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> Result<T, Failure>,

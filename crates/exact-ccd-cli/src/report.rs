@@ -1,4 +1,4 @@
-//! The report of a motion: that of one step, or of a sequence of frames.
+//! The report of a motion: one step, or a sequence of frames.
 
 use std::fmt;
 

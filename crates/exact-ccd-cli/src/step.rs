@@ -249,7 +249,7 @@ impl Arguments {
     fn tell(&self, problem: &Problem<'_>, found: &Found, report: &mut Report) -> Result<(), Failure> {
         let scene = problem.scene;
         let at_start = found.start.first().map(|&found| problem.record_of_start(found));
-        // Of contacts at the same time, those of the mesh are first.
+        // Of contacts at the same time, contacts within the mesh are first.
         let answer = &found.answer;
         let earliest = answer.earliest.as_ref().map(|contact| problem.record(contact));
         let earliest = earliest.into_iter().chain(found.in_half_spaces.first().cloned());

@@ -46,8 +46,7 @@ pub(crate) struct Owners {
     pub(crate) part_vertices: [Vec<u32>; 2],
 }
 
-/// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex and a
-/// half space.
+/// The kinds of pairs, including an edge and a face that intersect at rest, and a vertex and a half space.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum RecordKind {
@@ -169,7 +168,7 @@ impl ContactRecord {
         lower.then(a.upper.total_cmp(&b.upper))
     }
 
-    /// The same record with the ids of the file in place of those of the mesh. Edges have no ids in files.
+    /// The same record with ids of the file instead of the mesh. Edges have no ids in files.
     pub(crate) fn in_file(mut self, ids: &FileIds) -> Self {
         let vertex = |&vertex: &u32| ids.vertices.get(vertex as usize).copied().unwrap_or(vertex);
         self.vertices = self

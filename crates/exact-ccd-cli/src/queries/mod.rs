@@ -37,7 +37,7 @@ use tally::Tally;
 /// A query is a row for each of its points at t = 0, then the same at t = 1.
 /// The points are, by the kind of the queries,
 ///   vf  the vertex and the corners of the face: eight rows
-///   ee  the ends of the first edge and those of the second: eight rows
+///   ee  the ends of the first edge, then of the second: eight rows
 ///   ve  the vertex and the ends of the edge: six rows
 ///   vv  the two vertices: four rows
 /// A row is the numerators and denominators of x, y and z, six columns; or x, y
@@ -47,10 +47,10 @@ use tally::Tally;
 /// Files whose names end in .parquet have the columns of `exact-ccd convert`
 /// instead.
 ///
-/// Without --kind, the kind is that of the folder, vertex-face or edge-edge, of
-/// the column kind of a Parquet file, or the only one whose queries fill the rows
-/// of a file, which is noted. If it is not certain, that is an error. A --kind that
-/// is not that of the folder is noted.
+/// Without --kind, the kind follows from the name of the folder, vertex-face or
+/// edge-edge, from the column kind of a Parquet file, or from the number of rows,
+/// if the queries of one kind alone fill the rows of a file, which is noted. If it
+/// is not certain, that is an error. A --kind other than the folder's is noted.
 ///
 /// The answers are CSV, a row for each query:
 ///   query    the number of the query, from 0, over all files
@@ -72,9 +72,9 @@ use tally::Tally;
 ///   count    is even, odd, or boundary for a contact at t = 0 or t = 1, with
 ///            an edge of the face, or with an end of an edge
 ///
-/// The other methods are those of `exact-ccd bench`. Their count is empty, and
-/// so is the toi of those without times. Only the exact method has the kinds ve
-/// and vv, and distances above 0.
+/// The other methods are the same as in `exact-ccd bench`. Their count is empty,
+/// and so is the toi if the method has no times. Only the exact method has the
+/// kinds ve and vv, and distances above 0.
 ///
 /// If there is ground truth, the numbers of false positives and of false
 /// negatives go to standard error.
@@ -87,7 +87,7 @@ use tally::Tally;
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
-    /// against a vertex [default: that of the files, if it is certain]
+    /// against a vertex [default: the kind of the files, if it is certain]
     #[arg(long)]
     kind: Option<Kind>,
     /// Count primitives at most D apart as touching, in the unit of the coordinates.

@@ -54,8 +54,8 @@ impl Frames {
         Ok(parts)
     }
 
-    /// The frames in files, folders and lists of files, as [`Frames::of_paths`]; of one file, those of each
-    /// part.
+    /// The frames in files, folders and lists of files, as [`Frames::of_paths`]; of one file, the frames of
+    /// each part.
     pub(super) fn parts_of_paths(
         paths: &[PathBuf],
         as_given: bool,
@@ -213,7 +213,7 @@ fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> 
     Ok(order.files)
 }
 
-/// Refuses names of which the order depends on the meaning of a point between digits.
+/// Refuses names whose order depends on the meaning of a point between digits.
 fn check_certain(order: &FrameOrder) -> Result<(), Failure> {
     match &order.uncertain {
         None => Ok(()),

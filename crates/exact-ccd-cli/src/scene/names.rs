@@ -102,7 +102,7 @@ impl<'a> Owner<'a> {
         })
     }
 
-    /// The id of a primitive in the file of the part; that of an edge is its place in the mesh of the part.
+    /// The id of a primitive in the file of the part. For an edge, it is its index in the mesh of the part.
     fn id(&self, record: &ContactRecord, side: usize) -> Option<u32> {
         let vertices = &record.mesh_vertices[side];
         let start = self.part.vertices.start;

@@ -63,7 +63,7 @@ pub(crate) struct SceneOptions {
 }
 
 impl SceneOptions {
-    /// The files that are read, given those of the parts that move.
+    /// The files that are read, given the files of the parts that move.
     pub(crate) fn inputs(&self, moving: &[PathBuf]) -> Vec<PathBuf> {
         moving
             .iter()

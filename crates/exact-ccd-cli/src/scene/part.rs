@@ -271,8 +271,8 @@ pub(super) fn contents(parts: &[Part], frame: &Frame) -> Contents {
     contents
 }
 
-/// The name of a part and its file: NAME=FILE, unless there is such a file; else the name is that of the
-/// file, up to the first dot.
+/// The name of a part and its file: NAME=FILE, unless there is such a file. Otherwise the name is the name of
+/// the file, up to the first dot.
 pub(super) fn named(path: &Path) -> (String, PathBuf) {
     let text = path.to_string_lossy();
     if let Some((name, file)) = text.split_once('=')
@@ -286,7 +286,7 @@ pub(super) fn named(path: &Path) -> (String, PathBuf) {
     (stem.to_owned(), path.to_owned())
 }
 
-/// The name of a part of a file: that of the file, and its own, if it has one.
+/// The name of a part of a file: the file's name, and the part's own name, if it has one.
 pub(super) fn part_name(file: &str, part: Option<String>) -> String {
     part.map_or(file.to_owned(), |part| format!("{file}-{part}"))
 }

@@ -318,7 +318,7 @@ fn all_formats_give_the_same_answer() {
 }
 
 prop_compose! {
-    /// Triangles without shared vertices, most of which touch during the step.
+    /// Triangles without shared vertices. Most of them touch during the step.
     pub(crate) fn triangles(count: usize)(
         points in prop::collection::vec(prop::array::uniform3(-1.0..1.0), 3 * count)
     ) -> Vec<Point> {
