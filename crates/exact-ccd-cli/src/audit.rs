@@ -174,8 +174,8 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// Examines a frame, while the next one is read. The duration of reading is what remains after the
-    /// examination.
+    /// Examines a frame, while the next one is read. Only reading that lasts longer than the examination
+    /// counts as reading.
     fn examine_and_read(&mut self, index: usize, frame: Frame) -> Result<Vec<Violation>, Failure> {
         let all = self.arguments.mesh.all.is_some();
         let examine = || {
@@ -219,7 +219,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Adds what was found in a frame, and in the step to it, to the page.
+/// Adds the violations in a frame, and in the step to it, to the page.
 fn show(page: &mut Recording, violations: &[Violation], records: &[ContactRecord]) -> Result<(), Failure> {
     for violation in violations {
         match violation {

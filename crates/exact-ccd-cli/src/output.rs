@@ -73,8 +73,8 @@ impl Output {
         }
     }
 
-    /// Writes the answer as it is computed. What is complete before an error is on standard output; a file is
-    /// unchanged then.
+    /// Writes the answer as it is computed. After an error, standard output has the part before it, and a
+    /// file is unchanged.
     #[cfg(feature = "queries")]
     pub(crate) fn stream<T>(
         &self,

@@ -245,7 +245,7 @@ impl Arguments {
         })
     }
 
-    /// Adds what was found to the report.
+    /// Adds the contacts and counts to the report.
     fn tell(&self, problem: &Problem<'_>, found: &Found, report: &mut Report) -> Result<(), Failure> {
         let scene = problem.scene;
         let at_start = found.start.first().map(|&found| problem.record_of_start(found));

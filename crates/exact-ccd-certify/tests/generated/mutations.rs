@@ -1,4 +1,4 @@
-//! Certificates with changes: what is accepted is true, by the exact kernel on all pairs.
+//! Certificates with changes: each accepted statement is true, by the exact kernel on all pairs.
 
 use exact_ccd_check::bytes::Bytes;
 use exact_ccd_check::certificate::{FREE, Head, MAGIC, REST, stretches};
@@ -31,8 +31,8 @@ const DISTANCE: usize = MAGIC.len();
 const FLAGS: usize = DISTANCE + 8;
 const TIMES: usize = FLAGS + 1;
 
-/// 10,000 mutations of one kind: what is accepted must be true. Returns the numbers of those that are false
-/// statements, and of those that are accepted.
+/// Checks 10,000 mutations of one kind: an accepted certificate must be true. Returns the numbers of changed
+/// certificates, and of changed certificates that are accepted.
 fn mutate(seed: u64, mutate: impl Fn(&mut Random, &mut Vec<u8>, f64, &Contact)) -> [usize; 2] {
     mutate_some(seed, 50, |_| true, mutate)
 }
@@ -99,7 +99,8 @@ fn changed_bytes_prove_nothing_false() {
     assert!(differ > 5000);
 }
 
-/// A row of a table: the places of the number of rows, of its first byte, of its first tag and of its end.
+/// A row of a table, by the places of four bytes: the number of rows, the row's begin, its first tag, its
+/// end.
 struct Row {
     count: usize,
     begin: usize,

@@ -258,7 +258,7 @@ impl Part {
     }
 }
 
-/// The contents of the scene: what the files have, after welding.
+/// The contents of the scene: the contents of the files, after welding.
 pub(super) fn contents(parts: &[Part], frame: &Frame) -> Contents {
     if let [part] = parts
         && !part.shape.is_changed()

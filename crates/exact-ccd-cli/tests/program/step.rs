@@ -18,8 +18,8 @@ pub(crate) fn without_seconds(run: &Run) -> &str {
     &run.stdout[..end]
 }
 
-/// The lines of a report that are the answer: without those about what was read, about the place of the
-/// contact, and about the seconds.
+/// The answer in a report: its lines without the contents of the files, the place of the contact, and the
+/// seconds.
 #[track_caller]
 pub(crate) fn answer(run: &Run) -> String {
     let is_answer = |line: &&str| !line.starts_with("read: ") && !line.starts_with("  at (");

@@ -115,8 +115,8 @@ mod tests {
         roots.pop().expect("there is one")
     }
 
-    /// The union of intervals, with ends that are often equal or next to each other, does not depend on what
-    /// is known of its events, on their brackets and on their order.
+    /// The union of intervals, with ends that are often equal or next to each other. It does not depend on
+    /// the order of the events, on their brackets, or on events of unknown passage.
     #[test]
     fn entries_and_exits_are_the_ends_of_unions() {
         let mut random = Rng::with_seed(0);

@@ -113,7 +113,7 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
 /// parity: none and one are certain (Descartes' rule). Otherwise the bounds of [`Cubic::new`] hold with the
 /// largest coefficient as magnitude: each coefficient is rounded once, n = 1 of the ten roundings there,
 /// and the largest rounded one is below its integer by one rounding at most. Coefficients are below 2⁴⁴⁵
-/// ([`Window::cubic`]): nothing overflows. The largest is at least 1, so that what underflows is far below
+/// ([`Window::cubic`]): nothing overflows. The largest is at least 1, so that underflow is far below
 /// the bounds. If these do not suffice, the window is cut.
 fn push_zeros_inside(
     cubic: &[Volume; 4],

@@ -53,8 +53,8 @@ fn checked_stage<K: Kind>(query: &Query<K>) -> Stage {
     stage
 }
 
-/// The queries of the pairs of two lists of primitives whose boxes over the step meet, at most about a count
-/// of them, from all parts of the lists.
+/// Queries of pairs from two lists of primitives, if their boxes over the step meet: at most about `count`,
+/// from all parts of the lists.
 fn queries<K: Kind<Points = [Point; 4]>>(
     scene: &Scene,
     first: &[Vec<u32>],

@@ -97,7 +97,7 @@ impl Answers {
     }
 }
 
-/// Checks batches of some of the queries of vertices, and, if the separation is the same for all, of points.
+/// Checks batches of some queries, given by vertices, and, if all have the same separation, by points.
 fn assert_as_single_queries<K: Kind>(
     queries: &[[K::Points; 2]],
     separations: Separations<'_>,

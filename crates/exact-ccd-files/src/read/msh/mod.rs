@@ -24,7 +24,7 @@ const DOUBLE: Scalar = Scalar::F64;
 enum Version {
     /// Text only, without a header.
     V1,
-    /// 2 to 2.2, which differ in what is not read.
+    /// 2 to 2.2, which differ only in sections that are skipped.
     V2,
     V40,
     V41,

@@ -12,13 +12,13 @@ use crate::vector::{dot, minus};
 type Cell = (u32, [i64; 3]);
 
 impl Welding {
-    /// Separates the vertices that are not near each other in a frame with these positions: what
-    /// [`restrict`](Self::restrict) does with a tolerance of 0. Two vertices stay together if they are at
-    /// most `tolerance` apart, or if a chain of such vertices connects them. Distances are rounded.
+    /// Separates the vertices that are not near each other in a frame with these positions. With a tolerance
+    /// of 0, it is [`restrict`](Self::restrict). Two vertices stay together if they are at most `tolerance`
+    /// apart, or if a chain of such vertices connects them. Distances are rounded.
     ///
-    /// The new vertex moves as the first of its vertices. So the surface changes by the distance of the
-    /// others from it, and so does every answer. The tolerance should be at least 2⁻⁵⁰ of the coordinates, in
-    /// magnitude; of a smaller one, vertices may be kept apart that are within it.
+    /// The new vertex moves as the first of its vertices. So the surface changes by the distance of the other
+    /// vertices from it, and so does every answer. The tolerance should be at least 2⁻⁵⁰ of the coordinates,
+    /// in magnitude. A smaller one may separate vertices that are within it.
     ///
     /// ```
     /// use exact_ccd_mesh::Welding;

@@ -1,4 +1,4 @@
-//! Steps of vertices in named cases: what is held back, what is blocked, and what is searched after that.
+//! Steps of vertices in named cases: vertices that are held back, blocked pairs, and the search after that.
 
 use exact_ccd::{CONTACT, Options, Separation};
 use exact_ccd_mesh::{Detector, FreeStepOptions, LineSearchError, Pair, Point, TriangleMesh};

@@ -124,7 +124,7 @@ fn known_positions_need_no_pass() {
         Err(StepError::Crossing { edge: 3, face: 0, .. })
     ));
     assert_eq!(detector.start_passes(), 3);
-    // Other pairs: what was known is forgotten.
+    // With other pairs, the proofs so far are forgotten.
     detector.set_can_collide(CanCollide::new(|_, _| true));
     assert_eq!(detector.collides(&x, &above(0.5), CONTACT), Ok(false));
     assert_eq!(detector.start_passes(), 4);

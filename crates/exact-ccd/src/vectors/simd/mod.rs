@@ -23,7 +23,7 @@ use gaps::Separated;
 pub(super) fn run<K: Tables, V: AsRef<[u32]>>(batch: Batch<'_, K, V>, instructions: Instructions) {
     let level = instructions.level();
     // Unsettled queries are passed on by the code for distances above 0, which is right for 0 too. The copy
-    // for contact passes on what collides alone.
+    // for contact passes on colliding queries only.
     if batch.separations.is_contact() && matches!(batch.passed, Passed::Colliding(_)) {
         dispatch!(level, simd => examine::<_, K, _, _>(simd, batch, Touching));
     } else {
