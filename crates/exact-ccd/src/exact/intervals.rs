@@ -116,7 +116,7 @@ mod tests {
     }
 
     /// The union of intervals, with ends that are often equal or next to each other. It does not depend on
-    /// the order of the events, on their brackets, or on events of unknown passage.
+    /// the order of the events, on their brackets, or on which passages are known.
     #[test]
     fn entries_and_exits_are_the_ends_of_unions() {
         let mut random = Rng::with_seed(0);
