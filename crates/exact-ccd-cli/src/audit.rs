@@ -248,7 +248,7 @@ fn record(start: &[Point], last: &Frame, violation: &Violation) -> ContactRecord
 
 impl Arguments {
     /// Writes the files for ParaView: the first violation of the step that leads to a frame, and all others
-    /// of that step, without those at rest in the frame after it.
+    /// of this step, without violations at rest in the frame after it.
     fn write_impact(
         &self,
         scene: &Scene,

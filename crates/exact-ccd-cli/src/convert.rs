@@ -83,7 +83,7 @@ struct Report {
     kind: &'static str,
     /// The number of all queries.
     queries: usize,
-    /// The numbers of those with ground truth, in contact and not.
+    /// The numbers of queries with ground truth, in contact and free.
     colliding: usize,
     free: usize,
 }

@@ -86,7 +86,7 @@ enum Command {
 /// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error, 3 if there is
 /// no certificate. The help text and errors in the arguments end the process.
 ///
-/// It handles no signals: those belong to the process that calls it.
+/// It handles no signals, because they belong to the process that calls it.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     run_program(arguments.into_iter().collect(), false)
 }

@@ -168,7 +168,7 @@ pub(crate) fn remove_file(file: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Makes a folder, with those around it.
+/// Makes a folder, and the folders around it.
 pub(crate) fn make_folder(folder: &Path) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))
 }

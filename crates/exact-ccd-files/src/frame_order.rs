@@ -126,7 +126,7 @@ enum Reading {
 }
 
 /// A piece of a path. Numbers are compared by the number of digits before the point, by these digits, then
-/// by those after the point, without zeros at the end.
+/// by the digits after the point, without zeros at the end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Piece<'a> {
     Number(usize, &'a [u8], &'a [u8]),

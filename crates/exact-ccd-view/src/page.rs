@@ -150,7 +150,7 @@ impl Page {
         Self { summary, ..self }
     }
 
-    /// The same page with the ids that vertices and faces have in a file, in the place of those in the mesh:
+    /// The same page with the ids that vertices and faces have in a file, in place of the ids in the mesh:
     /// one for each vertex, and one or none for each face.
     #[must_use]
     pub fn with_ids(mut self, vertices: Vec<u32>, faces: Vec<Option<u32>>) -> Self {
@@ -171,7 +171,7 @@ impl Page {
     }
 
     /// The same page with the radii at which rods and loose vertices are drawn: one for each vertex, in the
-    /// unit of the positions. Those that are too thin to be seen are drawn a few pixels wide.
+    /// unit of the positions. Radii that are too small to be seen are drawn a few pixels wide.
     #[must_use]
     pub fn with_radii(self, radii: &[f64]) -> Self {
         let radii = radii.iter().map(|&radius| self.units.convert_length(radius));

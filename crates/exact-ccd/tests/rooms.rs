@@ -1,4 +1,4 @@
-//! The order of the modules: each imports only those before it, and no files import each other in a circle.
+//! The order of the modules: each imports only earlier ones, and no files import each other in a circle.
 
 use std::collections::BTreeMap;
 use std::fs;

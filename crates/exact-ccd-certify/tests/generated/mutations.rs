@@ -314,8 +314,9 @@ fn none_of_10_000_changes_of_a_field_proves_anything_false() {
     println!("{:?}", change_fields(10_000));
 }
 
-/// Each field is changed so many times, to other bytes: nothing false is accepted. Another number of rows,
-/// other ids of a row and another T⁺ never are. Returns the numbers of those that are accepted, and true.
+/// Changes each field `count` times, to other bytes: nothing false is accepted. Another number of rows, other
+/// ids of a row and another T⁺ are never accepted. Returns for each field the number of accepted changes,
+/// which are all true.
 fn change_fields(count: usize) -> [(Field, usize); 12] {
     // Some with pairs of several stretches.
     let mut scenes = certified(50, |certificate| certificate[FLAGS] & FREE != 0);

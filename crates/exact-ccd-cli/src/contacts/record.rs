@@ -10,11 +10,11 @@ use serde::Serialize;
 
 use crate::shortest::shortest;
 
-/// Two primitives that touch, in the shape of the JSON object. All ids are those in the
-/// files, counted from 0.
+/// Two primitives that touch, in the shape of the JSON object. All ids are the ids in the files, counted
+/// from 0.
 #[derive(Clone, Default, Serialize)]
 pub(crate) struct ContactRecord {
-    /// The number of the frame, or of that at which the step begins.
+    /// The number of the frame, or of the frame at which the step begins.
     pub(crate) frame: usize,
     pub(crate) kind: RecordKind,
     /// The ids of the two primitives; none for a face that has no id in its file.

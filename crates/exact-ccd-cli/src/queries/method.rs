@@ -14,7 +14,7 @@ use super::kind::Kind as AnyKind;
 use crate::failure::Failure;
 use crate::shortest::shortest;
 
-/// A registered method, or the parity in integers. Those that count contacts are apart.
+/// A registered method, or the parity in integers. Methods that count contacts have variants of their own.
 #[derive(Clone)]
 pub(crate) enum Method {
     Exact,

@@ -124,7 +124,7 @@ impl Shape {
         }
     }
 
-    /// The vertices in the mesh of some in the file, without those that are left out.
+    /// The vertices in the mesh for vertices in the file, without vertices that are left out.
     pub(super) fn vertices(&self, in_file: &[u32]) -> Vec<u32> {
         let vertex = |&vertex: &u32| {
             let kept = match &self.of_faces {

@@ -305,7 +305,7 @@ fn all_formats_give_the_same_answer() {
         let expected = without_seconds(&expected);
         let mut expected = expected.replace("[\"start.ply\",\"end.ply\"]", &files);
         if start == "start.stl" {
-            // The ids are those in the file, three for each facet.
+            // The ids are the ids in the file, three for each facet.
             let [ids, of_stl] = [
                 "\"ids\":[4,1],\"vertices\":[[4],[2,1,3]]",
                 "\"ids\":[6,1],\"vertices\":[[6],[2,1,5]]",

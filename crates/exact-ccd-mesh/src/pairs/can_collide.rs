@@ -106,7 +106,7 @@ impl CanCollide {
         }))
     }
 
-    /// The same predicate, and only primitives all of whose vertices take part can collide.
+    /// The same predicate, restricted to primitives whose vertices all take part.
     ///
     /// `takes_part` has a flag for each vertex. Vertices without a flag take part. The broad phase
     /// leaves out all other primitives, such as the vertices inside a solid. A second call replaces

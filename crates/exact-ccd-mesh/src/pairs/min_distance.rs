@@ -90,8 +90,8 @@ impl MinDistance {
         }
     }
 
-    /// The same distance for pairs that start beyond it, and a smaller one for those that start
-    /// within it: for a line search that has to move on from there.
+    /// The same distance for pairs that start beyond it, and a smaller one for pairs that start within it:
+    /// for a line search that has to move on from there.
     ///
     /// A pair that starts within its distance d touches if it comes within the lesser of d and
     /// `inner`. It may leave and return; all others touch within d.

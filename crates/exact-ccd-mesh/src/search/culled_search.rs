@@ -1,4 +1,4 @@
-//! A search that examines few candidates: those that cannot be earlier than a contact found are left out.
+//! A search that examines few candidates: it leaves out pairs that cannot touch before a contact found.
 
 use std::fmt;
 use std::ops::ControlFlow;

@@ -46,11 +46,11 @@ pub(super) fn intervals_of(events: Vec<Event>, touches: impl Fn(&Split) -> bool)
     ends.filter_map(close).collect()
 }
 
-/// Events in increasing order, each with those that are not told apart from it.
+/// Events in increasing order, each with the events that are not distinguished from it.
 ///
 /// Entries without another event between them are in one interval, because nothing changes between them. So
-/// are exits. Their order does not matter: the least time is one of those with the least rounded value. Other
-/// events are told apart, and of equal ones, one remains.
+/// are exits. Their order does not matter: the least time is among the times with the least rounded value.
+/// Other events are distinguished, and of equal ones, one remains.
 fn places(events: Vec<Event>) -> Vec<Vec<Event>> {
     let mut distinct: Vec<Event> = Vec::new();
     for mut event in events {

@@ -139,7 +139,7 @@ pub(crate) fn assert_same_times<K: Kind, L: Kind>(
     );
 }
 
-/// Checks that the times from s to t are those from 1 − t to 1 − s when time runs backwards.
+/// Checks that an interval of times from s to t is from 1 − t to 1 − s when time runs backwards.
 pub(crate) fn assert_reversible<K: Kind>(forth: &Query<K>, d: Separation) {
     let [start, end] = *forth.points();
     let back = Query::<K>::new(end, start).unwrap();

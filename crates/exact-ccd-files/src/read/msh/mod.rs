@@ -1,6 +1,6 @@
 //! Gmsh's MSH, versions 1, 2 to 2.2, 4 and 4.1, as text and binary: nodes, elements and physical groups.
 //!
-//! Gmsh reference manual, *MSH file format*, and the same of versions 1 and 2 (*Legacy*); of version 4.0, the
+//! Sources: Gmsh reference manual, *MSH file format*, with versions 1 and 2 as *Legacy*; for version 4.0, the
 //! manual of Gmsh 4.0.
 
 mod elements;

@@ -13,7 +13,7 @@ pub(super) struct File<'a> {
 /// The most attributes of an element, and the most declarations of namespaces in a document.
 ///
 /// The parser compares each attribute with all others of its element, and copies the namespaces of an element
-/// to those within it.
+/// to the elements within it.
 const MOST_ATTRIBUTES: usize = 256;
 const MOST_NAMESPACES: usize = 16;
 

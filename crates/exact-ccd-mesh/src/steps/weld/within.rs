@@ -69,7 +69,8 @@ impl Welding {
 /// 1/8, so that the computed ones differ by less than 1, and their cells by at most 1 along each axis.
 fn cell(position: Point, tolerance: f64) -> [i64; 3] {
     let side = 2.0 * tolerance;
-    // A quotient that is no number, 0 / 0, is 0 here, and those beyond the integers are the last ones.
+    // The conversion makes 0 of NaN (0 / 0), and the least or greatest integer of quotients beyond the
+    // integers.
     position.map(|x| (x / side).floor() as i64)
 }
 

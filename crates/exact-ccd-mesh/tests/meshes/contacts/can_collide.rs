@@ -29,7 +29,7 @@ impl Rule {
         }
     }
 
-    /// The same rule among some vertices; those without a flag take part.
+    /// The same rule among some vertices. Vertices without a flag take part.
     fn among(mut self, parts: &[bool]) -> Self {
         self.can_collide = self.can_collide.among(parts.to_vec());
         self.takes_part[..parts.len()].copy_from_slice(parts);

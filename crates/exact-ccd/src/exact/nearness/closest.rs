@@ -10,8 +10,8 @@ use crate::exact::polynomial::{Vector, dot};
 use crate::tables::{Point, Side, Tables};
 use crate::values::Impact;
 
-/// The parameters of two points, and the direction from that on the second primitive to that on the
-/// first.
+/// The parameters of two points, and the direction from the point on the second primitive to the point on the
+/// first one.
 type PointPair = ([f64; 2], Option<Point>);
 
 /// The closest points at the first instant within d.

@@ -18,7 +18,7 @@ use crate::tables::Tables;
 use examine::examine;
 use gaps::Separated;
 
-/// Passes the queries of a batch on, in order; those that collide after `until` may be left out. The
+/// Passes the queries of a batch on, in order. Queries that collide after `until` may be left out. The
 /// environment of the thread is the default one.
 pub(super) fn run<K: Tables, V: AsRef<[u32]>>(batch: Batch<'_, K, V>, instructions: Instructions) {
     let level = instructions.level();
