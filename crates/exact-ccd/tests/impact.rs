@@ -276,7 +276,7 @@ fn a_vertex_rises_to_a_face() {
 
 #[test]
 fn a_face_turns_up_to_a_vertex() {
-    // Its corner at (4, 0) rises by 4: the vertex at (1, 1) is reached when that is done.
+    // The corner at (4, 0) rises by 4. The face reaches the vertex at (1, 1) at the end of the motion.
     let start = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
     let end = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 4.0], [0.0, 4.0, 0.0]];
     let query = Query::<VertexFace>::new(start, end).unwrap();

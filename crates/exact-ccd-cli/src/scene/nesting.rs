@@ -1,4 +1,4 @@
-//! Bodies inside of closed ones, which no contact reports.
+//! Bodies inside of closed bodies. No contact reports them.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Signs in intervals, and exactly where these leave them open.
+//! Signs in interval arithmetic, and exact signs where an interval leaves the sign open.
 
 use std::cell::OnceCell;
 use std::cmp::Ordering;

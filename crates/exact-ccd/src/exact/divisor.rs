@@ -37,8 +37,8 @@ impl Polynomial {
         Self::new(common)
     }
 
-    /// This polynomial without factors t + s, which are 1, and without all factors that it has in common with
-    /// another one, which has no root in [0, 1].
+    /// This polynomial without factors t + s, which are 1, and without common factors with another
+    /// polynomial, which has no root in [0, 1].
     pub(super) fn coprime_to(mut self, other: &Self) -> Self {
         while let Some(lowered) = self.lowered() {
             self = lowered;

@@ -94,8 +94,8 @@ fn motion_without_turn_is_straight<K: Kind>() {
     });
 }
 
-/// In degree p + 1, the control points are (k cₖ₋₁ + (p + 1 − k) cₖ) / (p + 1): those given are multiples of
-/// p + 1.
+/// In degree p + 1, the control points are (k cₖ₋₁ + (p + 1 − k) cₖ) / (p + 1). They are exact, because the
+/// given control points are multiples of p + 1.
 fn degree_elevation_changes_nothing<K: Kind>() {
     collisions(|numbers, random| {
         let degree = random.usize(1..=3);

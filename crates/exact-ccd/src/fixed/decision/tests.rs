@@ -216,7 +216,8 @@ fn a_time_is_inserted_before_or_after_a_root_or_in_its_place() {
     assert!(counts.iter().all(|&count| count > 500), "{counts:?}");
 }
 
-/// Returns true if a time is inserted among the roots of a cubic, in the same units. It is in its place then.
+/// Returns true if a time is inserted among the roots of a cubic, in the same units. Asserts that it is then
+/// in its place.
 #[track_caller]
 fn is_inserted(roots: &[i128], time: i128, cubic: &[Volume; 4], fraction: Fraction) -> bool {
     let Some(mut moments) = zeros(cubic) else {
