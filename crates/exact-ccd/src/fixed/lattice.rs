@@ -208,8 +208,8 @@ fn cubic<L: Length>([w, e1, e2]: &[Ends<L>; 3]) -> [Volume; 4] {
     ]
 }
 
-/// `Some(decisive)` if a condition certainly equals `decisive`. `Some(!decisive)` if all conditions are certain
-/// and none equals `decisive`. Otherwise `None`.
+/// `Some(decisive)` if a condition certainly equals `decisive`. `Some(!decisive)` if all conditions are
+/// certain and none equals `decisive`. Otherwise `None`.
 fn holds(conditions: impl Iterator<Item = Option<bool>>, decisive: bool) -> Option<bool> {
     let mut result = Some(!decisive);
     for condition in conditions {
