@@ -66,7 +66,7 @@ impl<K: Tables> Decided<K> {
         }
     }
 
-    /// The same if the first time, which it keeps then, is not after the last one that counts.
+    /// `Some(self)`, with its first time cached, if the first time is at most `until`.
     #[inline]
     pub(crate) fn until(self, points: &Points<f64>, until: f64) -> Option<Self> {
         if until >= 1.0 {
@@ -82,7 +82,7 @@ impl<K: Tables> Decided<K> {
         })
     }
 
-    /// Two times between which the first one certainly is, if they are known without further computation.
+    /// Two times with the first time between them, if they are known without further computation.
     #[inline]
     pub(crate) fn bracket(&self) -> Option<[f64; 2]> {
         match &self.proof {
