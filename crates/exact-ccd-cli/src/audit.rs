@@ -30,8 +30,8 @@ use crate::view::Recording;
 /// that have a vertex in common are neighbours and may touch. With --ignore or --only, every frame is
 /// examined for edges that meet faces: a pair that is left out may have led there.
 ///
-/// With --min-distance D, no two of them may come within D of each other, in the first frame and
-/// after it.
+/// With --min-distance D, no two primitives may come within D of each other, in the first frame
+/// and after it.
 ///
 /// Of a run of `exact-ccd simulate --output DIR --path`, DIR/path is the motion that is free of
 /// contact. On the straight line from one time step to the next, as in DIR/frames, parts that turn
@@ -84,7 +84,7 @@ struct Run<'a> {
     /// All violations.
     list: ContactList,
     clock: Seconds,
-    /// The phase of the clock that has the outputs: without files, nothing is written.
+    /// The phase of the clock to which the outputs count; none without files to write.
     writing: &'static str,
 }
 

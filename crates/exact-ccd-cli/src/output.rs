@@ -222,7 +222,7 @@ fn replace<T>(
             draft.push(name);
             draft.push(format!(".{}", process::id()));
             let draft = target.with_file_name(draft);
-            // A file of this name can only come from a process that has ended.
+            // A draft of this name can only come from a process that has ended.
             let _ = fs::remove_file(&draft);
             (File::create_new(&draft), Some(draft))
         }

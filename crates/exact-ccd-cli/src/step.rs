@@ -152,7 +152,7 @@ impl Found {
     }
 }
 
-/// A motion, the scene that it is of, and the meaning of contact in it.
+/// A motion, its scene, and the meaning of contact in it.
 struct Problem<'a> {
     scene: &'a Scene,
     motion: Motion,
@@ -212,7 +212,7 @@ impl Arguments {
         }
     }
 
-    /// All answers, that about the mesh as often as `--repeat` says.
+    /// All answers. The answer about the mesh is computed as often as `--repeat` says.
     fn find(
         &self,
         problem: &Problem<'_>,

@@ -12,17 +12,18 @@ use crate::steps::{MotionError, StepError};
 /// Examines the frames of a mesh one after the other, between which vertices move in straight
 /// lines.
 ///
-/// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a face, two
-/// edges, or a vertex and a face, have a common point at any time up to the last frame, nor do a vertex and a
-/// loose edge. The first frame is examined at rest, for edges that pass through faces and for contacts. A
-/// mesh that does not touch itself there can come to do so only by a vertex that reaches a face or an edge
-/// that reaches another edge, and that is a contact of the step. A predicate of
-/// [`with_can_collide`](Self::with_can_collide) may leave out this pair, but not the edge and the face that
-/// come to meet. With one, every frame is examined at rest; an edge that passes through a face between two
-/// frames only is no violation then, nor is one that only touches a face if the pairs that touch there are
-/// left out. Parts that share a vertex are neighbours and may touch. Edges and vertices without a face are
-/// primitives as all others, compared as defined by [`Pair`](crate::Pair), which lists what is never
-/// compared.
+/// As long as there is no [`Violation`], no two primitives without a common vertex have a common point at any
+/// time up to the last frame. This holds for an edge and a face, two edges, a vertex and a face, and a vertex
+/// and a loose edge. The first frame is examined at rest, for edges that pass through faces and for contacts.
+/// A mesh that does not touch itself in this frame can touch itself later only after a vertex reaches a face,
+/// or an edge another edge, and this is a contact of a step. Parts that share a vertex are neighbours and may
+/// touch. Edges and vertices without a face are primitives as all others, compared as defined by
+/// [`Pair`](crate::Pair), which lists the pairs that are never compared.
+///
+/// A predicate of [`with_can_collide`](Self::with_can_collide) may leave out the pair that comes into contact
+/// first, but not the edge and the face that meet next. So with a predicate, every frame is examined at rest.
+/// An edge that passes through a face between two frames only is then no violation. Nor is an edge that only
+/// touches a face, if the predicate leaves out the pairs that touch there.
 ///
 /// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either, but for a
 /// vertex and an edge that another edge connects. In the first frame, primitives that do not intersect are
@@ -193,7 +194,7 @@ fn intersections_in(
     Ok(found.map(violation).collect())
 }
 
-/// The contacts in a step, the earliest first: all, or that one.
+/// The contacts in a step, the earliest first: all, or only the earliest.
 fn contacts_in(
     detector: &mut Detector,
     [x0, x1]: [&[Point]; 2],

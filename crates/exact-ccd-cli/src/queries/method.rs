@@ -23,7 +23,7 @@ pub(crate) enum Method {
     Other(Arc<dyn Ccd>),
 }
 
-/// The name of [`Method::ParityRational`], which is no method of its own: it is the parity without rounding.
+/// The name of [`Method::ParityRational`]. It is not a registered method, but the parity without rounding.
 const PARITY_RATIONAL: &str = "parity-rational";
 
 impl FromStr for Method {

@@ -10,7 +10,7 @@ use crate::failure::{Failure, listed};
 use crate::inputs::{check_path, name};
 use crate::notes::Notes;
 
-/// Frames in the order of time, each the one of a file or one of several in a file.
+/// Frames in the order of time. A file has one frame or several.
 pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
 
 impl Frames {

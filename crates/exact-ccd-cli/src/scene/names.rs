@@ -3,7 +3,7 @@
 use super::part::Part;
 use crate::contacts::{ContactRecord, Owners};
 
-/// The body of each vertex of a scene, by its name; nothing, if all is one body.
+/// The body of each vertex of a scene, by its name; empty if all is one body.
 #[derive(Default)]
 pub(super) struct Names {
     names: Vec<String>,

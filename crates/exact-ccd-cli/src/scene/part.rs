@@ -154,8 +154,8 @@ impl Part {
         )))
     }
 
-    /// The vertices that a tolerance has joined in the first frame, as [`Shape::joined`] has them. It is
-    /// known until that frame is read.
+    /// The vertices that a tolerance has joined in the first frame, by [`Shape::joined`]; known until the
+    /// first frame is read.
     pub(super) fn joined(&self) -> (usize, f64) {
         let first = self.loaded.first().and_then(Option::as_ref);
         first.map_or((0, 0.0), |frame| self.shape.joined(&frame.positions))

@@ -11,7 +11,7 @@ use crate::broad_phase::{Aabb, BoxPairs, Boxes, Bvh, PairCollector};
 use crate::mesh::{TriangleMesh, check_positions};
 use crate::pairs::CanCollide;
 
-/// A component inside of a closed one. Each has the least of its vertices.
+/// A component inside of a closed one. A component is named by its least vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Enclosed {
     /// The component inside: its least vertex lies inside.

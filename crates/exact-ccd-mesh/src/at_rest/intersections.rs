@@ -278,8 +278,8 @@ fn crosses([a, b]: [Point; 2], [v1, v2, v3]: [Point; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// Edges through the points of a grid. Those cross the face that have ends on both sides of it, and a
-    /// point inside.
+    /// Edges through the points of a grid. An edge crosses the face if its ends are on both sides, and its
+    /// point of the grid is inside.
     #[test]
     fn an_edge_crosses_inside_of_the_face_only() {
         let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];

@@ -146,7 +146,7 @@ mod tests {
             // The last coordinate cancels the others.
             let rest = normal[0] * x + normal[1] * power(-53);
             let last = -rest / normal[2];
-            // All products are positive, and the distance is about that from the plane.
+            // All products are positive, and d is about the height above the plane.
             let distance = x * 3.0_f64.sqrt();
             for [last, distance] in [
                 [last.next_down(), distance.next_down()],

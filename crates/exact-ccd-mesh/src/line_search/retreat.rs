@@ -106,7 +106,7 @@ impl Collect for Retreats<'_> {
                 stuck.push(K::pair(ids));
                 return;
             };
-            // Otherwise, earlier contacts hold back whichever of them this one does.
+            // Otherwise, an earlier contact already holds back each vertex that this one would.
             if collision.is_before(f64::from_bits(last)) {
                 let impact = collision.impact();
                 let time = impact.time.lower().to_bits();

@@ -67,8 +67,8 @@ pub(crate) trait Searched: PairKind {
     /// once.
     const SETS: [PrimitiveSet; 2];
 
-    /// Returns true if two edges are in contact where these primitives are. None, if it is false for all
-    /// pairs between the sets.
+    /// Returns true if two edges are in contact where these primitives are. `None` if it is false for
+    /// all pairs between the sets.
     const IS_COVERED: Option<fn(&OtherEnds, &Self::Vertices) -> bool> = None;
 
     /// The value of this kind.
