@@ -25,7 +25,7 @@ use crate::steps::{MotionError, StepError};
 /// An edge that passes through a face between two frames only is then no violation. Nor is an edge that only
 /// touches a face, if the predicate leaves out the pairs that touch there.
 ///
-/// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either, but for a
+/// With a [minimum distance](Self::with_min_distance) d, no two primitives come within d either, but for a
 /// vertex and an edge that another edge connects. In the first frame, primitives that do not intersect are
 /// nearest at a vertex and a face, at two edges, or at a vertex and a loose edge or vertex, and all of these
 /// pairs are examined at rest.

@@ -177,8 +177,8 @@ fn moments(tracks: &[Track]) -> Vec<Moment> {
 }
 
 impl Track {
-    /// The translation at a moment: before the first key, its translation, and after the last key, its
-    /// translation.
+    /// The translation at a moment. Before the first key, it is the first one; after the last key, the last
+    /// one.
     ///
     /// Between two keys of a straight motion it is a + (b − a) s with s = (t − tₐ) / (t_b − tₐ), each
     /// operation rounded to nearest.
