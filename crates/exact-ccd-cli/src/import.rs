@@ -27,7 +27,7 @@ pub(crate) struct Arguments {
     scene: PathBuf,
     #[command(flatten)]
     output: Output,
-    /// The folder of the mesh files, by default the scene's folder and the folders above it.
+    /// The folder of the mesh files, by default that of the scene, and the folders above it.
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
 }
