@@ -101,7 +101,7 @@ impl<K: ArrayKind> Queries<'_, K> {
     }
 }
 
-/// An answer for each query: the answer about its collision, or `none`.
+/// An answer for each query: that of its collision, or `none`.
 pub(crate) fn answers<K: ArrayKind, T: Clone + Send>(
     py: Python<'_>,
     Arrays(_, x0, x1, vertices): &Arrays<'_>,

@@ -51,7 +51,7 @@ use crate::queries::recognise::kind_of;
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
-    /// against a vertex [default: the kind of the files, if it is certain]
+    /// against a vertex [default: that of the files, if it is certain]
     #[arg(long)]
     kind: Option<Kind>,
     /// Fill in count and toi of all queries, as computed by the exact method.
@@ -125,7 +125,7 @@ fn refuse_mesh(input: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Converts queries of a kind; `scene` reads the queries of a scene.
+/// Converts queries of a kind; `scene` reads those of a scene.
 fn convert<K: QueryKind + 'static>(
     arguments: &Arguments,
     scene: fn(&Path) -> Result<Records<K>, Failure>,
@@ -182,7 +182,7 @@ fn scene<K: DataKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
     Ok(Box::new(records.into_iter().map(Ok)))
 }
 
-/// The error for a folder, where the kind is none of the kinds of scenes.
+/// The error of a folder of queries of another kind than those of scenes.
 fn no_scene<K: QueryKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
     Err(Failure::of(
         folder,

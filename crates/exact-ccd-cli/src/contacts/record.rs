@@ -46,7 +46,8 @@ pub(crate) struct Owners {
     pub(crate) part_vertices: [Vec<u32>; 2],
 }
 
-/// The kinds of pairs, including an edge and a face that intersect at rest, and a vertex and a half space.
+/// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex and a
+/// half space.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum RecordKind {

@@ -47,10 +47,10 @@ use tally::Tally;
 /// Files whose names end in .parquet have the columns of `exact-ccd convert`
 /// instead.
 ///
-/// Without --kind, the kind follows from the name of the folder, vertex-face or
-/// edge-edge, from the column kind of a Parquet file, or from the number of rows,
-/// if the queries of one kind alone fill the rows of a file, which is noted. If it
-/// is not certain, that is an error. A --kind other than the folder's is noted.
+/// Without --kind, the kind is that of the folder, vertex-face or edge-edge, of
+/// the column kind of a Parquet file, or the only one whose queries fill the rows
+/// of a file, which is noted. If it is not certain, that is an error. A --kind that
+/// is not that of the folder is noted.
 ///
 /// The answers are CSV, a row for each query:
 ///   query    the number of the query, from 0, over all files
@@ -87,7 +87,7 @@ use tally::Tally;
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
-    /// against a vertex [default: the kind of the files, if it is certain]
+    /// against a vertex [default: that of the files, if it is certain]
     #[arg(long)]
     kind: Option<Kind>,
     /// Count primitives at most D apart as touching, in the unit of the coordinates.

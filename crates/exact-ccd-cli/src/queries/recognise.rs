@@ -12,9 +12,8 @@ use crate::failure::Failure;
 use crate::notes::Notes;
 use crate::output::is_dash;
 
-/// The given kind, or the kind of all files. A kind that follows from the number of rows is noted, because a
-/// file that ends too early may have the rows of another kind. A given kind other than the folder's is noted,
-/// too.
+/// The given kind, or that of all files. A kind that follows from the number of rows is noted: a file that
+/// ends too early may have the rows of another one. So is a given kind that is not that of the folder.
 pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes) -> Result<Kind, Failure> {
     if let Some(kind) = given {
         note_other_folders(kind, files, notes);
@@ -36,8 +35,8 @@ pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes)
     found.ok_or_else(|| uncertain(Path::new("")))
 }
 
-/// The kind that a Parquet file names; or the kind that the folder names, as in the published data sets; or
-/// the only one whose queries fill the rows of the file.
+/// The kind that a Parquet file names, that of the folder as in the published data sets, or the only one
+/// whose queries fill the rows of the file.
 fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
     // A pipe can be read only once.
     if is_dash(file) || !file.is_file() {

@@ -49,7 +49,7 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
     Ok(report)
 }
 
-/// The queries in a file without their answers, because the rounded queries may have other answers.
+/// The queries in a file without their answers, which are not those of the rounded queries.
 fn read<K: DataKind + 'static>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
     let records = query_files::records(file, Rounding::Refuse, Seventh::Contact)?;
     let without_answers = |record: Result<Record<K>, _>| {

@@ -32,8 +32,7 @@ pub trait PairKind: Kind + Send + Sync {
     }
 }
 
-/// The sets of primitives of a mesh among which pairs are searched, each restricted to primitives that take
-/// part.
+/// The sets of primitives of a mesh among which pairs are searched: of those that take part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PrimitiveSet {
     Vertices,

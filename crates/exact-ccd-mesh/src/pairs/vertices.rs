@@ -7,8 +7,8 @@ use super::pair::Pair;
 use crate::mesh::TriangleMesh;
 
 impl Pair {
-    /// The vertices of the first primitive, then the vertices of the second, in the order of the query.
-    /// `None` if the mesh has no such primitives.
+    /// The vertices of the pair, in the order of the query: those of the first primitive, then those
+    /// of the second. `None` if the mesh has no such primitives.
     ///
     /// ```
     /// use exact_ccd_mesh::{Pair, TriangleMesh};
