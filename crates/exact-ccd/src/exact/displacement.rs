@@ -63,7 +63,7 @@ impl Displacement {
         }
     }
 
-    /// Another displacement, and this one after it: Q = Q₁ Q₂, and
+    /// The product: another displacement, then this one: Q = Q₁ Q₂, and
     /// R Q* = Q₁ R₂ Q₂* Q₁* + R₁ Q₁* |Q₂|² = (Q₁ R₂ + R₁ Q₂) Q*.
     fn after(&self, other: &Self) -> Self {
         Self {

@@ -68,7 +68,7 @@ pub trait Tables {
         side(2, [0, 1], [0, 2], false, [[0.0, 0.0], [1.0, 0.0]]),
         side(3, [0, 1], [1, 3], true, [[0.0, 1.0], [1.0, 1.0]]),
     ];
-    /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not
+    /// The sides whose (x − q) × (y − q) are u and v times the normal, or −u and −v times the normal if not
     /// `along`.
     const PARAMETERS: [usize; 2] = [0, 2];
     /// For each of x₀ … x₃, its index among the points of the query.

@@ -17,7 +17,7 @@ pub(super) type Found<'f, K> = &'f mut dyn FnMut(usize, &Points<f64>, Decided<K>
 pub(crate) enum Passed<'f, K: Tables> {
     /// Each that collides.
     Colliding(Found<'f, K>),
-    /// Each that the first filters do not prove to stay beyond its separation, by its index.
+    /// The index of each query that the first filters do not prove to stay beyond its separation.
     Unsettled(&'f mut dyn FnMut(usize)),
 }
 
