@@ -46,8 +46,8 @@ impl<K: Kind> From<Bezier<K>> for CurvedQuery<K> {
 }
 
 impl<K: Kind> CurvedQuery<K> {
-    /// The query of points of two rigid bodies, in the order of the kind. The points of each primitive are in
-    /// the coordinates of its body.
+    /// The query of points of two rigid bodies, in the order of the kind: those of the first primitive in the
+    /// coordinates of the first body, and those of the second one in the coordinates of the second body.
     ///
     /// # Errors
     /// [`NonFinite`] names the first coordinate that is infinite or not a number.
