@@ -1,4 +1,4 @@
-"""What the peers of bench/peers/hard answer to one query, each by one call of its library.
+"""The answers of the peers of bench/peers/hard to one query, each by one call of its library.
 
 A method takes a query and returns if there is contact, and the time of it or None; or None if the query is none that
 it takes. Each names the question that it answers: the whole step, or t = 0 alone.

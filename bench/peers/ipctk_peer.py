@@ -48,8 +48,8 @@ METHODS = {
 
 
 def call_ns(prepare, method):
-    """What a call takes at least: for a vertex that stays far from a face. NonlinearCCD calls back into Python for each
-    position that it wants to know."""
+    """The least time of a call: for a vertex that stays far from a face. NonlinearCCD calls back into Python for each
+    position."""
     points = [numpy.array([100.0 * (i % 4 == 0), float(i % 4 == 1), float(i % 4 == 2)]) for i in range(8)]
     ask, arguments = prepare(method, "vf")(points)
     best = float("inf")
@@ -76,7 +76,7 @@ def answer(request, queries):
 
 
 def main():
-    # What the library prints must not get between the answers.
+    # Output of the library must not get between the answers.
     reader, writer = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     ipctk.set_logger_level(ipctk.LoggerLevel.error)

@@ -1,4 +1,4 @@
-"""What Warp and Newton answer to one query at t = 0, on the CPU: see hard_peers.py.
+"""The answers of Warp and Newton to one query at t = 0, on the CPU: see hard_peers.py.
 
 Newton has no function about the time of contact of two moving primitives: its solvers of cloth compare distances at rest. These
 functions are kernels, which Warp compiles once.

@@ -3,7 +3,7 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// The folder is that of `exact_ccd_data::DataFolder::find`.
+/// Sets `cfg(no_data)` if the folder of `exact_ccd_data::DataFolder::find` is missing.
 fn main() {
     const VARIABLE: &str = "EXACT_CCD_DATA";
     let default = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");

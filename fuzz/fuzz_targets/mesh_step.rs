@@ -1,5 +1,5 @@
-//! Steps of meshes with faces, rods and points: the detector finds what every pair, tested alone, has; a
-//! step that it certifies is free of contact.
+//! Steps of meshes with faces, rods and points: the detector finds the same contacts as a test of every pair
+//! alone. A step that it certifies is free of contact.
 
 #![no_main]
 

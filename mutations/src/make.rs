@@ -24,7 +24,7 @@ pub(crate) fn mutated(id: u32) -> bool {
 "#;
 
 /// Makes the test programs of `package` in `folder`: `mutations.tsv` lists the mutations, `programs` has the
-/// programs, and `tree` the copy of the repository. What does not compile is dropped.
+/// programs, and `tree` the copy of the repository. Mutations that do not compile are dropped.
 pub fn make(package: &str, folder: &Path) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     let folder = &folder.canonicalize()?;

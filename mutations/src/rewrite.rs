@@ -20,7 +20,7 @@ pub struct Mutation {
     pub place: String,
 }
 
-/// Rewrites a file. `file` is its name; the mutations are numbered from `first`, and those in `dropped` are
+/// Rewrites a file. `file` is its name. The mutations are numbered from `first`; mutations in `dropped` are
 /// left out.
 pub fn rewrite(source: &str, file: &str, first: u32, dropped: &HashSet<u32>) -> syn::Result<Rewritten> {
     let mut syntax = syn::parse_file(source)?;

@@ -20,7 +20,7 @@ export class Incidence {
     this.start = start;
   }
 
-  /** The corners of the faces with all of these vertices and one more: those around a vertex or an edge. */
+  /** The corners of the faces with all of these vertices and one more: the faces around a vertex or an edge. */
   around([first, ...others]: number[]): number[] {
     if (first === undefined || others.length > 1) return [];
     const own = this.list.subarray(this.start[first], this.start[first + 1]);

@@ -5,8 +5,8 @@ export type Actions = Record<string, (event: KeyboardEvent) => void>;
 /** The keys that move a slider. */
 const SLIDES = /^(Arrow|Home|End|Page)/;
 
-/** Returns true if the focused element takes the key itself: a field for text all keys, a slider those that move it, a
- * checkbox, a button or a summary those that press it. Along the slider of time, ← and → are the keys of the page,
+/** Returns true if the focused element takes the key itself: a field for text all keys, a slider the keys that move it,
+ * a checkbox, a button or a summary the keys that press it. Along the slider of time, ← and → are keys of the page,
  * which are finer. */
 export function takes(target: { tagName: string; type?: string; id?: string }, key: string): boolean {
   const { tagName, type, id } = target;

@@ -47,8 +47,8 @@ export function looseVertices(vertexCount: number, faces: Uint32Array, edges: Ui
   return Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex).filter((vertex) => used[vertex] === 0);
 }
 
-/** What has a colour of its own, with the colour of each vertex by its place in the palette: the bodies, or else the
- * connected parts. Loose vertices are one part: particles have no use for a colour each. */
+/** The parts with a colour of their own, and the colour of each vertex by its place in the palette: the bodies, or else
+ * the connected parts. Loose vertices are one part: particles have no use for a colour each. */
 export function groupsOf(parts: Parts, bodies: Body[], points: Uint32Array): Parts {
   const of = new Uint32Array(parts.of.length);
   if (bodies.length > 0) {

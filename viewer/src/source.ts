@@ -16,7 +16,7 @@ export interface Shown {
   frames: Frames;
   elements: Elements;
   parts: Parts;
-  /** What has a colour of its own. */
+  /** The parts with a colour of their own. */
   groups: Parts;
   incidence: Incidence;
   /** The place of a contact on the scale of times, from 0 for the earliest to 1 for the latest. */

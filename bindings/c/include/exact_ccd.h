@@ -347,8 +347,8 @@ enum exact_ccd_status_t exact_ccd_detector_set_inner_distance(struct exact_ccd_d
                                                               double min_distance,
                                                               double inner_distance);
 
-/// Primitives all of whose vertices have the same number do not collide; `groups` has a number for each of
-/// the `vertex_count` vertices. It replaces an earlier rule.
+/// Two primitives do not collide if all their vertices have the same number. `groups` has a number for each
+/// of the `vertex_count` vertices. It replaces an earlier rule.
 enum exact_ccd_status_t exact_ccd_detector_set_groups(struct exact_ccd_detector_t *detector,
                                                       const uint32_t *groups,
                                                       size_t vertex_count);

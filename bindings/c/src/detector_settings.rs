@@ -65,8 +65,8 @@ pub unsafe extern "C" fn exact_ccd_detector_set_inner_distance(
     })
 }
 
-/// Primitives all of whose vertices have the same number do not collide; `groups` has a number for each of
-/// the `vertex_count` vertices. It replaces an earlier rule.
+/// Two primitives do not collide if all their vertices have the same number. `groups` has a number for each
+/// of the `vertex_count` vertices. It replaces an earlier rule.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_set_groups(
     detector: *mut Detector,

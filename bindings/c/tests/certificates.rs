@@ -1,4 +1,4 @@
-//! Certificates through C are accepted by the independent checker, and have the bytes of those through Rust.
+//! The independent checker accepts certificates through C, which have the same bytes as through Rust.
 
 use core::{ptr, slice};
 

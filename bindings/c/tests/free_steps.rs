@@ -1,4 +1,4 @@
-//! The step for every vertex, first contacts and clearances through C have the bits of those through Rust.
+//! The step for every vertex, first contacts and clearances through C have the same bits as through Rust.
 
 use core::{ptr, slice};
 

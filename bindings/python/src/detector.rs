@@ -296,7 +296,8 @@ impl Detector {
         Ok(found.contains(&true))
     }
 
-    /// The edges and faces that meet at rest, of one world: all that touch, or the edges that pass through faces.
+    /// The edges and faces of one world that meet at rest: all that touch, or only the edges that pass
+    /// through faces.
     fn intersections<'py>(
         &self,
         py: Python<'py>,

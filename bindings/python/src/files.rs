@@ -55,7 +55,7 @@ pub(crate) fn parse_mesh<'py>(py: Python<'py>, contents: &[u8], name: PathBuf) -
     arrays(py, &name, file.map_err(at)?)
 }
 
-/// The format that belongs to the extension of a path, if it is that of a mesh file.
+/// The format of mesh files that the extension of a path names, if it names one.
 #[pyfunction]
 pub(crate) fn mesh_format(path: PathBuf) -> Option<String> {
     Format::of_path(&path).map(|format| format!("{format:?}"))
@@ -120,7 +120,7 @@ impl Welding {
         self.0 = py.detach(|| welding.along_edges(mesh.mesh()));
     }
 
-    /// The first of the vertices in place of which each new vertex is.
+    /// The first of the vertices that each new vertex replaces.
     fn first_vertices<'py>(&self, py: Python<'py>) -> List<'py, i64> {
         PyArray1::from_iter(py, self.0.first_vertices().iter().map(|&vertex| vertex as i64))
     }

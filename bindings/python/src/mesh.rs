@@ -35,7 +35,7 @@ impl Mesh {
         self.by_groups.clone()
     }
 
-    /// The pairs of which two vertices can collide by their groups and by a rule.
+    /// The pairs with two vertices that can collide by their groups and by a rule.
     ///
     /// An exception of the rule is kept in `failure`, and ends the computation.
     pub(crate) fn ruled(
@@ -118,7 +118,7 @@ impl Mesh {
     }
 }
 
-/// The pairs that can collide by the groups of vertices: those of different groups, or those in a matrix.
+/// The pairs that can collide by the groups of vertices: pairs of different groups, or by a matrix of groups.
 fn by_groups(
     groups: Option<PyReadonlyArray1<'_, u32>>,
     matrix: Option<PyReadonlyArray2<'_, bool>>,

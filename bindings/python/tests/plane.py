@@ -50,7 +50,7 @@ def roots(f: Quadratic) -> list[Surd]:
 
 
 def bilinear(x: list[list[Fraction]], y: list[list[Fraction]], axes: list[tuple[int, int, int]]) -> Quadratic:
-    """The sum of s x_i y_j over the axes (s, i, j), for vectors in motion: those at t = 0, and their change."""
+    """The sum of s x_i y_j over the axes (s, i, j), for vectors in motion: at t = 0, and their change."""
     terms = [[sum(s * x[m][i] * y[n][j] for s, i, j in axes) for n in (0, 1)] for m in (0, 1)]
     return Fraction(terms[0][0]), Fraction(terms[0][1] + terms[1][0]), Fraction(terms[1][1])
 

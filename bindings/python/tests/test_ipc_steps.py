@@ -105,7 +105,7 @@ def test_random_steps_in_space() -> None:
         sides = [side for a, b, c in faces for side in ((a, b), (b, c), (c, a))]
         edges = list({tuple(sorted(edge)) for edge in [*edges, *sides]})
         x0 = random.integers(-4, 5, (count, 3)).astype(float)
-        # Many points move in one plane or in one line: those that have no faces meet only there.
+        # Many points move in one plane or in one line: points without faces meet only there.
         x1 = x0 + random.integers(-2, 3, (count, 3)) * np.array([1, 1, case % 2])
         x0[:, 2 - case % 3 :] = x1[:, 2 - case % 3 :] = 0.0
         mesh = SimpleNamespace(

@@ -79,7 +79,7 @@ def test_scenes(scene: str, kind: str) -> None:
 
 
 def assert_as_the_program(file: Path, kind: str, min_distance: float) -> None:
-    """Verdicts, counts and times of a file of queries are those that the program prints."""
+    """Verdicts, counts and times of a file of queries are the same as the program prints."""
     output = program("queries", "--kind", kind, "--min-distance", repr(min_distance), file)
     rows = list(csv.DictReader(io.StringIO(output)))
     points, _ = read_queries(file, kind)

@@ -41,7 +41,7 @@ def test_forms_and_threads_do_not_change_the_bits(verb, kind, distance) -> None:
 
 @pytest.mark.parametrize("kind", POINTS)
 def test_the_last_time_that_counts(kind) -> None:
-    """Its queries are those whose exact first time is not above it; a time that is no float64 is above its rounding."""
+    """A query counts if its exact first time is at most the last time. A time between two float64 exceeds the lower."""
     points = of_points(kind, queries(kind, 3000, seed=4))
     toi, every = points.time_of_impact(), points.intervals()
     for until in (-1.0, 0.0, 0.5, 1.0, np.inf):

@@ -17,7 +17,7 @@ use crate::root_finder::RootFinder;
 ///
 /// `kind` is `vertex-face`, `edge-edge`, `vertex-edge` or `vertex-vertex`; `coordinates` has the points at
 /// t = 0, then at t = 1, in the order of the kind. Primitives at most `distance` apart count as touching.
-/// The root finder adds `tolerance` to that distance.
+/// The root finder adds `tolerance` to `distance`.
 ///
 /// # Errors
 /// If the kind is unknown, the number of coordinates does not fit the kind, a coordinate is not finite, or a

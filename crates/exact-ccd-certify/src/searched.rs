@@ -6,12 +6,12 @@ use exact_ccd_mesh::{Bvh, Detector, IntersectionOptions, Meeting, StepError, int
 use crate::maker::{Maker, MakerError};
 
 impl Maker {
-    /// Adds the step of the mesh of a detector from `x0` to `x1`, with the earliest contact that the detector
-    /// finds, and with `rest`, that no edge pierces a face at its start.
+    /// Adds the step of a detector's mesh from `x0` to `x1`. The certificate proves the earliest contact that
+    /// the detector finds and, if `rest` is true, that no edge pierces a face at the start.
     ///
     /// # Errors
     /// [`MakerError::Rules`] if not all pairs can collide; [`MakerError::Step`] for positions that are no
-    /// step, and with `rest`, for an edge that pierces a face.
+    /// step and, if `rest` is true, for an edge that pierces a face.
     pub fn add_step_of(
         &mut self,
         detector: &mut Detector,

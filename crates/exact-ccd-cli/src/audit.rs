@@ -30,8 +30,8 @@ use crate::view::Recording;
 /// that have a vertex in common are neighbours and may touch. With --ignore or --only, every frame is
 /// examined for edges that meet faces: a pair that is left out may have led there.
 ///
-/// With --min-distance D, no two of them may come within D of each other, in the first frame and
-/// after it.
+/// With --min-distance D, no two primitives may come within D of each other, in the first frame
+/// and after it.
 ///
 /// Of a run of `exact-ccd simulate --output DIR --path`, DIR/path is the motion that is free of
 /// contact. On the straight line from one time step to the next, as in DIR/frames, parts that turn
@@ -84,7 +84,7 @@ struct Run<'a> {
     /// All violations.
     list: ContactList,
     clock: Seconds,
-    /// The phase of the clock that has the outputs: without files, nothing is written.
+    /// The phase of the clock to which the outputs count; none without files to write.
     writing: &'static str,
 }
 
@@ -174,8 +174,8 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// Examines a frame, while the next one is read. The duration of reading is what remains after the
-    /// examination.
+    /// Examines a frame, while the next one is read. Only reading that lasts longer than the examination
+    /// counts as reading.
     fn examine_and_read(&mut self, index: usize, frame: Frame) -> Result<Vec<Violation>, Failure> {
         let all = self.arguments.mesh.all.is_some();
         let examine = || {
@@ -219,7 +219,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Adds what was found in a frame, and in the step to it, to the page.
+/// Adds the violations in a frame, and in the step to it, to the page.
 fn show(page: &mut Recording, violations: &[Violation], records: &[ContactRecord]) -> Result<(), Failure> {
     for violation in violations {
         match violation {
@@ -248,7 +248,7 @@ fn record(start: &[Point], last: &Frame, violation: &Violation) -> ContactRecord
 
 impl Arguments {
     /// Writes the files for ParaView: the first violation of the step that leads to a frame, and all others
-    /// of that step, without those at rest in the frame after it.
+    /// of this step, without violations at rest in the frame after it.
     fn write_impact(
         &self,
         scene: &Scene,

@@ -139,7 +139,7 @@ fn no_data_set(folder: &Path) -> Failure {
     )
 }
 
-/// The chosen methods, those of the peers among them.
+/// The chosen methods, including the peers' methods.
 fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
     let mut contestants: Vec<_> = exact_ccd_methods::all()
         .into_iter()

@@ -71,7 +71,7 @@ pub(crate) struct Arguments {
     /// Print the numbers of queries as a JSON object. docs/reports.md has its schema.
     #[arg(long)]
     json: bool,
-    /// Query files, of which - is CSV on standard input, or folders of scenes.
+    /// Query files, with - for CSV on standard input, or folders of scenes.
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
 }
@@ -83,7 +83,7 @@ struct Report {
     kind: &'static str,
     /// The number of all queries.
     queries: usize,
-    /// The numbers of those with ground truth, in contact and not.
+    /// The numbers of queries with ground truth, in contact and free.
     colliding: usize,
     free: usize,
 }

@@ -35,7 +35,7 @@ impl Distances {
     }
 }
 
-/// The distances of a mesh in which one holds for all pairs, or another one for those that start within it.
+/// The minimum distance of all pairs of a mesh, and another one, if given, for pairs that start within it.
 pub(crate) fn kept(min_distance: Separation, inner_distance: Option<Separation>) -> MinDistance {
     let kept = MinDistance::uniform(min_distance);
     match inner_distance {

@@ -21,7 +21,7 @@ pub(crate) struct Completions {
 
 /// Print the manual page of the program.
 ///
-/// `exact-ccd man` has the page of the program, and `exact-ccd man step` that of a command.
+/// `exact-ccd man` prints the page of the program, and `exact-ccd man step` the page of a command.
 #[derive(clap::Args)]
 pub(crate) struct Manual {
     /// The command.

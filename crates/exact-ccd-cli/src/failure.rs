@@ -15,7 +15,7 @@ pub(crate) struct Failure {
 }
 
 /// The message of another error. The limit on the size of a file is an option of the program, and an error of
-/// input or output without a file is that of standard output.
+/// input or output without a file comes from standard output.
 impl<E: Error + 'static> From<E> for Failure {
     fn from(error: E) -> Self {
         let any: &dyn Error = &error;

@@ -34,7 +34,7 @@ pub(crate) struct HalfSpaces {
     half_spaces: Vec<HalfSpace>,
     /// The distance that vertices must exceed.
     min_distance: Separation,
-    /// The distance that vertices must exceed that start within the other one.
+    /// The minimum distance for vertices that start within `min_distance`.
     inner_distance: Separation,
     vertices: Vec<Range<u32>>,
 }

@@ -85,12 +85,12 @@ enum Command {
     Man(documents::Manual),
 }
 
-/// Runs the program with these arguments, of which the first is its name.
+/// Runs the program with these arguments. The first one is its name.
 ///
 /// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error, 3 if there is
 /// no certificate. The help text and errors in the arguments end the process.
 ///
-/// It handles no signals: those belong to the process that calls it.
+/// It handles no signals, because they belong to the process that calls it.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     run_program(arguments.into_iter().collect(), false)
 }

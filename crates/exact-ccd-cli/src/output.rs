@@ -19,8 +19,8 @@ pub(crate) struct Output {
     output: PathBuf,
 }
 
-/// The name of a file for an answer on the command line, which is not that of a mesh file or of a list of
-/// them: where the name is left out, the first input behind the option would be replaced.
+/// The name of a file for an answer on the command line. The name of a mesh file, or of a list of mesh files,
+/// is an error: where the name is left out, the answer would replace the first input behind the option.
 pub(crate) fn answer() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|file| {
         let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
@@ -73,8 +73,8 @@ impl Output {
         }
     }
 
-    /// Writes the answer as it is computed. What is complete before an error is on standard output; a file is
-    /// unchanged then.
+    /// Writes the answer as it is computed. After an error, standard output has the part before it, and a
+    /// file is unchanged.
     #[cfg(feature = "queries")]
     pub(crate) fn stream<T>(
         &self,
@@ -168,7 +168,7 @@ pub(crate) fn remove_file(file: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Makes a folder, with those around it.
+/// Makes a folder, and the folders around it.
 pub(crate) fn make_folder(folder: &Path) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))
 }
@@ -198,8 +198,8 @@ pub(crate) fn write_file_soon(
 /// Writes a file and replaces an existing one atomically: after an error or a crash, the old file
 /// is unchanged.
 ///
-/// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft
-/// in the folder, whose name is that of the file between a point and a number.
+/// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft in the
+/// folder. The name of the draft is a point, the name of the file, and a number.
 pub(crate) fn replace_file<T>(
     file: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> Result<T, Failure>,
@@ -222,7 +222,7 @@ fn replace<T>(
             draft.push(name);
             draft.push(format!(".{}", process::id()));
             let draft = target.with_file_name(draft);
-            // A file of this name can only come from a process that has ended.
+            // A draft of this name can only come from a process that has ended.
             let _ = fs::remove_file(&draft);
             (File::create_new(&draft), Some(draft))
         }

@@ -1,4 +1,4 @@
-//! The report of a motion: that of one step, or of a sequence of frames.
+//! The report of a motion: one step, or a sequence of frames.
 
 use std::fmt;
 
@@ -14,7 +14,8 @@ use crate::scene::{Scene, Summary};
 use crate::seconds::Seconds;
 use crate::shortest::shortest;
 
-/// The answer, what was read, and the distances within which pairs touch, in the shape of the JSON object.
+/// The answer, the contents of the files, and the distances within which pairs touch, in the shape of the
+/// JSON object.
 #[derive(Serialize)]
 pub(crate) struct Report {
     #[serde(skip)]
@@ -40,7 +41,7 @@ pub(crate) struct Report {
     intersection: Option<Finding>,
     /// The first time of the contact in its step, rounded down.
     toi: Option<f64>,
-    /// The first contact; none either if the question is only if there is one.
+    /// The first contact; none also if the question is only whether there is a contact.
     contact: Option<Finding>,
     #[serde(flatten)]
     pub(crate) counts: Counts,

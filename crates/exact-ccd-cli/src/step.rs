@@ -152,7 +152,7 @@ impl Found {
     }
 }
 
-/// A motion, the scene that it is of, and the meaning of contact in it.
+/// A motion, its scene, and the meaning of contact in it.
 struct Problem<'a> {
     scene: &'a Scene,
     motion: Motion,
@@ -212,7 +212,7 @@ impl Arguments {
         }
     }
 
-    /// All answers, that about the mesh as often as `--repeat` says.
+    /// All answers. The answer about the mesh is computed as often as `--repeat` says.
     fn find(
         &self,
         problem: &Problem<'_>,
@@ -245,11 +245,11 @@ impl Arguments {
         })
     }
 
-    /// Adds what was found to the report.
+    /// Adds the contacts and counts to the report.
     fn tell(&self, problem: &Problem<'_>, found: &Found, report: &mut Report) -> Result<(), Failure> {
         let scene = problem.scene;
         let at_start = found.start.first().map(|&found| problem.record_of_start(found));
-        // Of contacts at the same time, those of the mesh are first.
+        // Of contacts at the same time, contacts within the mesh are first.
         let answer = &found.answer;
         let earliest = answer.earliest.as_ref().map(|contact| problem.record(contact));
         let earliest = earliest.into_iter().chain(found.in_half_spaces.first().cloned());

@@ -14,8 +14,8 @@ pub struct Subject<K: Kind> {
 }
 
 impl<K: Kind> Subject<K> {
-    /// A query and its ground truth, if there is one: true for contact. The exact method computes
-    /// what is missing.
+    /// A query and its ground truth, if there is one: true for contact. The exact method computes a missing
+    /// ground truth, and the time of impact.
     #[must_use]
     pub fn new(query: Query<K>, truth: Option<bool>) -> Self {
         let first = match truth {
@@ -42,7 +42,7 @@ pub struct Subjects<K: Kind> {
     random: fastrand::Rng,
 }
 
-/// A sample of a stream of unknown length, each of whose items is in it with the same probability
+/// A sample of a stream of unknown length. Each item of the stream is in it with the same probability
 /// (Vitter 1985, algorithm R).
 #[derive(Clone, Debug)]
 struct Reservoir<T> {

@@ -166,7 +166,7 @@ pub enum Problem {
     CutShort {
         /// The number of rows of a query.
         expected: usize,
-        /// The number of rows left for the last one.
+        /// The number of rows of the last query in the file.
         found: usize,
     },
     /// A field is not the expected number.

@@ -26,7 +26,7 @@ pub struct Record<K: Kind> {
     pub toi: Option<f64>,
     /// The name of the scene that the query is from.
     pub scene: Option<Arc<str>>,
-    /// The ids of the two primitives in that scene, which count its vertices, then its edges, then its faces.
+    /// The ids of the two primitives. They count the vertices of the scene, then its edges, then its faces.
     pub ids: Option<[u64; 2]>,
 }
 

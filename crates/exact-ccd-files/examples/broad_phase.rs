@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use exact_ccd_files::read_motion;
 use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, PairSink, StepReport};
 
-/// Sorts the boxes along x and visits each with those that begin before it ends. This finds a
+/// Sorts the boxes along x and visits each with the boxes that begin before it ends. This finds a
 /// superset of the overlapping pairs.
 struct SortedAlongX;
 

@@ -24,7 +24,7 @@ use serde::Serialize;
 pub struct Contents {
     /// All vertices of the frame.
     pub vertices: usize,
-    /// All edges, those of faces and loose ones.
+    /// All edges, of faces and loose ones.
     pub edges: usize,
     /// Triangles.
     pub faces: usize,
@@ -36,7 +36,7 @@ pub struct Contents {
     pub components: usize,
     /// Faces with more than three corners, which were triangulated.
     pub polygons: usize,
-    /// Tetrahedra, hexahedra, wedges and pyramids, of which the frame has the surface.
+    /// Tetrahedra, hexahedra, wedges and pyramids. The frame has their surface.
     pub solids: usize,
 }
 

@@ -120,7 +120,7 @@ pub enum Fault {
         /// The first three of these cells.
         cells: Vec<usize>,
     },
-    /// The contents are not those of the format that the name of the file says.
+    /// The contents have another format than the name of the file says.
     #[error("the contents are {found}, expected {expected}; {advice}")]
     Contents {
         /// The contents.

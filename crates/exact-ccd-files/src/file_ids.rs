@@ -3,9 +3,9 @@
 /// The ids that vertices and faces have in their file, counted from 0, for each vertex and each face of its
 /// frame.
 ///
-/// A vertex has the number of its position among those of the file, and a face its number among the faces
-/// of the file: the triangles of a polygon have the id of the polygon. Lines and cells with volume do not
-/// count as faces. The sides of cells with volume are no faces of the file, and have no id.
+/// The id of a vertex is the number of its position in the file. The id of a face is its number among the
+/// faces of the file: the triangles of a polygon have the id of the polygon. Lines and cells with volume do
+/// not count as faces. The sides of cells with volume are no faces of the file, and have no id.
 ///
 /// ```
 /// use exact_ccd_files::{Format, MeshFile, Polygons};
@@ -30,7 +30,7 @@ pub struct FileIds {
 }
 
 impl FileIds {
-    /// Appends the ids of another file. They follow those of the files before.
+    /// Appends the ids of another file. They continue the ids of the files before.
     ///
     /// ```
     /// use exact_ccd_files::{FileIds, Format, MeshFile, Polygons};

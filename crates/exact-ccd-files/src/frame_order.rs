@@ -20,11 +20,11 @@ pub struct FrameOrder {
     /// The files in order. Runs of digits compare as numbers, and two runs with a point between them as a
     /// decimal; everything else compares as text.
     pub files: Vec<PathBuf>,
-    /// Two files of which the second one would be before the first one if a point between digits were text
-    /// between two numbers, as in `v2.9` and `v2.10`: their order is not certain.
+    /// Two files whose order is not certain: the second one would be before the first one if a point between
+    /// digits were text between two numbers, as in `v2.9` and `v2.10`.
     pub uncertain: Option<[PathBuf; 2]>,
-    /// Two consecutive files whose names, without their extensions, differ in more than numbers, as those of
-    /// two recordings: the first such pair.
+    /// The first two consecutive files whose names, without their extensions, differ in more than numbers, as
+    /// the files of two recordings do.
     pub unlike: Option<[PathBuf; 2]>,
     /// True if the files were given in another order.
     pub is_changed: bool,
@@ -119,14 +119,14 @@ impl FrameOrder {
 /// The meaning of a point between two runs of digits.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Reading {
-    /// It is that of a decimal, unless there are more points, as in a date.
+    /// The decimal point of a number, unless there are more points, as in a date.
     Decimals,
-    /// It is text between two numbers.
+    /// Text between two numbers.
     Numbers,
 }
 
 /// A piece of a path. Numbers are compared by the number of digits before the point, by these digits, then
-/// by those after the point, without zeros at the end.
+/// by the digits after the point, without zeros at the end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Piece<'a> {
     Number(usize, &'a [u8], &'a [u8]),
@@ -253,7 +253,7 @@ fn missing(files: &[PathBuf]) -> Vec<Missing> {
     missing
 }
 
-/// The gaps in runs of numbers, none of which decreases.
+/// The gaps in runs of numbers, if no run decreases.
 fn gaps(runs: &[(Option<u64>, &[u64])]) -> Vec<Missing> {
     if !runs.iter().all(|(_, run)| run.is_sorted()) {
         return Vec::new();

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-/// Consecutive vertices of a mesh that have a name, such as those of one body.
+/// Consecutive vertices of a mesh with a name, such as the vertices of one body.
 ///
 /// PLY files have them as comments: `comment part FIRST END NAME`.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -12,22 +12,23 @@ use crate::steps::{MotionError, StepError};
 /// Examines the frames of a mesh one after the other, between which vertices move in straight
 /// lines.
 ///
-/// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a face, two
-/// edges, or a vertex and a face, have a common point at any time up to the last frame, nor do a vertex and a
-/// loose edge. The first frame is examined at rest, for edges that pass through faces and for contacts. A
-/// mesh that does not touch itself there can come to do so only by a vertex that reaches a face or an edge
-/// that reaches another edge, and that is a contact of the step. A predicate of
-/// [`with_can_collide`](Self::with_can_collide) may leave out this pair, but not the edge and the face that
-/// come to meet. With one, every frame is examined at rest; an edge that passes through a face between two
-/// frames only is no violation then, nor is one that only touches a face if the pairs that touch there are
-/// left out. Parts that share a vertex are neighbours and may touch. Edges and vertices without a face are
-/// primitives as all others, compared as defined by [`Pair`](crate::Pair), which lists what is never
-/// compared.
+/// As long as there is no [`Violation`], no two primitives without a common vertex have a common point at any
+/// time up to the last frame. This holds for an edge and a face, two edges, a vertex and a face, and a vertex
+/// and a loose edge. The first frame is examined at rest, for edges that pass through faces and for contacts.
+/// A mesh that does not touch itself in this frame can touch itself later only after a vertex reaches a face,
+/// or an edge another edge, and this is a contact of a step. Parts that share a vertex are neighbours and may
+/// touch. Edges and vertices without a face are primitives as all others, compared as defined by
+/// [`Pair`](crate::Pair), which lists the pairs that are never compared.
 ///
-/// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either, but for a
-/// vertex and an edge that another edge connects. In the first frame, the least distance of primitives that
-/// do not intersect is that of a vertex and a face, of two edges, or of a vertex and a loose edge or vertex,
-/// and all of these pairs are examined at rest.
+/// A predicate of [`with_can_collide`](Self::with_can_collide) may leave out the pair that comes into contact
+/// first, but not the edge and the face that meet next. So with a predicate, every frame is examined at rest.
+/// An edge that passes through a face between two frames only is then no violation. Nor is an edge that only
+/// touches a face, if the predicate leaves out the pairs that touch there.
+///
+/// With a [minimum distance](Self::with_min_distance) d, no two primitives come within d either, but for a
+/// vertex and an edge that another edge connects. In the first frame, primitives that do not intersect are
+/// nearest at a vertex and a face, at two edges, or at a vertex and a loose edge or vertex, and all of these
+/// pairs are examined at rest.
 ///
 /// ```
 /// use exact_ccd_mesh::{Audit, Frame, Violation};
@@ -88,7 +89,7 @@ impl Audit {
         Self { min_distance, ..self }
     }
 
-    /// The same audit, restricted to the pairs that can collide: those of an edge and a face, too.
+    /// The same audit, restricted to the pairs that can collide. This holds for an edge and a face, too.
     #[must_use]
     pub fn with_can_collide(self, can_collide: CanCollide) -> Self {
         Self { can_collide, ..self }
@@ -99,7 +100,7 @@ impl Audit {
     /// # Errors
     /// [`MotionError`] names the difference between the mesh of this frame, which it calls the end,
     /// and the mesh of the frames before; or the positions that are not finite; or the number of
-    /// thicknesses that is not that of vertices. The frame counts as not examined.
+    /// thicknesses, if it is not the number of vertices. The frame counts as not examined.
     pub fn examine(&mut self, frame: Frame) -> Result<Option<Violation>, MotionError> {
         Ok(self.add(frame, false)?.first().copied())
     }
@@ -114,7 +115,8 @@ impl Audit {
     }
 
     /// All violations of the next frame, which is examined at rest in any case, and of the step that leads to
-    /// it, sorted by frame and time. The first violation of a sequence is that of [`examine`](Self::examine).
+    /// it, sorted by frame and time. The first violation of a sequence is the same as by
+    /// [`examine`](Self::examine).
     ///
     /// A contact in the first frame is one at rest, and the step after it does not have it again. Any other
     /// contact that lasts is one of every step in which the pair touches.
@@ -192,7 +194,7 @@ fn intersections_in(
     Ok(found.map(violation).collect())
 }
 
-/// The contacts in a step, the earliest first: all, or that one.
+/// The contacts in a step, the earliest first: all, or only the earliest.
 fn contacts_in(
     detector: &mut Detector,
     [x0, x1]: [&[Point]; 2],

@@ -74,7 +74,7 @@ impl Camera {
     }
 
     /// The smallest box around balls, given by their centers and radii, with sides along the directions of
-    /// the camera: its coordinates are those to the right, upwards and towards the viewer.
+    /// the camera: its axes point to the right, upwards and towards the viewer.
     pub fn extent(&self, balls: impl IntoIterator<Item = (Point, f64)>) -> Aabb {
         let ball = |(center, radius)| Aabb::of(along(&self.axes, center)).inflated(radius);
         balls.into_iter().map(ball).fold(Aabb::EMPTY, |a, b| a.union(&b))

@@ -13,7 +13,7 @@ pub struct RepairOptions<'a> {
     /// The distance at which primitives touch: the repaired positions have no pair within it. The default is
     /// 0, which is contact.
     pub min_distance: Separation,
-    /// The vertices that stay where they are, such as those of obstacles. The default is none.
+    /// The vertices that stay where they are, such as the vertices of obstacles. The default is none.
     pub pinned: Vec<u32>,
     /// The pairs that may not intersect. The default is all.
     pub can_collide: CanCollide,

@@ -1,4 +1,4 @@
-//! Displacements that keep near pairs apart, so that vertices slide along what they would run into.
+//! Displacements that keep near pairs apart, so that vertices slide along near primitives, not into them.
 
 use exact_ccd::{EdgeEdge, Impact, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::vector::dot;

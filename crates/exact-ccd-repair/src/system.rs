@@ -72,7 +72,8 @@ impl Unknowns {
         Ok(System { factor })
     }
 
-    /// Solves a system for each axis; the values of pinned vertices are not read, and are those of `pinned`.
+    /// Solves a system for each axis. Pinned vertices have the values of `pinned`; their values in `right`
+    /// are not read.
     pub(crate) fn solve(
         &self,
         system: &System,

@@ -58,8 +58,8 @@ impl Document<'_> {
         self.error(byte, name, message)
     }
 
-    /// The error of a field. If the file lacks the field, its line is that of the innermost table that
-    /// should contain it.
+    /// The error of a field. If the file lacks the field, the error names the line of the innermost table
+    /// that should contain it.
     pub(super) fn error_of(&self, FieldError { path, message }: FieldError) -> SceneError {
         let keys = path.split('.').filter(|key| !key.is_empty());
         let (name, byte) = located(self.root().as_ref(), keys);

@@ -20,7 +20,7 @@ pub(super) enum GroupKey {
 }
 
 impl GroupKey {
-    /// The groups of this tag or name, of any dimension; or a message with those that there are.
+    /// The groups of this tag or name, of any dimension; or a message with the groups that there are.
     pub(super) fn find<'a>(&self, groups: &'a [Group]) -> Result<Vec<&'a Group>, String> {
         let is_it = |group: &&Group| match self {
             Self::Tag(tag) => group.physical.is_some_and(|physical| physical.tag == *tag),

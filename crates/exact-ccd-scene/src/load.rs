@@ -39,7 +39,7 @@ pub struct Scene {
 
 impl Scene {
     /// Reads a scene file, or one of another program as of [`import`]. Mesh files are read from the folder
-    /// `meshes`, or from that of the scene file.
+    /// `meshes`, or from the folder of the scene file.
     ///
     /// # Errors
     /// [`SceneError`] names the file, the line and the field.
@@ -128,7 +128,7 @@ impl Scene {
             rendering: description.render,
             notes: Vec::new(),
         };
-        // A simulation checks the settings, of which the number of steps needs a positive time step.
+        // A simulation checks the settings: the number of steps needs a positive time step.
         let simulation = scene.simulation();
         simulation.map_err(|error| of_simulation(&error))?;
         scene.steps = steps(duration, scene.settings.time_step)?;

@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let bodies = [cube, shapes::floor([1, 1], [1.0, 1.0])];
 
-    // The vertices of a system are those of its bodies, one body after the other.
+    // A system has the vertices of its bodies, one body after the other.
     let [cube, floor] = &System::ranges(&bodies)[..] else {
         return Err("there are two bodies".into());
     };

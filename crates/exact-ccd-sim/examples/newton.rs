@@ -1,7 +1,7 @@
 //! The cost of Newton iterations: of a cloth of 289 vertices that hangs at two corners, of two such cloths
 //! on a sphere, and of a beam of tetrahedra with 1,125 vertices that hangs at one end.
 //!
-//! Instructions do not depend on other load on the machine. All are in `minimise`, and in what it calls:
+//! Instructions do not depend on other load on the machine. All are in `minimise` and its callees:
 //!
 //! ```sh
 //! CARGO_PROFILE_RELEASE_DEBUG=1 cargo build --release -p exact-ccd-sim --example newton

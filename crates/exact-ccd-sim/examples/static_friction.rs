@@ -8,7 +8,7 @@ use std::error::Error;
 
 use exact_ccd_sim::{Friction, Length, Settings, Simulation, System, shapes};
 
-/// The time steps in which the block settles, and those that are measured.
+/// The number of time steps in which the block settles, and of measured time steps.
 const STEPS: [u32; 2] = [50, 50];
 
 fn main() -> Result<(), Box<dyn Error>> {

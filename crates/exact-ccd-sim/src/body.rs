@@ -59,8 +59,8 @@ pub enum BodyKind {
         /// Their material.
         material: ParticleProperties,
     },
-    /// A nearly rigid body with twelve unknowns: those of an affine map. All its vertices move by this map,
-    /// and scripts move all of them or none.
+    /// A nearly rigid body with the twelve unknowns of an affine map. All its vertices move by this map, and
+    /// scripts move all of them or none.
     Affine {
         /// The triangles of a closed surface, in either orientation.
         faces: Vec<[u32; 3]>,
@@ -184,8 +184,8 @@ impl Body {
         }
     }
 
-    /// The number of its vertices in a [`System`](crate::System): its points, and four nodes after those of
-    /// an affine body.
+    /// The number of its vertices in a [`System`](crate::System): its points, followed by four nodes for an
+    /// affine body.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         let nodes = if let BodyKind::Affine { .. } = self.kind {

@@ -4,7 +4,7 @@
 //! affine body is such a set of vertices (L. Lan, D. Kaufman, M. Li, C. Jiang, Y. Yang, *Affine Body
 //! Dynamics*, ACM Transactions on Graphics 41(4), 2022): its nodes are four of the vertices of the system,
 //! whose twelve coordinates determine an affine map. All energies are functions of vertices. Derivatives by
-//! the nodes follow from those by vertices, with the transposed map. In a step in which nodes move in
+//! the nodes follow from derivatives by vertices, with the transposed map. In a step in which nodes move in
 //! straight lines, so do the vertices that they carry.
 
 use std::borrow::Cow;
@@ -96,8 +96,7 @@ impl Carriers {
         self.carriers.get(vertex as usize)?.as_ref()
     }
 
-    /// Sets the values of carried vertices, such as positions or displacements, to those that follow from
-    /// their nodes.
+    /// Computes the values of carried vertices, such as positions or displacements, from their nodes.
     pub(crate) fn carry<T>(&self, values: &mut [T])
     where
         T: Copy + Into<Vector3<f64>> + From<Vector3<f64>>,
@@ -121,8 +120,8 @@ impl Carriers {
         }
     }
 
-    /// The vertices on which a term of these vertices depends, without repetition: nodes in place of those
-    /// that are carried.
+    /// The vertices on which a term of these vertices depends, without repetition: nodes in place of carried
+    /// vertices.
     pub(crate) fn unknowns<'a>(&self, vertices: &'a [u32]) -> Cow<'a, [u32]> {
         if self.is_empty() || vertices.iter().all(|&vertex| self.of(vertex).is_none()) {
             return Cow::Borrowed(vertices);
@@ -139,7 +138,7 @@ impl Carriers {
         Cow::Owned(unknowns)
     }
 
-    /// The Hessian of a term by its [unknowns](Self::unknowns), from that by its vertices.
+    /// The Hessian of a term by its [unknowns](Self::unknowns), from the Hessian by its vertices.
     pub(crate) fn pulled(&self, vertices: &[u32], hessian: DMatrix<f64>) -> DMatrix<f64> {
         let Cow::Owned(unknowns) = self.unknowns(vertices) else {
             return hessian;

@@ -1,4 +1,4 @@
-//! The terms of which all energies are sums.
+//! The terms of energies. Every energy is a sum of terms.
 
 use std::fmt::Debug;
 

@@ -8,8 +8,8 @@ use exact_ccd_mesh::{Candidates, MinDistance, Pair, Step, Tolerance, bisect};
 
 /// The bound on each Newton step, by a method of continuous collision detection.
 ///
-/// The guarantees of a simulation are those of its method: a method with false negatives lets primitives
-/// pass through each other.
+/// A simulation guarantees as much as its method: a method with false negatives lets primitives pass through
+/// each other.
 ///
 /// ```
 /// use std::sync::Arc;

@@ -31,8 +31,8 @@ pub enum Integrator {
 }
 
 /// The duration in s of a step from rest that ends in equilibrium. Without any inertia, the system would be
-/// singular for a body that nothing holds. That of a step of this duration changes an equilibrium by 1 / (ω
-/// · 100 s)² of its displacement, for the least angular frequency ω of the body.
+/// singular for a body that nothing holds. The inertia of a step of this duration changes an equilibrium by
+/// 1 / (ω · 100 s)² of its displacement, for the least angular frequency ω of the body.
 const LONG: f64 = 100.0;
 
 /// The equations of one time step: v = (x − origin) / duration, and the inertia of each vertex.

@@ -1,15 +1,15 @@
 //! Elastodynamics without intersections: incremental potential contact (IPC), with a line search
 //! that is filtered by [`exact_ccd`].
 //!
-//! The method is that of M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang,
+//! The method is due to M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang,
 //! D. Kaufman, *Incremental Potential Contact: Intersection- and Inversion-free Large-Deformation
 //! Dynamics*, ACM Transactions on Graphics 39(4), 2020. Each time step minimises the sum of an inertia
 //! term, elasticity, a barrier over the distances of nearby primitives and lagged friction, by projected
 //! Newton. A [`StepFilter`] bounds each Newton step: by the exact
 //! method or, for comparison, by any other [`Ccd`](exact_ccd::Ccd).
 //!
-//! - A [`Body`] is a mesh with its material. Bodies and [`Scripted`] vertices form a [`System`]. The vertices
-//!   of a system are those of its bodies, one body after the other ([`System::ranges`]).
+//! - A [`Body`] is a mesh with its material. Bodies and [`Scripted`] vertices form a [`System`]. A system
+//!   has the vertices of its bodies, one body after the other ([`System::ranges`]).
 //! - A [`Simulation`] takes the time steps of a system. Each step returns [`Statistics`].
 //! - A [`Checkpoint`] is saved and loaded to resume a simulation of the same system and settings.
 //!

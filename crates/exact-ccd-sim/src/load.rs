@@ -10,11 +10,11 @@ use crate::range::{OutOfRange, check, check_finite};
 
 /// A force on some vertices, from one time to another.
 ///
-/// Forces are those at the start of a time step, so that a pressure follows the surface with a delay of one
-/// time step. Their work is in no energy of [`Energies`](crate::Energies).
+/// A force is computed at the start of a time step, so that a pressure follows the surface with a delay of
+/// one time step. Their work is in no energy of [`Energies`](crate::Energies).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Load {
-    /// The vertices. Tractions and pressures act on the faces of which they are all corners.
+    /// The vertices. Tractions and pressures act on the faces whose corners are all among them.
     pub vertices: Vec<u32>,
     /// The force.
     pub force: Force,

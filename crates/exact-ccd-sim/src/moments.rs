@@ -21,7 +21,7 @@ pub(crate) struct Moments {
 impl Moments {
     /// The moments: the sums over the tetrahedra of the faces and one common point, with the sign of their
     /// volumes. The integrals of polynomials over a tetrahedron of corners o, a, b, c are exact. With o = 0
-    /// and the sum s of the corners, that of x is V s / 4, and that of x xᵀ is V (a aᵀ + b bᵀ + c cᵀ + s
+    /// and the sum s of the corners, the integral of x is V s / 4, and of x xᵀ, V (a aᵀ + b bᵀ + c cᵀ + s
     /// sᵀ) / 20. The common point is a corner for the center, and the center for the covariance, because
     /// rounding errors grow with its distance.
     pub(crate) fn new(points: &[Point], faces: &[[u32; 3]]) -> Self {

@@ -35,8 +35,8 @@ pub struct Settings {
     ///
     /// Newton stops when two conditions hold. No component of a vertex's Newton direction exceeds the
     /// tolerance times the effective time step, which is the time step for implicit Euler and two thirds
-    /// of it for BDF2. And the predicted decrease of energy is at most that of all free masses moving
-    /// at this speed.
+    /// of it for BDF2. And the predicted decrease of energy is at most the kinetic energy of all free
+    /// masses at this speed.
     ///
     /// With friction, a tolerance above a tenth of the [static velocity](Friction::static_velocity) counts as
     /// that tenth. Below the static velocity friction is stiff, so that the Newton direction of a body that
@@ -209,7 +209,7 @@ pub struct Friction {
     pub static_velocity: Length,
     /// The greatest number of friction lags: updates of normal forces and tangent planes in a time step. At
     /// least 1. They end with the first update after which Newton's method converges in one iteration: with
-    /// a large number, the forces of friction are those of the end of the time step, within the tolerance. An
+    /// a large number, the forces of friction belong to the end of the time step, within the tolerance. An
     /// attempt that is not the last ends with the first lag that does not converge.
     pub lags: usize,
 }
@@ -218,8 +218,8 @@ pub struct Friction {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct FrictionPair {
-    /// The names of bodies or half spaces: twice the same for friction among those with one name, and within
-    /// each of them.
+    /// The names of bodies or half spaces. Repeat a name for friction among bodies of that name, self-contact
+    /// included.
     pub between: [String; 2],
     /// The friction coefficient μ.
     pub coefficient: f64,

@@ -27,7 +27,7 @@ pub struct Spring {
 pub struct SpringEnd {
     /// The body, by its place in the list of bodies. `None` for a place that never moves.
     pub body: Option<usize>,
-    /// The position at the start, in m: that of a vertex, or any one of an affine body, which carries it.
+    /// The position at the start, in m: a vertex, or any point of an affine body, which carries it.
     pub at: Point,
 }
 

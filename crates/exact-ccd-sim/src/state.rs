@@ -25,15 +25,15 @@ pub struct State {
     /// effective time step changes when BDF2 follows its first step, which is one of implicit Euler.
     pub stiffness: Option<f64>,
     /// For each axis, the position in m of a vertex where its script began, by the number of the vertex.
-    /// Those without an entry were at their start.
+    /// Vertices without an entry were at their start.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub origins: BTreeMap<u32, [Point; 3]>,
     /// The time in s by which the scripts of a body are behind because of an obstruction, by the number of
-    /// the body. Those without an entry are not behind.
+    /// the body. Bodies without an entry are not behind.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub behind: BTreeMap<u32, f64>,
     /// The twist in rad at an inner vertex of a rod between two held edges, by the number of the vertex: the
-    /// angle between the cross sections of its two edges. Those without an entry are not twisted.
+    /// angle between the cross sections of its two edges. Vertices without an entry are not twisted.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub twists: BTreeMap<u32, f64>,
 }

@@ -1,7 +1,7 @@
 //! Arrays of 32-bit numbers as text.
 //!
-//! The bytes of little-endian words are sorted by their significance, so that those which vary
-//! little are next to each other; then deflated (RFC 1951), and written in base64.
+//! The bytes of little-endian words are sorted by their significance, so that bytes which vary little are
+//! next to each other; then deflated (RFC 1951), and written in base64.
 
 use std::io::Write;
 

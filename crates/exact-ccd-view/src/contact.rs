@@ -82,15 +82,15 @@ impl Primitive {
 }
 
 impl ShownContact {
-    /// Replaces the ids of the mesh by those of a file.
+    /// Replaces the ids of the mesh by the ids of a file.
     pub(crate) fn label(&mut self, labels: &Labels) {
         self.primitives
             .iter_mut()
             .for_each(|primitive| primitive.label(labels));
     }
 
-    /// A contact of a mesh in the step between two frames, the first of which has this number; `None` if its
-    /// primitives are not those of the mesh.
+    /// A contact of a mesh in the step from the frame with this number to the next one; `None` if the mesh
+    /// does not have its primitives.
     pub(crate) fn of_pair(
         mesh: &TriangleMesh,
         frame: usize,
@@ -108,8 +108,8 @@ impl ShownContact {
         Self::new(primitives, frame, positions, &contact.impact, distance)
     }
 
-    /// The contact of two primitives in the step between two frames, the first of which has this number;
-    /// `None` if a vertex has no position.
+    /// The contact of two primitives in the step from the frame with this number to the next one; `None` if a
+    /// vertex has no position.
     pub(crate) fn new(
         primitives: [Primitive; 2],
         frame: usize,

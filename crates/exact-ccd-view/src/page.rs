@@ -27,8 +27,8 @@ const MOST_TEXT: usize = 256 << 20;
 ///
 /// Frames are added in the order of time; between them, vertices move in straight lines. A contact
 /// is added after both frames of its step. The page opens at the first contact, with the camera on
-/// it, or at the first frame if there is none. Of a motion that would take more than 256 MiB, every
-/// second frame is left out, as often as necessary; those of contacts are kept.
+/// it, or at the first frame if there is none. If a motion would take more than 256 MiB, every second frame
+/// is left out, as often as necessary. The frames of contacts are kept.
 #[derive(Clone, Debug)]
 pub struct Page {
     mesh: TriangleMesh,
@@ -42,7 +42,7 @@ pub struct Page {
     history: Option<History>,
     radii: Vec<f32>,
     frames: Vec<ShownFrame>,
-    /// The number of all frames, of which some may have been left out.
+    /// The number of all frames, including the frames that were left out.
     frame_count: usize,
     most_text: usize,
     /// The first frame in the units of the page, from which the others are displaced.
@@ -150,7 +150,7 @@ impl Page {
         Self { summary, ..self }
     }
 
-    /// The same page with the ids that vertices and faces have in a file, in the place of those in the mesh:
+    /// The same page with the ids that vertices and faces have in a file, in place of the ids in the mesh:
     /// one for each vertex, and one or none for each face.
     #[must_use]
     pub fn with_ids(mut self, vertices: Vec<u32>, faces: Vec<Option<u32>>) -> Self {
@@ -171,7 +171,7 @@ impl Page {
     }
 
     /// The same page with the radii at which rods and loose vertices are drawn: one for each vertex, in the
-    /// unit of the positions. Those that are too thin to be seen are drawn a few pixels wide.
+    /// unit of the positions. Radii that are too small to be seen are drawn a few pixels wide.
     #[must_use]
     pub fn with_radii(self, radii: &[f64]) -> Self {
         let radii = radii.iter().map(|&radius| self.units.convert_length(radius));
@@ -187,7 +187,7 @@ impl Page {
     }
 
     /// The same page with a further half space: all x with n · (x − p) ≤ 0, for a point p of its boundary and
-    /// the normal n. Its number is that of the half spaces before it.
+    /// the normal n. Its number is the count of half spaces before it.
     ///
     /// A half space whose normal is zero, or with a coordinate that is not finite, is ignored.
     #[must_use]
@@ -298,7 +298,7 @@ impl Page {
         Ok(())
     }
 
-    /// Leaves out every second frame, but not the first, the last two, and those of contacts.
+    /// Leaves out every second frame, but not the first, the last two, and the frames of contacts.
     fn leave_out(&mut self) {
         let count = self.frames.len();
         let mut index = 0;
@@ -325,7 +325,7 @@ impl Page {
     /// Writes the page as an HTML file.
     ///
     /// # Errors
-    /// Those of `writer`.
+    /// The errors of `writer`.
     pub fn write(&self, writer: &mut impl Write) -> io::Result<()> {
         self.document().write(&self.mesh, writer)
     }

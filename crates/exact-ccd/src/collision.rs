@@ -97,7 +97,7 @@ impl<'a, K: Kind> Collision<'a, K> {
 
     /// Bounds of the distance of the primitives at the first time at which they touch.
     ///
-    /// The distance is the separation, unless the primitives are closer than that at t = 0.
+    /// The distance is the separation, unless the primitives are closer at t = 0.
     #[must_use]
     pub fn distance(&self) -> DistanceBounds {
         K::distance(&self.decided, self.query.points())

@@ -6,8 +6,8 @@ use crate::filter::{self, Contact, Decision, Proved};
 use crate::tables::{Points, Tables};
 use crate::values::{CONTACT, ContactTime, DistanceBounds, Impact, Intervals, Separation, Stage};
 
-/// The decision that two primitives touch, with the intermediate results from which all answers follow. The
-/// points are those of the decision.
+/// The decision that two primitives touch, with the intermediate results from which all answers follow. Its
+/// functions take the points of the decided query.
 #[derive(Clone, Debug)]
 #[expect(
     unnameable_types,
@@ -66,7 +66,7 @@ impl<K: Tables> Decided<K> {
         }
     }
 
-    /// The same if the first time, which it keeps then, is not after the last one that counts.
+    /// `Some(self)`, with its first time cached, if the first time is at most `until`.
     #[inline]
     pub(crate) fn until(self, points: &Points<f64>, until: f64) -> Option<Self> {
         if until >= 1.0 {
@@ -82,7 +82,7 @@ impl<K: Tables> Decided<K> {
         })
     }
 
-    /// Two times between which the first one certainly is, if they are known without further computation.
+    /// Two times with the first time between them, if they are known without further computation.
     #[inline]
     pub(crate) fn bracket(&self) -> Option<[f64; 2]> {
         match &self.proof {

@@ -5,7 +5,8 @@ use crate::kind::Kind;
 use crate::query::Query;
 use crate::values::{Impact, Intervals, Options};
 
-/// A query whose answers are computed in integers alone, for audits: those of [`Query`], by the definition.
+/// A query whose answers are computed by the definition, in integers alone, for audits. [`Query`] has the
+/// same answers.
 ///
 /// They follow from signs of polynomials with integer coefficients, without rounding and without tolerance.
 /// Coordinates are read as bit patterns: no answer depends on the floating-point environment.

@@ -24,7 +24,7 @@ pub struct Query<K: Kind> {
 pub struct NonFinite {
     /// The end of the time step, 0 or 1; `None` for points at rest.
     pub time: Option<usize>,
-    /// The index of the point among those given, from 0.
+    /// The index of the point among the given points, from 0.
     pub point: usize,
     /// The axis of the coordinate.
     pub axis: Axis,

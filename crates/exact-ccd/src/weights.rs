@@ -4,8 +4,8 @@ use crate::kind::Kind;
 use crate::values::Impact;
 
 impl Impact {
-    /// The weights of the points of the query in the vector from the closest point of the second primitive to
-    /// that of the first: as many as it has points, then zeros.
+    /// The weights of the points of the query in the vector from the second primitive's closest point to the
+    /// first one's: one for each point, then zeros.
     #[must_use]
     pub fn weights<K: Kind>(&self) -> [f64; 4] {
         let [u, v] = self.parameters;

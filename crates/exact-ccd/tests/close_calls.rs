@@ -1,5 +1,5 @@
-//! The filters for what primitives within a distance do, for tiny distances, and for roots that are almost
-//! multiple, compared with the integers.
+//! The filters for distances, for tiny distances, and for roots that are almost multiple, compared with the
+//! integers.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

@@ -22,8 +22,8 @@ fn in_general_position() -> impl Strategy<Value = Points> {
     prop::array::uniform2(prop::array::uniform4(prop::array::uniform3(-1.0..1.0)))
 }
 
-/// The points, with one moved so that they meet, up to rounding, at t, u and v if they are those of
-/// a face.
+/// The points, with the first one moved so that, as a vertex against a face, they meet at t, u and v, up to
+/// rounding.
 fn meeting(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
     (points, (1..=8, 0..=8, 0..=8)).prop_map(|(points, (t, u, v))| {
         let [t, u, v] = [t, u, v].map(|n| f64::from(n) / 8.0);
@@ -124,7 +124,7 @@ fn dot(a: Point, b: Point) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-/// The numbers of two answers, each of which has that accuracy.
+/// Compares the numbers of two answers, each with this accuracy.
 fn close(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(x, y)| (x - y).abs() <= 2.0 * ACCURACY)
 }
@@ -276,7 +276,7 @@ fn a_vertex_rises_to_a_face() {
 
 #[test]
 fn a_face_turns_up_to_a_vertex() {
-    // Its corner at (4, 0) rises by 4: the vertex at (1, 1) is reached when that is done.
+    // The corner at (4, 0) rises by 4. The face reaches the vertex at (1, 1) at the end of the motion.
     let start = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
     let end = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 4.0], [0.0, 4.0, 0.0]];
     let query = Query::<VertexFace>::new(start, end).unwrap();

@@ -1,10 +1,10 @@
-//! The order of the modules: each imports only those before it, and no files import each other in a circle.
+//! The order of the modules: each imports only earlier ones, and no files import each other in a circle.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The modules of the crate, from the ground up. Those of one line do not import each other.
+/// The modules of the crate, from the ground up. The modules of one line do not import each other.
 const ORDER: &[&[&str]] = &[
     &["tables", "environment"],
     &["values"],
@@ -137,7 +137,7 @@ fn no_files_import_each_other_in_a_circle() {
         .enumerate()
         .map(|(i, file)| (&file.path[..], i))
         .collect();
-    // The file of a path: that of its longest part.
+    // The file of a path is the file of its longest beginning that names a module.
     let file_of = |path: &[String]| {
         (1..=path.len())
             .rev()

@@ -18,7 +18,7 @@ const CORNERS: [Point; 4] = [
 
 pub(crate) type Pair = [[usize; 3]; 2];
 
-/// The faces of the tetrahedron that share the diagonal q₀ q₂, and those that share q₁ q₃.
+/// The faces of the tetrahedron at the diagonal q₀ q₂, and the faces at q₁ q₃.
 pub(crate) const AROUND_02: Pair = [[0, 2, 3], [0, 1, 2]];
 pub(crate) const AROUND_13: Pair = [[1, 2, 3], [0, 1, 3]];
 

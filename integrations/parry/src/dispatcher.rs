@@ -15,7 +15,7 @@ use super::parry::shape::{Shape, TypedShape};
 use crate::motion::Hit;
 use crate::surfaces::{Failure, Surface, Surfaces};
 
-/// Exact queries of surfaces. What it answers, and for which motion, is said [above](crate).
+/// Exact queries of surfaces. The [documentation of the crate](crate) lists the queries that it answers.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ExactDispatcher;
 

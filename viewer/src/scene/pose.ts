@@ -26,7 +26,7 @@ export function overview(center: Point, radius: number, up: Point): Pose {
 /** The angle between the contact plane and the view of the camera. */
 const ELEVATION = (40 / 180) * Math.PI;
 
-/** The preference for a view from above, to that from outside. */
+/** The preference for a view from above over a view from outside. */
 const ABOVE = 1.1;
 
 /** The number of directions around the normal, on each side of the plane, among which the camera has the best. */

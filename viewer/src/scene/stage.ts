@@ -106,7 +106,7 @@ export class Stage {
     this.view.go(overview(this.middle, this.radius, this.up), atOnce);
   }
 
-  /** Makes the next axis the direction upwards, and moves the camera to see everything: z, y, x, and those again. */
+  /** Makes the next axis the direction upwards, and moves the camera to see everything: z, y, x, then z again. */
   turnUp(): void {
     if (this.shown === null) return;
     const most = [0, 1, 2].reduce((a, b) => (Math.abs(this.up[b]) > Math.abs(this.up[a]) ? b : a));

@@ -15,7 +15,7 @@ const BEHIND = 0.5;
 
 /**
  * If faces are transparent, they are drawn three times: all faint; then their depths only; then the nearest ones. So
- * the nearest layer is distinct, whatever the order of the faces, and those behind it shine through.
+ * the nearest layer is distinct, whatever the order of the faces, and layers behind it shine through.
  */
 export class Surface {
   readonly group = new Group();

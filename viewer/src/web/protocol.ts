@@ -4,7 +4,7 @@ import { type Query } from "../page";
 
 export type Kind = Query["kind"];
 
-/** What a floating-point root finder says. */
+/** The answer of a floating-point root finder. */
 export interface Verdict {
   contact: boolean;
   /** None without contact, or if it is not finite. */

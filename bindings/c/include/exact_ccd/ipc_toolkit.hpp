@@ -122,7 +122,7 @@ public:
     }
 
 private:
-    // The points at t = 0, then those at t = 1.
+    // The points at t = 0, then at t = 1.
     template <typename... Vectors>
     bool ccd(Kind kind, double& toi, double min_distance, double tmax, const Vectors&... x) const
     {

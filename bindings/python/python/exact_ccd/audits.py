@@ -65,7 +65,7 @@ def audit(
     weld : bool, optional
         Make one vertex of several that coincide in all frames, as the option ``--weld`` of the program does; by default
         in STL files only, see :func:`read_mesh`. Vertices of several groups or thicknesses stay apart. The numbers
-        of vertices in results are those among :attr:`AuditReport.vertices`; the faces keep their numbers. Frames
+        of vertices in results index :attr:`AuditReport.vertices`; the faces keep their numbers. Frames
         that are positions have to be an array.
     half_spaces : array of shape (H, 2, 3), optional
         Half spaces that no vertex may touch, nor come within the minimum distance of: for each, a point of

@@ -24,7 +24,7 @@ PairColumns = tuple[NDArray[np.uint8], NDArray[np.uint32], NDArray[np.int64]]
 """The columns of pairs: kinds, indices of both primitives, vertices."""
 
 Places = tuple[Optional[Place], Optional[Place]]
-"""The places of both primitives of a pair; None for those without names."""
+"""The places of both primitives of a pair; None for a primitive without a name."""
 
 _PRIMITIVES: dict[str, Primitive] = {"v": "vertex", "e": "edge", "f": "face"}
 

@@ -168,7 +168,7 @@ class FileFrames:
         return Mesh(count, self._faces, self._edges, *rules.of(self.kept))
 
     def names(self) -> Iterator[str]:
-        """The names of the frames, for titles: the files, and the numbers in those that have several."""
+        """The names of the frames, for titles: the file, and the number in a file of several frames."""
         several = len({file for file, _ in self._places}) < len(self._places)
         return (f"{Path(file).name} {frame}" if several else Path(file).name for file, frame in self._places)
 

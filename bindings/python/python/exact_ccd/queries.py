@@ -234,7 +234,7 @@ class Queries:
         Parameters
         ----------
         separation, until, threads : float, float, int or None
-            As for :meth:`collides`. All times of a query that collides are computed, also those after `until`.
+            As for :meth:`collides`. All times of a query that collides are computed, also times after `until`.
 
         Returns
         -------

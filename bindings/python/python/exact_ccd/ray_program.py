@@ -59,7 +59,7 @@ def _audit(options: argparse.Namespace) -> tuple[str, int]:
 
 
 def _queries(options: argparse.Namespace) -> tuple[str, int]:
-    """The numbers of queries, of those in contact, and of those whose truth differs."""
+    """The numbers of queries: in total, in contact, and with another truth."""
     import pyarrow.fs
     import ray.data
 
@@ -84,7 +84,7 @@ def _queries(options: argparse.Namespace) -> tuple[str, int]:
 
 
 def _counts(batch: Any) -> Any:
-    """A row with the number of the queries of a batch, of those in contact, and of those whose truth differs."""
+    """A row with the numbers of queries of a batch: in total, in contact, and with another truth."""
     import pyarrow as pa
     import pyarrow.compute as pc
 

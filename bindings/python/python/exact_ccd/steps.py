@@ -36,9 +36,9 @@ class StepReport(NamedTuple):
     candidates : PairCounts
         The pairs of primitives that come near each other.
     colliding : PairCounts
-        Those that are in contact at some time of the step.
+        The pairs in contact at some time of the step.
     touching : PairCounts
-        Those that are in contact at t = 0.
+        The pairs in contact at t = 0.
     earliest : Contact or None
         The earliest contact; None if the step is free of contact.
     """
@@ -65,7 +65,7 @@ class FreeStep(NamedTuple):
     contact : Contact or None
         The earliest contact of the full step; None if it is free.
     touching : PairCounts
-        The pairs that touch at the start: those within their minimum distance, even if an
+        The pairs that touch at the start: all pairs within their minimum distance, even if an
         `inner_distance` holds for them.
     """
 

@@ -34,7 +34,7 @@ class Violation(NamedTuple):
         that frame. It reaches the half space in the step that leads there, if there is one.
     places : tuple of Place or None
         The bodies of the primitives: of both of the contact, or of the edge and the face, or of the vertex. None for
-        those without names of groups.
+        a primitive without the name of a group.
     """
 
     frame: int
@@ -55,7 +55,7 @@ class AuditReport(NamedTuple):
     violation : Violation or None
         The first violation; None if all frames are free of contact, and the motion between them.
     vertices : int64 array of shape (V,), or None
-        If vertices are welded, the numbers of those that remain among the vertices of the frames.
+        If vertices are welded, the numbers of the remaining vertices among the vertices of the frames.
     """
 
     frames: int

@@ -54,8 +54,8 @@ fn of_all_pairs_of_the_scenes_is_as_defined() {
     assert_eq!(counts.sum::<usize>(), 119_385);
 }
 
-/// The number of colliding queries, and the numbers of those that parity and the exact decision
-/// report as free.
+/// The number of colliding queries, and the numbers of colliding queries that parity and the exact
+/// decision report as free.
 type Misses = [usize; 3];
 
 /// The rounding of the shift changes no parity here.

@@ -1,4 +1,4 @@
-//! Certificates with changes: what is accepted is true, by the exact kernel on all pairs.
+//! Certificates with changes: each accepted statement is true, by the exact kernel on all pairs.
 
 use exact_ccd_check::bytes::Bytes;
 use exact_ccd_check::certificate::{FREE, Head, MAGIC, REST, stretches};
@@ -31,8 +31,8 @@ const DISTANCE: usize = MAGIC.len();
 const FLAGS: usize = DISTANCE + 8;
 const TIMES: usize = FLAGS + 1;
 
-/// 10,000 mutations of one kind: what is accepted must be true. Returns the numbers of those that are false
-/// statements, and of those that are accepted.
+/// Checks 10,000 mutations of one kind: an accepted certificate must be true. Returns the numbers of changed
+/// certificates, and of changed certificates that are accepted.
 fn mutate(seed: u64, mutate: impl Fn(&mut Random, &mut Vec<u8>, f64, &Contact)) -> [usize; 2] {
     mutate_some(seed, 50, |_| true, mutate)
 }
@@ -99,7 +99,8 @@ fn changed_bytes_prove_nothing_false() {
     assert!(differ > 5000);
 }
 
-/// A row of a table: the places of the number of rows, of its first byte, of its first tag and of its end.
+/// A row of a table, by the places of four bytes: the number of rows, the row's begin, its first tag, its
+/// end.
 struct Row {
     count: usize,
     begin: usize,
@@ -313,8 +314,9 @@ fn none_of_10_000_changes_of_a_field_proves_anything_false() {
     println!("{:?}", change_fields(10_000));
 }
 
-/// Each field is changed so many times, to other bytes: nothing false is accepted. Another number of rows,
-/// other ids of a row and another T⁺ never are. Returns the numbers of those that are accepted, and true.
+/// Changes each field `count` times, to other bytes: nothing false is accepted. Another number of rows, other
+/// ids of a row and another T⁺ are never accepted. Returns for each field the number of accepted changes,
+/// which are all true.
 fn change_fields(count: usize) -> [(Field, usize); 12] {
     // Some with pairs of several stretches.
     let mut scenes = certified(50, |certificate| certificate[FLAGS] & FREE != 0);

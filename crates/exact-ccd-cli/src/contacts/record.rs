@@ -10,11 +10,11 @@ use serde::Serialize;
 
 use crate::shortest::shortest;
 
-/// Two primitives that touch, in the shape of the JSON object. All ids are those in the
-/// files, counted from 0.
+/// Two primitives that touch, in the shape of the JSON object. All ids are the ids in the files, counted
+/// from 0.
 #[derive(Clone, Default, Serialize)]
 pub(crate) struct ContactRecord {
-    /// The number of the frame, or of that at which the step begins.
+    /// The number of the frame, or of the frame at which the step begins.
     pub(crate) frame: usize,
     pub(crate) kind: RecordKind,
     /// The ids of the two primitives; none for a face that has no id in its file.
@@ -169,7 +169,7 @@ impl ContactRecord {
         lower.then(a.upper.total_cmp(&b.upper))
     }
 
-    /// The same record with the ids of the file in place of those of the mesh. Edges have no ids in files.
+    /// The same record with ids of the file instead of the mesh. Edges have no ids in files.
     pub(crate) fn in_file(mut self, ids: &FileIds) -> Self {
         let vertex = |&vertex: &u32| ids.vertices.get(vertex as usize).copied().unwrap_or(vertex);
         self.vertices = self

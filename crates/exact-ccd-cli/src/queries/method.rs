@@ -14,7 +14,7 @@ use super::kind::Kind as AnyKind;
 use crate::failure::Failure;
 use crate::shortest::shortest;
 
-/// A registered method, or the parity in integers. Those that count contacts are apart.
+/// A registered method, or the parity in integers. Methods that count contacts have variants of their own.
 #[derive(Clone)]
 pub(crate) enum Method {
     Exact,
@@ -23,7 +23,7 @@ pub(crate) enum Method {
     Other(Arc<dyn Ccd>),
 }
 
-/// The name of [`Method::ParityRational`], which is no method of its own: it is the parity without rounding.
+/// The name of [`Method::ParityRational`]. It is not a registered method, but the parity without rounding.
 const PARITY_RATIONAL: &str = "parity-rational";
 
 impl FromStr for Method {

@@ -37,7 +37,7 @@ use tally::Tally;
 /// A query is a row for each of its points at t = 0, then the same at t = 1.
 /// The points are, by the kind of the queries,
 ///   vf  the vertex and the corners of the face: eight rows
-///   ee  the ends of the first edge and those of the second: eight rows
+///   ee  the ends of the first edge, then of the second: eight rows
 ///   ve  the vertex and the ends of the edge: six rows
 ///   vv  the two vertices: four rows
 /// A row is the numerators and denominators of x, y and z, six columns; or x, y
@@ -72,9 +72,9 @@ use tally::Tally;
 ///   count    is even, odd, or boundary for a contact at t = 0 or t = 1, with
 ///            an edge of the face, or with an end of an edge
 ///
-/// The other methods are those of `exact-ccd bench`. Their count is empty, and
-/// so is the toi of those without times. Only the exact method has the kinds ve
-/// and vv, and distances above 0.
+/// The other methods are the same as in `exact-ccd bench`. Their count is empty,
+/// and so is the toi if the method has no times. Only the exact method has the
+/// kinds ve and vv, and distances above 0.
 ///
 /// If there is ground truth, the numbers of false positives and of false
 /// negatives go to standard error.

@@ -24,7 +24,7 @@ impl Histogram {
         self.largest = self.largest.max(error);
     }
 
-    /// The counts, first that of zeros, as `None`, then in the order of their decades.
+    /// The counts: first the number of zeros, as `None`, then one for each decade in order.
     pub(super) fn counts(&self) -> impl Iterator<Item = (Option<i32>, usize)> {
         self.counts.iter().map(|(&decade, &count)| (decade, count))
     }

@@ -33,7 +33,7 @@ use crate::queries::recognise::note_other_folders;
 /// to f64. The displacement e is 0 along an axis where the differences are exact.
 ///
 /// As in the paper, a data set or a simulation is moved as a whole: there is
-/// one displacement for all files, that of the box around them.
+/// one displacement for all files, which follows from the box around them.
 ///
 /// The output is the displacement and the histogram of the rounding errors
 /// |x + e - fl(x + e)| of all coordinates: the number of zeros, and the number
@@ -66,7 +66,7 @@ pub(crate) struct Arguments {
     /// Print the report as a JSON object. docs/reports.md has its schema.
     #[arg(long)]
     json: bool,
-    /// Query files, of which - is standard input, or mesh files. docs/files.md lists their formats.
+    /// Query files, with - for standard input, or mesh files. docs/files.md lists their formats.
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
 }

@@ -12,7 +12,7 @@ use crate::shortest::shortest;
 /// The displacements and the rounding errors of the coordinates, in the shape of the JSON object.
 #[derive(Serialize)]
 pub(super) struct Report {
-    /// That of all points, or the largest along each axis of those of the queries.
+    /// The displacement of all points, or along each axis the largest displacement of a query.
     displacement: Point,
     per_query: bool,
     #[serde(flatten)]

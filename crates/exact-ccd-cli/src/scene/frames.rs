@@ -10,7 +10,7 @@ use crate::failure::{Failure, listed};
 use crate::inputs::{check_path, name};
 use crate::notes::Notes;
 
-/// Frames in the order of time, each the one of a file or one of several in a file.
+/// Frames in the order of time. A file has one frame or several.
 pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
 
 impl Frames {
@@ -54,8 +54,8 @@ impl Frames {
         Ok(parts)
     }
 
-    /// The frames in files, folders and lists of files, as [`Frames::of_paths`]; of one file, those of each
-    /// part.
+    /// The frames in files, folders and lists of files, as [`Frames::of_paths`]; of one file, the frames of
+    /// each part.
     pub(super) fn parts_of_paths(
         paths: &[PathBuf],
         as_given: bool,
@@ -213,7 +213,7 @@ fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> 
     Ok(order.files)
 }
 
-/// Refuses names of which the order depends on the meaning of a point between digits.
+/// Refuses names whose order depends on the meaning of a point between digits.
 fn check_certain(order: &FrameOrder) -> Result<(), Failure> {
     match &order.uncertain {
         None => Ok(()),

@@ -47,7 +47,7 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    /// The scene of parts that move, by their names, and of those of the options.
+    /// The scene of the parts that move, by their names, and of the parts that the options name.
     fn open(
         moving: Vec<(String, Frames)>,
         options: &SceneOptions,
@@ -160,7 +160,7 @@ impl Scene {
         self.frame_count
     }
 
-    /// The name of a frame: that of the first part.
+    /// The name of a frame in the first part.
     pub(crate) fn frame_name(&self, index: usize) -> String {
         self.parts[0].frame_name(index)
     }

@@ -3,7 +3,7 @@
 use super::part::Part;
 use crate::contacts::{ContactRecord, Owners};
 
-/// The body of each vertex of a scene, by its name; nothing, if all is one body.
+/// The body of each vertex of a scene, by its name; empty if all is one body.
 #[derive(Default)]
 pub(super) struct Names {
     names: Vec<String>,
@@ -102,7 +102,7 @@ impl<'a> Owner<'a> {
         })
     }
 
-    /// The id of a primitive in the file of the part; that of an edge is its place in the mesh of the part.
+    /// The id of a primitive in the file of the part. For an edge, it is its index in the mesh of the part.
     fn id(&self, record: &ContactRecord, side: usize) -> Option<u32> {
         let vertices = &record.mesh_vertices[side];
         let start = self.part.vertices.start;

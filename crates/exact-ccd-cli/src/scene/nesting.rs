@@ -1,4 +1,4 @@
-//! Bodies inside of closed ones, which no contact reports.
+//! Bodies inside of closed bodies. No contact reports them.
 
 use std::collections::BTreeMap;
 
@@ -11,8 +11,8 @@ use crate::notes::Notes;
 impl Scene {
     /// Adds a note if a component lies inside of a closed body in a frame.
     ///
-    /// A body of several closed surfaces, as a hollow one, has those points inside that an odd number of them
-    /// encloses.
+    /// A point is inside a body of several closed surfaces, such as a hollow body, if an odd number of these
+    /// encloses it.
     pub(crate) fn note_nesting(&self, positions: &[Point], notes: &mut Notes) -> Result<(), Failure> {
         let found = enclosed(&self.mesh, positions, &self.can_collide).map_err(StepError::from)?;
         let mut inside: BTreeMap<(u32, usize), (bool, u32)> = BTreeMap::new();

@@ -18,11 +18,11 @@ pub(crate) struct SceneOptions {
     pub(super) others: Vec<PathBuf>,
     #[command(flatten)]
     pub(super) rules: Rules,
-    /// Make one vertex of those that are in the same place in all frames, if edges that coincide end
+    /// Make one vertex of vertices that are in the same place in all frames, if edges that coincide end
     /// in them: exporters split vertices so at seams of textures and normals. In STL files, which have
     /// no shared vertices, all vertices in the same place are one, always. Parts are not joined.
-    /// --weld=TOLERANCE joins those that are at most TOLERANCE apart in all frames, in the unit of the
-    /// coordinates; they move as the first of them, so the answer is about the mesh so changed.
+    /// --weld=TOLERANCE joins vertices that are at most TOLERANCE apart in all frames, in the unit of the
+    /// coordinates. They move as the first of them, and the answer is about this changed mesh.
     #[arg(
         long,
         value_name = "TOLERANCE",
@@ -63,7 +63,7 @@ pub(crate) struct SceneOptions {
 }
 
 impl SceneOptions {
-    /// The files that are read, given those of the parts that move.
+    /// The files that are read, given the files of the parts that move.
     pub(crate) fn inputs(&self, moving: &[PathBuf]) -> Vec<PathBuf> {
         moving
             .iter()

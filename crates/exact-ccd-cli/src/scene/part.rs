@@ -154,8 +154,8 @@ impl Part {
         )))
     }
 
-    /// The vertices that a tolerance has joined in the first frame, as [`Shape::joined`] has them. It is
-    /// known until that frame is read.
+    /// The vertices that a tolerance has joined in the first frame, by [`Shape::joined`]; known until the
+    /// first frame is read.
     pub(super) fn joined(&self) -> (usize, f64) {
         let first = self.loaded.first().and_then(Option::as_ref);
         first.map_or((0, 0.0), |frame| self.shape.joined(&frame.positions))
@@ -258,7 +258,7 @@ impl Part {
     }
 }
 
-/// The contents of the scene: what the files have, after welding.
+/// The contents of the scene: the contents of the files, after welding.
 pub(super) fn contents(parts: &[Part], frame: &Frame) -> Contents {
     if let [part] = parts
         && !part.shape.is_changed()
@@ -271,8 +271,8 @@ pub(super) fn contents(parts: &[Part], frame: &Frame) -> Contents {
     contents
 }
 
-/// The name of a part and its file: NAME=FILE, unless there is such a file; else the name is that of the
-/// file, up to the first dot.
+/// The name of a part and its file: NAME=FILE, unless there is such a file. Otherwise the name is the name of
+/// the file, up to the first dot.
 pub(super) fn named(path: &Path) -> (String, PathBuf) {
     let text = path.to_string_lossy();
     if let Some((name, file)) = text.split_once('=')
@@ -286,7 +286,7 @@ pub(super) fn named(path: &Path) -> (String, PathBuf) {
     (stem.to_owned(), path.to_owned())
 }
 
-/// The name of a part of a file: that of the file, and its own, if it has one.
+/// The name of a part of a file: the file's name, and the part's own name, if it has one.
 pub(super) fn part_name(file: &str, part: Option<String>) -> String {
     part.map_or(file.to_owned(), |part| format!("{file}-{part}"))
 }

@@ -5,8 +5,8 @@ use super::part::Part;
 use crate::failure::{Failure, listed};
 use crate::notes::Notes;
 
-/// Refuses a scene without a face and an edge, unless `--points` says that points are meant; warns of a part
-/// that is so. A misspelt name of `--faces-only` is an error, too.
+/// Refuses a scene without a face and an edge, unless `--points` is given; warns of a part without a face and
+/// an edge. A misspelt name of `--faces-only` is an error, too.
 pub(super) fn check(parts: &[Part], options: &SceneOptions, notes: &mut Notes) -> Result<(), Failure> {
     let is_part = |name: &str| name.is_empty() || parts.iter().any(|part| part.name == name);
     if let Some(name) = options.faces_only.iter().find(|name| !is_part(name)) {

@@ -49,9 +49,9 @@ impl fmt::Display for PartPair {
 
 /// The pairs of a scene that can collide: all that the rules allow, except pairs of two obstacles.
 ///
-/// Parts have no vertices in common, but groups may have. `--ignore` leaves out primitives all of whose
-/// vertices are in a group; `--only` keeps those with any vertex in it. Both rules allow the faces of an edge
-/// that they allow, as [`CanCollide::new`] expects.
+/// Parts have no vertices in common, but groups may have. `--ignore` leaves out primitives with all vertices
+/// in a group; `--only` keeps primitives with any vertex in it. If a rule allows an edge, it allows the faces
+/// of the edge, as [`CanCollide::new`] expects.
 pub(super) fn can_collide(parts: &[Part], rules: &Rules) -> Result<CanCollide, Failure> {
     let sets = |pairs: &[PartPair]| -> Result<Vec<[VertexSet; 2]>, Failure> {
         let pair = |PartPair([a, b]): &PartPair| Ok([named_set(parts, a)?, named_set(parts, b)?]);

@@ -19,7 +19,7 @@ pub(super) enum Coincidence {
 }
 
 impl Part {
-    /// The reason why two vertices are in one place, where all frames are like these.
+    /// The reason why two vertices are in one place, if all frames agree with the given ones.
     ///
     /// At a seam, exporters split vertices of surfaces that end there: each is at an edge of one face. A
     /// vertex of a closed surface is not; and where welding makes two faces one, they lie on each other.

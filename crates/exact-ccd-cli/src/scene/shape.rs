@@ -29,7 +29,7 @@ impl Shape {
         }
     }
 
-    /// The faces of a mesh, and the numbers of what is left out.
+    /// The faces of a mesh, and the numbers of loose edges and points that are left out.
     pub(super) fn of_faces(mesh: &TriangleMesh) -> (Self, LeftOut) {
         let faces = TriangleMesh::new(mesh.vertex_count(), mesh.faces().to_vec());
         let (faces, vertices) = faces.unwrap_or_default().without_unused_vertices();
@@ -48,7 +48,7 @@ impl Shape {
         (shape, left_out)
     }
 
-    /// The same shape with welded vertices, of which `mesh` is the mesh.
+    /// The same shape with welded vertices; `mesh` is its mesh.
     pub(super) fn welded(self, welding: Welding, mesh: TriangleMesh) -> Self {
         Self {
             welding: Some(welding),
@@ -65,12 +65,12 @@ impl Shape {
         self.welding.is_some()
     }
 
-    /// Returns true if the mesh is not that of the file.
+    /// Returns true if the mesh is another one than in the file.
     pub(super) fn is_changed(&self) -> bool {
         self.welding.is_some() || self.of_faces.is_some()
     }
 
-    /// The values of the vertices in the mesh, of those of the vertices in the file.
+    /// The values of the vertices in the mesh, from the values of the vertices in the file.
     pub(super) fn of_vertices<T: Copy>(&self, in_file: &[T]) -> Vec<T> {
         let all: Vec<T> = match &self.of_faces {
             Some(vertices) => vertices
@@ -124,7 +124,7 @@ impl Shape {
         }
     }
 
-    /// The vertices in the mesh of some in the file, without those that are left out.
+    /// The vertices in the mesh for vertices in the file, without vertices that are left out.
     pub(super) fn vertices(&self, in_file: &[u32]) -> Vec<u32> {
         let vertex = |&vertex: &u32| {
             let kept = match &self.of_faces {

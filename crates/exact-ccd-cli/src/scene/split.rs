@@ -11,8 +11,8 @@ impl Scene {
     /// Adds a note if the primitives of a contact have vertices in the same place in all of these frames:
     /// vertices of one part that `--weld` makes one, or vertices of two parts, which it does not join.
     ///
-    /// The contact is the one that is reported: a search for all pairs that touch would take much longer than
-    /// that for the first one.
+    /// Only the reported contact is examined: a search for all pairs that touch would take much longer than
+    /// the search for the first one.
     pub(crate) fn note_split_vertices(
         &self,
         contact: &ContactRecord,

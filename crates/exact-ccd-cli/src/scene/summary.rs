@@ -32,7 +32,7 @@ pub(crate) struct Summary {
     /// The pairs of `--ignore`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     ignore: Vec<String>,
-    /// The arrays that were read of each part from arrays, and those that were not.
+    /// For each part from arrays: the arrays that were read, and the arrays that were not.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     arrays: Vec<String>,
 }

@@ -9,7 +9,7 @@ use crate::notes::Notes;
 const RIGID: f64 = 1e-3;
 /// The least angle of a note.
 const ANGLE: f64 = 10.0;
-/// The least shrinkage of a note, relative to the size of the body.
+/// The least shrinkage that a note reports, relative to the size of the body.
 const SHRINKAGE: f64 = 1e-3;
 
 /// The connected components of a motion, and the step in which each body shrinks most.

@@ -11,7 +11,8 @@ use exact_ccd_sim::{StepFilter, System};
 /// The exact decision by bisection, in place of the exact time of impact.
 const BISECTION: &str = "bisection";
 
-/// The size of the box in which parity expects a scene to stay, relative to that of the scene at the start.
+/// The size of the box in which parity expects a scene to stay, relative to the box of the scene at the
+/// start.
 const ROOM: f64 = 4.0;
 
 /// The names of all filters.

@@ -60,8 +60,8 @@ use queries::QueryFolder;
 ///                        energies and run times; column names end with units
 ///   DIR/checkpoint.json  the state for --resume, which replaces the previous one
 /// An interrupted run continues with --resume from the last checkpoint: one is written with the files of a
-/// time step, at most about once a second. On the same machine, its results are identical to those of an
-/// uninterrupted run. The results of an earlier run in DIR are an error without --resume
+/// time step, at most about once a second. On the same machine, its results are identical to an
+/// uninterrupted run's. The results of an earlier run in DIR are an error without --resume
 /// or --overwrite. Without --output, only the files of --view and --dump-queries are written.
 ///
 /// Ctrl-C ends the run after the last complete time step, which is saved, and prints the
@@ -77,13 +77,12 @@ pub(crate) struct Arguments {
     /// Write the results to this folder.
     #[arg(long, short, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// The folder of the mesh files, by default that of the scene file.
+    /// The folder of the mesh files, by default the folder of the scene file.
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
     #[arg(long, value_name = "NAME", help = method_help())]
     method: Option<String>,
-    /// The line search, in place of that of the scene: one step size for all vertices, or one for each
-    /// vertex.
+    /// The line search, in place of the scene's: one step size for all vertices, or one for each vertex.
     #[arg(long, value_name = "NAME", value_parser = ["common", "vertex"])]
     line_search: Option<String>,
     /// The number of the last time step, in place of the scene's duration. It counts from the start, also
@@ -103,7 +102,7 @@ pub(crate) struct Arguments {
     /// Write the CCD queries as a data set for `exact-ccd bench` and `exact-ccd queries`. For each time step
     /// N, the folder gets `vertex-face/N.csv` and `edge-edge/N.csv`, with the exact answer in the last
     /// column, and a row of `counts.csv`. The queries are all pairs of primitives whose boxes overlap in a
-    /// step that the line search proposes or takes. Those of an earlier run in the folder are an error
+    /// step that the line search proposes or takes. Queries of an earlier run in the folder are an error
     /// without --resume or --overwrite.
     #[arg(long, value_name = "DIR")]
     dump_queries: Option<PathBuf>,
@@ -139,7 +138,7 @@ pub(crate) struct Arguments {
     view: View,
 }
 
-/// The help of `--view-up`, of which the default is that of the scene.
+/// The help of `--view-up`. The default is the scene's direction.
 const UP: &str = "The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: `up` of the \
                   scene's table `[render]`, or else opposite to gravity, or y without gravity]";
 

@@ -10,7 +10,7 @@ use exact_ccd_sim::{Simulation, System};
 pub(super) struct Painter {
     rendering: Rendering,
     camera: Camera,
-    /// The radii of rods and particles: those of their contact surface.
+    /// The radii of the contact surfaces of rods and particles.
     radii: Vec<f64>,
     /// The positions in the first frame.
     start: Vec<Point>,
@@ -148,8 +148,8 @@ fn directions(rendering: &Rendering, gravity: Point) -> [Point; 2] {
     [up, rendering.camera.unwrap_or(above)]
 }
 
-/// The number of decimals in which all multiples of a time step are exact; if there are more than six, those
-/// that distinguish them.
+/// The number of decimals in which all multiples of a time step are exact; if it is more than six, the number
+/// of decimals that distinguish them.
 fn decimals(time_step: f64) -> usize {
     let is_whole = |decimals: &usize| {
         let scaled = time_step * 10f64.powi(*decimals as i32);

@@ -27,7 +27,7 @@ pub(super) struct Pictures {
 }
 
 impl Pictures {
-    /// The pictures in a folder, to which that of its last frame is added.
+    /// The pictures in a folder. The picture of its last frame is added.
     pub(super) fn begin(
         folder: &OutputFolder,
         simulation: &Simulation,

@@ -34,7 +34,7 @@ pub(super) struct Counts {
     pub(super) edge_edge: Numbers,
 }
 
-/// The numbers of queries of a kind: of all, of those in contact, and of those written.
+/// The numbers of queries of a kind: in total, in contact, and written.
 #[derive(Default, Serialize)]
 pub(super) struct Numbers {
     pub(super) total: usize,
@@ -61,7 +61,7 @@ impl Numbers {
     }
 }
 
-/// A row of `counts.csv`: the queries of a time step, and those of them that were written.
+/// A row of `counts.csv`: the numbers of queries of a time step, and of the queries that were written.
 #[derive(Serialize, Deserialize)]
 struct Row {
     step: u64,

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 /// The number of queries that are decided at a time.
 const CHUNK: usize = 1 << 16;
 
-/// Random samples of the queries of a time step: of each kind, of those in contact and of the others.
+/// Random samples of the queries of a time step: for each kind, of queries in contact and of the others.
 pub(super) struct Samples {
     pub(super) vertex_face: Subjects<VertexFace>,
     pub(super) edge_edge: Subjects<EdgeEdge>,
@@ -38,7 +38,7 @@ impl Recording {
     /// The simulation with an observed filter, and the samples: at most `most` queries each.
     ///
     /// # Errors
-    /// Those of [`Simulation::with_filter`].
+    /// The errors of [`Simulation::with_filter`].
     pub(super) fn of(simulation: Simulation, most: usize) -> Result<(Simulation, Self), SimulationError> {
         let samples = Arc::new(Mutex::new(Samples::new(most)));
         let recording = Self { samples, most };
@@ -48,7 +48,7 @@ impl Recording {
         Ok((simulation.with_filter(filter)?, recording))
     }
 
-    /// Takes the samples, and starts those of the next time step.
+    /// Takes the samples, and starts the samples of the next time step.
     pub(super) fn take(&self) -> Samples {
         std::mem::replace(&mut *self.lock(), Samples::new(self.most))
     }

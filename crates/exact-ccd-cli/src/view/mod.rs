@@ -63,8 +63,8 @@ fn title(files: &[PathBuf]) -> String {
     }
 }
 
-/// The page with the answer that was printed, of which one line is the verdict, without the lines that the
-/// page has elsewhere: the contents of the mesh, and the place of the contact.
+/// The page with the verdict and the other lines of the printed answer, without the lines that the page has
+/// elsewhere: the contents of the mesh, and the place of the contact.
 fn with_answer(page: Page, verdict: &str, answer: &str) -> Page {
     let is_shown =
         |line: &&str| *line != verdict && !line.starts_with("read: ") && !line.starts_with("  at ");

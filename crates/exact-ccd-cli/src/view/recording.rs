@@ -85,7 +85,7 @@ impl Recording {
         self.page.as_mut().map_or(Ok(()), |page| Ok(change(page)?))
     }
 
-    /// Writes the page, with the answer that was printed, of which one line is the verdict.
+    /// Writes the page with the printed answer. One of its lines is the verdict.
     pub(crate) fn finish(self, verdict: &str, answer: &str) -> Result<(), Failure> {
         match (self.file, self.page) {
             (Some(file), Some(page)) => super::write(&file, &super::with_answer(page, verdict, answer)),

@@ -181,7 +181,7 @@ fn stl_files_are_welded_over_all_frames() {
         folder.write(&format!("{frame}.stl"), stl(&tip_above_square(height)));
     }
     let run = folder.run(&["audit", "0.stl", "1.stl", "2.stl"]);
-    // The ids are those in the file, three for each facet.
+    // The ids are the ids in the file, three for each facet.
     let report = "contact between frame 1 (1.stl) and frame 2 (2.stl) at t = 0.3333333333333333: \
                   vertex 6 and face 1 (vertices 2, 1, 5)\nframes: 3 of 3 examined\n";
     assert_report(&run, 1, report);

@@ -269,7 +269,7 @@ fn an_audit_lists_every_bad_frame_and_pair() {
         )
     };
     assert!(found.is_sorted_by(|a, b| order(a) <= order(b)), "{found:?}");
-    // Those of one step are those of `step`.
+    // The contacts of one step are the same as by `step`.
     folder.run(&["step", "3.ply", "4.ply", "--all", "step.jsonl"]);
     let mut of_step = lines(&folder, "step.jsonl");
     of_step.iter_mut().for_each(|record| record["frame"] = json!(3));

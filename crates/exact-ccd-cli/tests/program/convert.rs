@@ -118,7 +118,7 @@ fn parquet_files_are_queries_too() {
     assert_eq!(run.error(), "vf.PARQUET, query 0: expected ee as kind, found vf");
 }
 
-/// Two triangles, the second of which falls on the first.
+/// Two triangles; the second falls on the first.
 fn scene() -> Folder {
     let folder = Folder::new();
     for name in ["frames", "boxes", "mma_bool", "roots"] {

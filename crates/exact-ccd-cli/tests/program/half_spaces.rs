@@ -205,7 +205,7 @@ fn points_alone_have_half_spaces() {
     }
 }
 
-/// The vertices of a welded part are fewer than those of its files.
+/// A welded part has fewer vertices than its files.
 #[test]
 fn welded_vertices_stay_out_of_a_half_space() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! Ids in reports, lists and pages: those of the files.
+//! Ids in reports, lists and pages are the ids in the files.
 
 use serde_json::{Value, json};
 
@@ -8,7 +8,7 @@ fn json_of(run: &Run) -> Value {
     serde_json::from_str(&run.stdout).unwrap()
 }
 
-/// Two faces with a seam between them, and a small one at this height, none of which share vertices.
+/// Two faces with a seam between them, and a small one at this height. No two share a vertex.
 fn seam(height: f64) -> String {
     format!(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use exact_ccd_scene::Scene;
 use exact_ccd_sim::{Settings, StepFilter, System};
 
-/// The box of the bodies, without the bowl, and the lengths that follow from it are those of the code of
-/// *Incremental Potential Contact*, whose box has a diagonal of 8.381 m.
+/// The box along the axes of the bodies, without the bowl, and the lengths that follow from it are the same
+/// as in the code of *Incremental Potential Contact*, whose box has a diagonal of 8.381 m.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn octocats_have_the_lengths_of_incremental_potential_contact() {

@@ -170,7 +170,7 @@ fn faces_alone_leave_out_wires_and_points() {
             .status,
         1
     );
-    // Ids are those of the file.
+    // Ids are the ids in the file.
     folder.write(
         "low.obj",
         folder

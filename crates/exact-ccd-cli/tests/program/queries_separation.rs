@@ -57,7 +57,7 @@ fn a_vertex_that_stops_at_the_distance_touches() {
     assert_eq!(answers(&folder, "vv", "0", "vv.csv"), "0,0,0,\n1,0,0,\n2,1,1,1\n");
 }
 
-/// The ground truth counts as that of the distance.
+/// The ground truth counts as the answer for the distance.
 #[test]
 fn answers_within_a_distance_are_compared_with_the_ground_truth() {
     let folder = Folder::new();

@@ -144,7 +144,7 @@ fn the_kind_is_recognised_where_it_is_certain() {
     );
 }
 
-/// A kind that is not that of the folder is used, and noted for the first file.
+/// A given kind other than the folder's is used, and noted for the first file.
 #[test]
 fn a_kind_other_than_that_of_the_folder_is_noted() {
     let folder = Folder::new();

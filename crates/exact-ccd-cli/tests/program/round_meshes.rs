@@ -68,7 +68,7 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
     let report = Report::of(&run);
     report.assert_counts(&errors(&[&start, &middle, &end], &report));
     let read = |name: &str| read_frame(folder.path("new/rounded").join(name)).unwrap();
-    // The box of the first and the last frame is that of all three.
+    // The box of the first and the last frame contains all three.
     let bounds = start.bounds().union(&end.bounds());
     let displacement = Displacement::of_box(bounds.lower, bounds.upper).along_axes();
     assert_eq!(read("start.ply"), shifted(&start, displacement));

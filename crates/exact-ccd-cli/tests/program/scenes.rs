@@ -128,7 +128,7 @@ fn parts_are_left_out_by_name() {
     );
 }
 
-/// The names in PLY files select pairs, as those of files do.
+/// The names in PLY files select pairs, as the names of files do.
 #[test]
 fn names_in_files_are_names_of_parts() {
     let folder = Folder::new();

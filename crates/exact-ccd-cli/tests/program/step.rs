@@ -18,8 +18,8 @@ pub(crate) fn without_seconds(run: &Run) -> &str {
     &run.stdout[..end]
 }
 
-/// The lines of a report that are the answer: without those about what was read, about the place of the
-/// contact, and about the seconds.
+/// The answer in a report: its lines without the contents of the files, the place of the contact, and the
+/// seconds.
 #[track_caller]
 pub(crate) fn answer(run: &Run) -> String {
     let is_answer = |line: &&str| !line.starts_with("read: ") && !line.starts_with("  at (");
@@ -305,7 +305,7 @@ fn all_formats_give_the_same_answer() {
         let expected = without_seconds(&expected);
         let mut expected = expected.replace("[\"start.ply\",\"end.ply\"]", &files);
         if start == "start.stl" {
-            // The ids are those in the file, three for each facet.
+            // The ids are the ids in the file, three for each facet.
             let [ids, of_stl] = [
                 "\"ids\":[4,1],\"vertices\":[[4],[2,1,3]]",
                 "\"ids\":[6,1],\"vertices\":[[6],[2,1,5]]",
@@ -318,7 +318,7 @@ fn all_formats_give_the_same_answer() {
 }
 
 prop_compose! {
-    /// Triangles without shared vertices, most of which touch during the step.
+    /// Triangles without shared vertices. Most of them touch during the step.
     pub(crate) fn triangles(count: usize)(
         points in prop::collection::vec(prop::array::uniform3(-1.0..1.0), 3 * count)
     ) -> Vec<Point> {

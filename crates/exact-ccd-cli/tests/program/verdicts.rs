@@ -1,4 +1,4 @@
-//! Verdicts that say what they are about: points alone, bodies that turn, bodies inside of others.
+//! Verdicts that name their limits: points alone, bodies that turn, bodies inside of others.
 
 use serde_json::{Value, json};
 
@@ -91,7 +91,7 @@ fn a_body_that_turns_is_noted_with_angle_and_shrinkage() {
         note(&run).contains("turns by 153.0° from frame 1 (arm5.obj)"),
         "{run:?}"
     );
-    // A bar that turns about itself loses nothing of its length, and what changes its shape does not turn.
+    // A bar that turns about its axis keeps its length, and a body that changes its shape does not turn.
     folder.write("thin0.obj", cuboid([1e-4, 1e-4, 4.0], 0.0, 0.0));
     folder.write("thin1.obj", cuboid([1e-4, 1e-4, 4.0], 120.0, 0.0));
     assert_eq!(folder.run(&["step", "thin0.obj", "thin1.obj"]).stderr, "");
@@ -141,7 +141,7 @@ fn a_body_inside_of_a_closed_one_is_noted() {
         "inner:outer",
     ];
     assert_eq!(folder.run(&ignored).stderr, "");
-    // A body with a cavity is around what its faces enclose an odd number of times.
+    // A body with a cavity contains the points that its faces enclose an odd number of times.
     let shell = folder.read("cavity.obj").replace("f ", "f  ");
     let from_8 = |line: &str| match line.strip_prefix("f  ") {
         Some(corners) => {

@@ -352,7 +352,7 @@ fn a_step_has_its_contacts_with_half_spaces() {
     assert_eq!(run.stdout.lines().nth(1).unwrap(), page["verdict"]);
 }
 
-/// The headline is the answer, whatever was read and compared; the parts are bodies.
+/// The headline is the answer, for any input and rules; the parts are bodies.
 #[test]
 fn the_verdict_is_no_note() {
     let folder = fall(2.0, 1.0);

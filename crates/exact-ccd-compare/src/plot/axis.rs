@@ -13,11 +13,11 @@ const MOST_DECADES: i32 = 40;
 /// The largest magnitude of a number on an axis.
 pub const GREATEST: f64 = 1e300;
 
-/// The ends of a logarithmic axis for those values that are positive, normal and at most [`GREATEST`].
+/// The ends of a logarithmic axis for the values that are positive, normal and at most [`GREATEST`].
 ///
 /// The ends are the powers of ten around the values. Where values are only slightly beyond a power
-/// of ten, the end is the extreme value itself. The ends are at least one decade apart. Of more
-/// than forty decades, the lowest are left out.
+/// of ten, the end is the extreme value itself. The ends are at least one decade and at most forty decades
+/// apart: the lowest decades are left out.
 #[must_use]
 pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let positive = values.filter(|value| value.is_normal() && (0.0..=GREATEST).contains(value));

@@ -1,4 +1,4 @@
-//! The account of what is read from a file.
+//! The account of the bytes that are read from a file.
 
 use std::fs::File;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

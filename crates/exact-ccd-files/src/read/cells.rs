@@ -36,7 +36,7 @@ pub(super) struct Assembled {
     /// The number of polygons with more than three corners among its faces.
     pub(super) polygons: usize,
     pub(super) first_polygon: Option<ParseError>,
-    /// The number of cells with volume, of which the frame has the surface.
+    /// The number of cells with volume. The frame has their surface.
     pub(super) solids: usize,
     pub(super) groups: Vec<Group>,
     pub(super) ids: FileIds,
@@ -136,9 +136,9 @@ impl Cells {
     /// The surface of the cells with volume, and all other faces, lines and points: shells, rods
     /// and points beside solids.
     ///
-    /// A side is on the surface if it belongs to one cell only. It has the orientation of its cell, of which
-    /// the volume counts as positive in the order of the corners: the surface of a body stays the same under
-    /// any deformation, even where cells turn inside out.
+    /// A side is on the surface if it belongs to one cell only. It has the orientation of its cell. The
+    /// volume of a cell counts as positive in the order of its corners: the surface of a body stays the same
+    /// under any deformation, even where cells turn inside out.
     pub(super) fn into_scene(mut self) -> Result<Assembled, ParseError> {
         if self.solids.is_empty() {
             return self.into_frame();

@@ -1,4 +1,4 @@
-//! Recognition of contents by their first bytes, for files that are not what their names say.
+//! Recognition of contents by their first bytes, for files whose names say another format.
 
 use crate::error::{Fault, ParseError, Place};
 use crate::format::Format;

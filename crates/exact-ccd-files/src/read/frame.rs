@@ -9,8 +9,7 @@ use super::mesh_file::assemble;
 use crate::error::{ParseError, ReadError};
 use crate::format::Format;
 
-/// Reads the frame in a file: that of [`MeshFile::read`](crate::MeshFile::read), with polygons
-/// triangulated.
+/// Reads the frame in a file like [`MeshFile::read`](crate::MeshFile::read), with polygons triangulated.
 ///
 /// # Errors
 /// [`ReadError`] names the file, the place in it, and what was expected there.

@@ -11,7 +11,7 @@ pub struct Group {
     pub physical: Option<PhysicalTag>,
     /// The vertices of its elements, increasing. Groups may have vertices in common.
     pub vertices: Vec<u32>,
-    /// Its cells with volume, by their places among those of the file, increasing.
+    /// Its cells with volume, by their numbers among the cells with volume of the file, increasing.
     pub cells: Vec<u32>,
 }
 

@@ -31,8 +31,7 @@ pub struct MeshFile {
     pub groups: Vec<Group>,
     /// The ids of its vertices and faces in the file.
     pub ids: FileIds,
-    /// The names of the arrays that were read, and of those that were not, of a file of several arrays of
-    /// numpy.
+    /// For a file of several arrays of numpy: the names of the arrays that were read, and of the other ones.
     pub arrays: Option<String>,
     /// Facts about the file that could change an answer, such as parts of it that are not read.
     pub notes: Vec<Note>,

@@ -36,7 +36,7 @@ pub struct ReadOptions {
     /// [`FrameSequence`](crate::FrameSequence).
     pub positions: Option<String>,
     /// The name of the array of faces in these files; or a file `.npy` with the faces, which `.npy` files of
-    /// positions need. A name that ends in `.npy` is that of a file.
+    /// positions need. A name that ends in `.npy` is a file.
     pub faces: Option<String>,
 }
 

@@ -46,7 +46,7 @@ impl Faces {
         self.ids.get(triangle).copied().unwrap_or(triangle as u32)
     }
 
-    /// The number of polygons of which these are the ids of triangles, at least one of each, in order.
+    /// The number of polygons among the faces with these ids, each the id of a triangle, in order.
     pub(super) fn polygons_among(&self, ids: &[Option<u32>]) -> usize {
         let mut kept = ids.iter().flatten().peekable();
         let mut polygons = 0;

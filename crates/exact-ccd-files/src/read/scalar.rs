@@ -96,8 +96,8 @@ impl Scalar {
         number
     }
 
-    /// The numbers as integers, none for floating-point numbers. Those above 2⁶³ − 1 become that: they are
-    /// indices, and out of range in any case.
+    /// The numbers as integers, none for floating-point numbers. Integers above 2⁶³ − 1 become 2⁶³ − 1: as
+    /// indices, they are out of range in any case.
     pub(super) fn integers(self, bytes: &[u8], order: ByteOrder) -> Vec<i64> {
         let mut integers = Vec::with_capacity(bytes.len() / self.size());
         self.each_integer(bytes, order, |integer| integers.push(integer));

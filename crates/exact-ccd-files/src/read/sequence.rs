@@ -270,7 +270,7 @@ fn read_arrays(path: &Path, format: Format, options: &ReadOptions) -> Result<Sou
     })
 }
 
-/// Positions of all frames with the mesh of the first one, which is that of all.
+/// Positions of all frames with the mesh of the first one, which all frames share.
 fn with_mesh(positions: Positions, first: Cells, polygons: Polygons) -> Result<Source, ParseError> {
     let first = MeshFile::assembled(assemble_cells(first, Format::Npz)?, polygons)?;
     Ok(Source::Recording(Box::new(Recording { positions, first })))

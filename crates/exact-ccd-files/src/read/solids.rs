@@ -94,7 +94,7 @@ struct Side {
 
 /// The sides that belong to one cell only, in the order of the cells, as triangles.
 ///
-/// Their orientation is that of the cells and does not depend on positions.
+/// They have the orientation of their cells, which does not depend on positions.
 ///
 /// # Errors
 /// If more than two cells share a side, or a tetrahedron has a corner twice.

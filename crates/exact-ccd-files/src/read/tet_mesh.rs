@@ -16,9 +16,9 @@ use crate::error::{ParseError, ReadError};
 /// Vertices and tetrahedra keep their order in the file and are counted from 0, whatever their
 /// tags. Triangles are allowed if they are faces of tetrahedra. Points and lines are skipped.
 ///
-/// An element belongs to the group of its first tag before version 4, and to those of its entity from then
-/// on.
-/// Groups without elements are left out. In a partitioned mesh of version 4, elements belong to none.
+/// An element belongs to the group of its first tag before version 4, and to the groups of its entity from
+/// version 4 on. Groups without elements are left out. In a partitioned mesh of version 4, elements belong to
+/// no group.
 ///
 /// # Errors
 /// [`ReadError`] names the file, the place in it, and what was expected there.

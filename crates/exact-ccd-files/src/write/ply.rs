@@ -24,8 +24,8 @@ pub fn write_ply(writer: impl io::Write, frame: &Frame) -> io::Result<()> {
 /// [`MeshFile::groups`](crate::MeshFile) has.
 ///
 /// # Errors
-/// Those of [`write_ply`]; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a name that is empty or has
-/// a control character, or parts that do not cover all vertices, in their order.
+/// The errors of [`write_ply`]; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a name that is empty or
+/// has a control character, or parts that do not cover all vertices, in their order.
 pub fn write_ply_with_parts(
     mut writer: impl io::Write,
     frame: &Frame,

@@ -1,4 +1,4 @@
-//! Files that are not what their names say, compressed files, and files without a mesh.
+//! Files whose names say another format, compressed files, and files without a mesh.
 
 use std::io::Write;
 use std::path::PathBuf;

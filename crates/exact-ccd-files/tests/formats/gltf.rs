@@ -57,7 +57,7 @@ impl Buffer {
 const TRIANGLE: [[f32; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 const PRIMITIVE: &str = r#""attributes":{"POSITION":0}"#;
 
-/// A file with one triangle, of which accessor 0 has the positions.
+/// A file with one triangle. Accessor 0 has its positions.
 fn triangle() -> Buffer {
     let mut buffer = Buffer::default();
     buffer.floats(&TRIANGLE);

@@ -1,4 +1,4 @@
-//! The grammar of files in use, where it is wider than that of the formats, and notes about what is not read.
+//! The grammar of files in use, where it is wider than the format's, and notes about data that are not read.
 
 use exact_ccd_files::{Fact, Format, FrameSequence, MeshFile, Polygons};
 

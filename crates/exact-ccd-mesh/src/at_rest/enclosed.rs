@@ -11,7 +11,7 @@ use crate::broad_phase::{Aabb, BoxPairs, Boxes, Bvh, PairCollector};
 use crate::mesh::{TriangleMesh, check_positions};
 use crate::pairs::CanCollide;
 
-/// A component inside of a closed one. Each has the least of its vertices.
+/// A component inside of a closed one. A component is named by its least vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Enclosed {
     /// The component inside: its least vertex lies inside.
@@ -23,10 +23,9 @@ pub struct Enclosed {
 /// The [components](TriangleMesh::components) with an edge whose least vertex lies inside of a closed
 /// component, sorted. A component is closed if each edge of its faces has an even number of faces.
 ///
-/// Surfaces one of which is inside of the other do not touch, and a motion that is free of contact keeps them
-/// so. A point is inside if a ray from it meets the faces an odd number of times, which exact predicates
-/// decide. Where the vertex touches a face of the closed component, that is a contact, and the pair is left
-/// out here.
+/// A surface inside of another one does not touch it, and a motion that is free of contact keeps it inside. A
+/// point is inside if a ray from it meets the faces an odd number of times, which exact predicates decide. A
+/// vertex that touches a face of the closed component is a contact, and the pair is left out here.
 ///
 /// ```
 /// use exact_ccd_mesh::{CanCollide, Enclosed, TriangleMesh, enclosed};
@@ -53,7 +52,7 @@ pub fn enclosed(
     check_positions(mesh.vertex_count(), positions)?;
     let components = mesh.components();
     let at = |vertex: u32| positions[vertex as usize];
-    // First by boxes alone: those of closed components, and the least vertices.
+    // First by boxes alone: the boxes of closed components, and the least vertices.
     let around = closed_boxes(mesh, &components, positions);
     let outer: Vec<u32> = around.keys().copied().collect();
     let mut inner: Vec<u32> = mesh
@@ -183,8 +182,8 @@ fn ray_meets(p: Point, [a, b, c]: [Point; 3]) -> Meets {
 /// `Less` if they turn clockwise. `Equal` only if a and b are the same point there.
 ///
 /// The orientation is (a_y − p_y − ε) (b_z − p_z − ε²) − (a_z − p_z − ε²) (b_y − p_y − ε). Its terms without
-/// ε are the orientation of p, a and b, the factor of ε is a_z − b_z, that of ε² is b_y − a_y, and those of
-/// ε³ cancel.
+/// ε are the orientation of p, a and b. The factor of ε is a_z − b_z, the factor of ε² is b_y − a_y, and the
+/// terms with ε³ cancel.
 fn turn(p: Point, a: Point, b: Point) -> Ordering {
     let flat = |point: Point| [0.0, point[1], point[2]];
     // Seen from above the plane.

@@ -261,7 +261,7 @@ fn search(
 /// If its ends are on different sides, the line of the edge meets the plane in one point, between them. The
 /// barycentric coordinates of that point are proportional to the volumes that the edge spans with the sides.
 fn crosses([a, b]: [Point; 2], [v1, v2, v3]: [Point; 3]) -> bool {
-    // All positions are finite; a sign that is not known is that of no side.
+    // All positions are finite, so that every sign is known. An unknown sign would count as in the plane.
     let side = |points| orient3d(points).unwrap_or(Equal);
     let ends_are_apart = match side([v1, v2, v3, a]) {
         Less => side([v1, v2, v3, b]) == Greater,
@@ -278,8 +278,8 @@ fn crosses([a, b]: [Point; 2], [v1, v2, v3]: [Point; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// Edges through the points of a grid. Those cross the face that have ends on both sides of it, and a
-    /// point inside.
+    /// Edges through the points of a grid. An edge crosses the face if its ends are on both sides, and its
+    /// point of the grid is inside.
     #[test]
     fn an_edge_crosses_inside_of_the_face_only() {
         let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];

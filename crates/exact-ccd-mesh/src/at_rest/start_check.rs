@@ -68,7 +68,7 @@ impl StartCheck {
         Ok(())
     }
 
-    /// Takes the end of a step, examined before, that no pair touches in.
+    /// Takes the end of a step whose start was examined and in which no pair touches.
     pub(crate) fn add_end_of_free(&mut self, x1: &[Point], can_collide: &CanCollide) {
         if !can_collide.has_predicate() {
             self.end = x1.to_vec();

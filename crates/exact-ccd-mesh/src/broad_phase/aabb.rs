@@ -74,7 +74,7 @@ impl Aabb {
         core::array::from_fn(|axis| self.upper[axis] - self.lower[axis])
     }
 
-    /// The axis of the longest side, the first of those that are equally long.
+    /// The axis of the longest side; of equally long sides, the first axis.
     pub(super) fn longest_side(&self) -> usize {
         let sides = self.sides();
         (0..3).fold(0, |longest, axis| {

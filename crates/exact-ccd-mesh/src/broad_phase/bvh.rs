@@ -26,8 +26,8 @@ const PLACES: usize = 64;
 /// blocks.
 const NODES: usize = 256;
 
-// Two implementations, not one for all T: one would be generic, and compiled again in each crate that passes
-// a `Bvh`. The other broad phases are rarely passed.
+// Two implementations, because one for all T would be generic, and compiled again in each crate that passes a
+// `Bvh`. The other broad phases are rarely passed.
 impl BoxPairs<1> for Bvh {
     fn between(&self, a: &Boxes<1>, b: &Boxes<1>, sink: &PairSink<'_>) -> ControlFlow<()> {
         between(a, b, sink)

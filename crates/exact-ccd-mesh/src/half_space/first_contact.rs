@@ -33,8 +33,8 @@ impl HalfSpace {
     /// The first time t in [0, 1] at which x₀ + t (x₁ − x₀) is at most d outside of the half space, exactly:
     /// the adjacent f64 between which t lies, or the same one twice. `None` if there is no such time.
     ///
-    /// The motion is that of the numbers as they are, without rounding. If a coordinate is not finite, the
-    /// answer is 0.
+    /// The coordinates are taken as they are, without rounding. If a coordinate is not finite, the answer is
+    /// 0.
     ///
     /// ```
     /// use exact_ccd_mesh::{HalfSpace, Separation};
@@ -115,7 +115,7 @@ impl Height {
     ///
     /// The f64 in [0, 1] have the order of their bits. From the guess on, the stride doubles until there are
     /// times on both sides of the root, and is at most half of the distance between them: a good guess needs
-    /// few comparisons, and a bad one not more than twice those of a bisection.
+    /// few comparisons, and a bad one at most twice as many as a bisection.
     fn first_root(&self, guess: f64) -> [f64; 2] {
         let (mut before, mut after) = (0, 1f64.to_bits());
         let mut next = guess.to_bits();

@@ -133,7 +133,7 @@ mod tests {
         let power = |exponent: i32| 2.0_f64.powi(exponent);
         let a = 1.0 + power(-52);
         for scale in [1.0, power(40)] {
-            // The square of a is 1 + 2 / 2^52 + 1 / 2^104, of which the last term is lost.
+            // The square of a is 1 + 2 / 2^52 + 1 / 2^104. Rounding loses the last term.
             let normal = [a, 1.0, 1.0].map(|n| scale * n);
             assert_exact(normal, [a, -(1.0 + power(-51)), -power(-105)], 0.0);
         }
@@ -146,7 +146,7 @@ mod tests {
             // The last coordinate cancels the others.
             let rest = normal[0] * x + normal[1] * power(-53);
             let last = -rest / normal[2];
-            // All products are positive, and the distance is about that from the plane.
+            // All products are positive, and d is about the height above the plane.
             let distance = x * 3.0_f64.sqrt();
             for [last, distance] in [
                 [last.next_down(), distance.next_down()],

@@ -20,7 +20,7 @@ pub struct FreeStep {
     /// The part of the full step that is taken, from 0 to 1; at most the time of impact of the full
     /// step. It is 1 if the full step is free of contact. It is 0 if none of the sizes that are
     /// tried is certified: the mesh touches itself at the start, or is nearer to itself there than rounded
-    /// positions are to the path. If it is tiny, the rounded positions may be those at the start.
+    /// positions are to the path. If it is tiny, the rounded positions may equal the start.
     pub size: f64,
     /// The positions at its end: the start if the size is 0, and the end of the full step if it is 1.
     pub positions: Vec<Point>,

@@ -54,8 +54,8 @@ impl<'a> Retreats<'a> {
         able
     }
 
-    /// The vertices of a contact to hold back: those that approach the other primitive, or all of them where
-    /// the contact has no normal, or none of those that approach can be held back.
+    /// The vertices of a contact to hold back: the vertices that approach the other primitive. It is all
+    /// vertices if the contact has no normal, or if no vertex that approaches can be held back.
     ///
     /// A vertex with the weight w in the vector between the closest points, and the displacement d, changes
     /// the gap along the normal n by w n · d, to first order. The gap closes: a vertex approaches if its
@@ -106,7 +106,7 @@ impl Collect for Retreats<'_> {
                 stuck.push(K::pair(ids));
                 return;
             };
-            // Otherwise, earlier contacts hold back whichever of them this one does.
+            // Otherwise, an earlier contact already holds back each vertex that this one would.
             if collision.is_before(f64::from_bits(last)) {
                 let impact = collision.impact();
                 let time = impact.time.lower().to_bits();

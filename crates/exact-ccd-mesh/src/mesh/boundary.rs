@@ -1,4 +1,4 @@
-//! The faces of tetrahedra, and those of them on the boundary.
+//! The faces of tetrahedra, and the boundary faces among them.
 
 use super::tet_error::TetMeshError;
 

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-/// The connectivity of a mesh: faces, edges and vertices. An edge is *loose* if it is not an edge of a
-/// face, as those of rods; a vertex is loose if it has no edge, as points.
+/// The connectivity of a mesh: faces, edges and vertices. An edge is *loose* if it belongs to no face, such
+/// as the edges of rods. A vertex is loose if it has no edge, such as points.
 ///
 /// A clone shares the faces and the edges: the frames of a motion have them in memory once.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -65,8 +65,8 @@ impl TriangleMesh {
     /// The mesh of these faces and edges, each three or two indices of vertices from 0.
     ///
     /// [`TriangleMesh::edges`] has the edges of the faces first, with the same indices as without
-    /// `edges`, then those of `edges` that are not edges of faces. Each edge occurs once. An edge
-    /// from a vertex to itself is left out: it is the same set of points as the vertex.
+    /// `edges`, then the `edges` that belong to no face. Each edge occurs once. An edge from a vertex to
+    /// itself is left out: it is the same set of points as the vertex.
     ///
     /// ```
     /// use exact_ccd_mesh::TriangleMesh;

@@ -42,7 +42,7 @@ impl DisjointSets {
         }
     }
 
-    /// Makes one set of those of two vertices.
+    /// Unites the sets of two vertices.
     pub(crate) fn unite(&mut self, a: u32, b: u32) {
         let (a, b) = (self.root(a), self.root(b));
         if a == b {

@@ -129,7 +129,8 @@ mod tests {
                     margin.uniform().expect("the distance is the same for all pairs")
                 });
                 assert!(swept >= 0.5 * distance && swept <= 0.5 * distance + 4.0 * f64::MIN_POSITIVE);
-                // 32 units of the largest coordinate, and four times what is flushed to zero.
+                // 32 units of the largest coordinate, and four times the largest number that is flushed to
+                // zero.
                 let least = 0.5 * distance + 32.0 * f64::EPSILON * size;
                 assert!(
                     moving > least && moving >= 4.0 * f64::MIN_POSITIVE,

@@ -64,7 +64,8 @@ mod tests {
         (0..64).map(|_| coordinates(rng)).collect()
     }
 
-    /// The sides at both ends leave room for roundings in any direction, twice as large as those to nearest.
+    /// The sides at both ends leave room for roundings in any direction, twice as large as rounding to
+    /// nearest.
     #[test]
     fn sides_are_off_the_ends_by_eight_roundings_of_both() {
         let mut rng = Rng::with_seed(0);

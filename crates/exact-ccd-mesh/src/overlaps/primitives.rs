@@ -1,4 +1,4 @@
-//! The primitives that take part in the steps of a mesh, those near each other side by side.
+//! The primitives that take part in the steps of a mesh, with near primitives side by side.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -10,8 +10,8 @@ use crate::mesh::{TriangleMesh, sides};
 use crate::pairs::{CanCollide, OtherEnds, PrimitiveSet, Searched};
 use crate::steps::Step;
 
-/// The primitives that take part in successive steps of one mesh, in an order in which those near each other
-/// at the start come side by side. The order is kept until vertices that are side by side have moved apart.
+/// The primitives that take part in successive steps of one mesh. Primitives near each other at the start are
+/// side by side. The order is kept until vertices that are side by side have moved apart.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Primitives {
     /// The primitives of each [`PrimitiveSet`].
@@ -123,7 +123,7 @@ fn amid(vertices: &[u32], x: &[Point]) -> Option<u32> {
     sample().min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
 }
 
-/// The indices of the primitives that take part, those near each other side by side.
+/// The indices of the primitives that take part, with near primitives side by side.
 fn in_order<const N: usize>(primitives: &[[u32; N]], x: &[Point], can_collide: &CanCollide) -> Vec<u32> {
     let taking_part = (0..)
         .zip(primitives)

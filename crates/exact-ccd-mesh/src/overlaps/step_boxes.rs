@@ -449,7 +449,7 @@ mod tests {
             let mut expected = boxes.clone();
             place_all(&mut expected, &after, &primitives, 1.0);
 
-            // The boxes of no step, of a part of one, and of one that has ended.
+            // Boxes before any step, in a part of a step, and after a step has ended.
             assert!(!boxes.move_marked(&after, &marked));
             place_all(&mut boxes, &before, &primitives, 0.5);
             assert!(!boxes.move_marked(&after, &marked));

@@ -137,8 +137,8 @@ impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T
     }
 }
 
-/// The margin with which a union of boxes has all of their points: where comparisons read subnormal numbers
-/// as zero, it may lack those.
+/// The margin with which a union of boxes has all of their points. Where comparisons read subnormal numbers
+/// as zero, the union may lack points by less than the least normal number.
 fn lacking() -> f64 {
     if environment::is_default() {
         0.0

@@ -46,11 +46,10 @@ impl CanCollide {
 
     /// A pair can collide if the predicate returns true for the vertices of its two primitives.
     ///
-    /// The primitives are those of a [`Pair`](crate::Pair): slices of length 1 and 3, 2 and 2, 1 and 2, or
-    /// 1 and 1. The predicate is called from many threads at once. If it allows two primitives, it should
-    /// allow those that contain them: the edges of faces are compared by their faces, and the ends of edges
-    /// by their edges, so that contact between parts is found between the whole; [`Pair`](crate::Pair) has
-    /// the list.
+    /// The primitives form a [`Pair`](crate::Pair): slices of length 1 and 3, 2 and 2, 1 and 2, or 1 and 1.
+    /// The predicate is called from many threads at once. If it allows two primitives, it should allow the
+    /// primitives that contain them, too: contact between an edge of a face, or an end of an edge, and
+    /// another primitive is found as contact of the face or of the edge. [`Pair`](crate::Pair) has the list.
     #[must_use]
     pub fn new(predicate: impl Fn(&[u32], &[u32]) -> bool + Send + Sync + 'static) -> Self {
         Self {
@@ -107,7 +106,7 @@ impl CanCollide {
         }))
     }
 
-    /// The same predicate, and only primitives all of whose vertices take part can collide.
+    /// The same predicate, restricted to primitives whose vertices all take part.
     ///
     /// `takes_part` has a flag for each vertex. Vertices without a flag take part. The broad phase
     /// leaves out all other primitives, such as the vertices inside a solid. A second call replaces

@@ -40,8 +40,8 @@ pub(crate) enum PrimitiveSet {
     Edges,
     /// The vertices of no edge. The corner of a face whose three corners are one vertex is among them.
     LooseVertices,
-    /// The loose vertices, the ends of rods, and the corners of triangles of rods: the vertices all of whose
-    /// edges may have a vertex in common with a loose edge of which they are no end.
+    /// The loose vertices, the ends of rods, and the corners of triangles of rods. A loose edge without such
+    /// a vertex may share a vertex with each edge of the vertex.
     Ends,
     /// The edges of no face.
     LooseEdges,
@@ -66,8 +66,8 @@ pub(crate) trait Searched: PairKind {
     /// once.
     const SETS: [PrimitiveSet; 2];
 
-    /// Returns true if two edges are in contact where these primitives are. None, if it is false for all
-    /// pairs between the sets.
+    /// Returns true if two edges are in contact where these primitives are. `None` if it is false for
+    /// all pairs between the sets.
     const IS_COVERED: Option<fn(&OtherEnds, &Self::Vertices) -> bool> = None;
 
     /// The value of this kind.

@@ -61,7 +61,7 @@ impl From<Separation> for MinDistance {
     }
 }
 
-/// The number of thicknesses is not that of the vertices of a mesh.
+/// The number of thicknesses is not the number of vertices of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{count} thicknesses, expected one for each of the {vertex_count} vertices")]
 pub struct ThicknessCount {
@@ -81,7 +81,7 @@ impl MinDistance {
         }
     }
 
-    /// The sum of the thicknesses of both primitives, each the largest of those of its vertices.
+    /// The sum of the thicknesses of both primitives. A primitive is as thick as its thickest vertex.
     #[must_use]
     pub fn thickness(thickness: impl Into<Arc<Thickness>>) -> Self {
         Self {
@@ -90,8 +90,8 @@ impl MinDistance {
         }
     }
 
-    /// The same distance for pairs that start beyond it, and a smaller one for those that start
-    /// within it: for a line search that has to move on from there.
+    /// The same distance for pairs that start beyond it, and a smaller one for pairs that start within it:
+    /// for a line search that has to move on from there.
     ///
     /// A pair that starts within its distance d touches if it comes within the lesser of d and
     /// `inner`. It may leave and return; all others touch within d.

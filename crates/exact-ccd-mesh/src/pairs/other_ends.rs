@@ -14,7 +14,7 @@ pub(crate) struct OtherEnds {
 }
 
 impl OtherEnds {
-    /// Those of the edges with these indices.
+    /// The other ends of the edges with these indices.
     pub(crate) fn new(mesh: &TriangleMesh, edges: &[u32]) -> Self {
         let mut of = vec![(0, [0; 2]); mesh.vertex_count()];
         let mut add = |vertex: u32, other: u32| {
@@ -46,8 +46,8 @@ impl OtherEnds {
         }
     }
 
-    /// Returns true if an edge of the vertex has no vertex in common with an edge that does not contain it. A
-    /// broad phase may pass any pair on: it is true for a vertex that is not one of these.
+    /// Returns true if an edge of the vertex has no vertex in common with an edge that does not contain it.
+    /// Returns true for an unknown vertex, too, because a broad phase may pass any pair on.
     pub(crate) fn has_edge_apart_from(&self, vertex: u32, edge: [u32; 2]) -> bool {
         let others = self.of.get(vertex as usize);
         let others = others.and_then(|(count, others)| others.get(..usize::from(*count)));

@@ -14,14 +14,14 @@
 ///
 /// These four kinds of pairs cover the contact of any two primitives that are apart, except as stated below.
 ///
-/// The least distance of an edge or a face and another edge or face is that of a vertex and a face or of
-/// two edges among them, or 0 where an edge passes through a face. Before an edge passes through a face,
-/// a vertex and the face or two edges come into contact, unless the two intersect at the start, which
+/// An edge or a face and another edge or face are nearest at a vertex and a face or at two edges of them, or
+/// at distance 0 where an edge passes through a face. Before an edge passes through a face, a vertex and the
+/// face or two edges come into contact, unless the edge and the face intersect at the start, which
 /// [`intersections`](crate::intersections) finds.
 ///
 /// The remaining cases are a vertex p against an edge e, and against a vertex q. Primitives contain their
-/// edges and vertices. So a pair of which one contains p, and the other e or q, is at most as far apart.
-/// There is one, if
+/// edges and vertices. So a pair is at most as far apart if one primitive contains p, and the other e or q.
+/// There is such a pair, if
 ///
 /// - e or q belongs to a face without p, or p to a face without q: the vertex and that face;
 /// - p is an end of an edge that is apart from e, or from an edge of q: both edges;

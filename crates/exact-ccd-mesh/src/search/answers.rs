@@ -25,11 +25,11 @@ impl Detector {
         Ok(self.begin(x0, x1, options)?.collides())
     }
 
-    /// The same for the pairs that count only.
+    /// [`collides`](Self::collides), restricted to pairs for which `counts` returns true.
     ///
-    /// The predicate is evaluated for pairs in contact only, on many threads, at most once for each. So it
-    /// may be slow. The predicate of [`with_can_collide`](Self::with_can_collide) is evaluated for every
-    /// candidate, and holds for all answers, and for the check of the start.
+    /// `counts` is called for pairs in contact only, on many threads, at most once for each. So it may be
+    /// slow. The predicate of [`with_can_collide`](Self::with_can_collide) is called for every candidate, and
+    /// holds for all answers, and for the check of the start.
     ///
     /// # Errors
     /// As [`collides`](Self::collides).

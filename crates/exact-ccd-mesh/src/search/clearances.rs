@@ -91,7 +91,7 @@ impl Collect for Clearances {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         narrow_phase.queries::<K>(mesh, pairs, |vertices, query| {
-            // Most pairs are beyond what their vertices have, which filters prove.
+            // Most pairs are farther apart than the clearances of their vertices so far; filters prove it.
             let Ok(most) = Separation::new(self.of(vertices.as_ref())) else {
                 return;
             };

@@ -16,8 +16,8 @@ pub struct Contact {
     pub pair: Pair,
     /// The time and the place of its first contact.
     pub impact: Impact,
-    /// Bounds of the distance of the primitives at that time: 0, or the minimum distance of the pair,
-    /// or less than that if the pair starts nearer.
+    /// Bounds of the distance of the primitives at that time: 0 or the minimum distance of the pair; less if
+    /// the pair starts nearer.
     pub distance: DistanceBounds,
 }
 

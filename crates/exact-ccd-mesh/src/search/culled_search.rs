@@ -1,4 +1,4 @@
-//! A search that examines few candidates: those that cannot be earlier than a contact found are left out.
+//! A search that examines few candidates: it leaves out pairs that cannot touch before a contact found.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -42,9 +42,9 @@ struct Memory {
 /// many.
 const SAMPLE_STRIDE: usize = 64;
 
-/// Displacements count as short if their mean is below the first fraction of the mean edge length, and the
-/// longest one below the second. The box around a short path is hardly larger than a box that moves along it,
-/// and its tests are cheaper.
+/// Displacements count as short if their mean is below the first multiple of the mean edge length, and the
+/// longest one below the second multiple. The box around a short path is hardly larger than a box that moves
+/// along it, and its tests are cheaper.
 const SHORT_DISPLACEMENTS: [f64; 2] = [0.25, 1.0];
 
 /// Boxes, and the screen, are placed anew if the time until which contacts matter has shrunk to this
@@ -189,8 +189,8 @@ impl CulledSearch {
 }
 
 impl CulledSearch {
-    /// Searches the pairs that have a marked vertex, in all of the step. The search before was in the same
-    /// step, but for the ends of the marked vertices, and it kept no candidates.
+    /// Searches the pairs that have a marked vertex, in all of the step. The step of the search before
+    /// differs at most in the ends of marked vertices, and that search kept no candidates.
     pub(crate) fn run_marked(
         &mut self,
         step: &Step<'_>,

@@ -199,7 +199,7 @@ impl Begun<'_> {
         collector
     }
 
-    /// Takes the positions to which no pair touches from the start of the step.
+    /// Takes the end of a step in which no pair touches.
     pub(crate) fn found_free(&mut self, x1: &[Point]) {
         if let Some(start_check) = &mut self.start_check
             && self.until >= 1.0

@@ -60,7 +60,7 @@ impl NarrowPhase {
         mut found: impl FnMut([u32; 2], Approach<'_, K>),
     ) {
         let separations = self.min_distance.separations();
-        // Copies of the loop: the usual one has no call of a predicate.
+        // Each case compiles to a copy of the loop, so that the usual loop calls no predicate.
         if self.can_collide.is_all() && !K::CAN_BE_CONNECTED {
             self.approaches_if(mesh, pairs, until, separations, K::are_apart, found);
             return;

@@ -41,7 +41,7 @@ impl Screen {
         self.thickened = thickened(min_distance.separations(), margin);
     }
 
-    /// The pairs that may come within their minimum distance, apart from those that cannot collide.
+    /// The pairs that can collide and may come within their minimum distance.
     pub(super) fn passing<K: PairKind>(
         &self,
         mesh: &TriangleMesh,

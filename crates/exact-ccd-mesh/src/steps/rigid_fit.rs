@@ -6,8 +6,8 @@ use exact_ccd::Point;
 
 use crate::vector::{cross, dot, minus};
 
-/// The weight of no rotation, relative to the spread of the points: it settles what the points leave open, as
-/// the turn of a rod about itself, and changes other fits by about this share.
+/// The weight of no rotation, relative to the spread of the points. It decides where the points leave the
+/// rotation open, such as the turn of a rod about its axis, and changes other fits by about this share.
 const PREFERENCE: f64 = 1e-9;
 
 /// The rotation and translation that bring points nearest to others, in the mean square: B. K. P. Horn,
@@ -189,7 +189,7 @@ mod tests {
             let fit = RigidFit::new(&start, &end).expect("the points are apart");
             assert!((fit.angle - angle).abs() < 1e-4, "{dimension}: {fit:?} {angle}");
             assert!(fit.residual < 1e-4, "{dimension}: {fit:?}");
-            // The shrinkage is what the straight motion has at t = 1/2.
+            // The shrinkage equals the shrinkage of the straight motion at t = 1/2.
             let middle = |k: usize| [0, 1, 2].map(|i| (start[k][i] / 2.0 + end[k][i] / 2.0) / scale);
             let mean = |at: &dyn Fn(usize) -> Point| {
                 [0, 1, 2].map(|i| (0..12).map(|k| at(k)[i]).sum::<f64>() / 12.0)

@@ -96,9 +96,9 @@ impl<'a> Step<'a> {
     /// The positions at a time of the step, rounded: `x0` exactly for t ≤ 0 (and NaN), `x1` exactly
     /// for t ≥ 1.
     ///
-    /// Each coordinate lies between those at the two ends; on a thread that reads subnormal numbers as zero,
-    /// it may be less than 2⁻¹⁰²² outside. It is at most 3 ε M away from the exact one, M being the larger
-    /// absolute value of the two; 6 ε M if the thread rounds in another direction than to nearest. So
+    /// Each coordinate lies between its values at the two ends; on a thread that reads subnormal numbers as
+    /// zero, it may be less than 2⁻¹⁰²² outside. It is at most 3 ε M away from the exact one, M being the
+    /// larger absolute value of the two; 6 ε M if the thread rounds in another direction than to nearest. So
     /// [`Candidates`](crate::Candidates) of this step also hold for the step from `x0` to these positions.
     #[must_use]
     pub fn at(&self, time: f64) -> Vec<Point> {

@@ -102,8 +102,8 @@ impl Welding {
     /// The mesh with the new vertices.
     ///
     /// # Errors
-    /// [`MotionError::VertexCount`] if the number of vertices differs from that of the frames of
-    /// this welding.
+    /// [`MotionError::VertexCount`] if the mesh has another number of vertices than the frames of this
+    /// welding.
     pub fn mesh(&self, mesh: &TriangleMesh) -> Result<TriangleMesh, MotionError> {
         if mesh.vertex_count() != self.vertex_of.len() {
             return Err(MotionError::VertexCount {
@@ -123,7 +123,7 @@ impl Welding {
         self.vertex_of.get(vertex as usize).copied()
     }
 
-    /// The position of each new vertex: that of the first of its vertices.
+    /// The positions of the new vertices. Each has the position of the first vertex that it replaces.
     #[must_use]
     pub fn positions(&self, positions: &[Point]) -> Vec<Point> {
         self.first
@@ -132,7 +132,7 @@ impl Welding {
             .collect()
     }
 
-    /// The first of the vertices in place of which each new vertex is.
+    /// The first of the vertices that each new vertex replaces.
     #[must_use]
     pub fn first_vertices(&self) -> &[usize] {
         &self.first

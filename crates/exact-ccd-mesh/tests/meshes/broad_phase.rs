@@ -35,7 +35,7 @@ fn pairs<const T: usize>(a: &[[Aabb; T]], b: &[[Aabb; T]]) -> Vec<[u32; 2]> {
         .collect()
 }
 
-/// Those of two boxes of one slice.
+/// The pairs of two boxes of one slice.
 fn pairs_once<const T: usize>(boxes: &[[Aabb; T]]) -> Vec<[u32; 2]> {
     let all = pairs(boxes, boxes).into_iter();
     all.filter(|[i, j]| i < j).collect()

@@ -52,7 +52,7 @@ fn welding_keeps_vertices_that_separate() {
     let [a, b, c] = TRIANGLE;
     let weld = |start, end| Motion::weld(start, end).unwrap();
     assert_eq!(weld(soup(&[a, b, b]), soup(&[a, b, c])).mesh.faces(), [[0, 1, 2]]);
-    // Nor those that come together.
+    // Vertices that come together are kept, too.
     assert_eq!(weld(soup(&[a, b, c]), soup(&[a, b, b])).mesh.faces(), [[0, 1, 2]]);
     let collapsed = weld(soup(&[a, b, b]), soup(&[a, c, c]));
     assert_eq!(collapsed.mesh.faces(), [[0, 1, 1]]);

@@ -184,7 +184,7 @@ fn first(mesh: &TriangleMesh, [x0, x1]: [&[Point]; 2], d: f64) -> Option<f64> {
                     .map(|collision| collision.time()),
             );
         }
-        // Two vertices of which one has edges are as near as its edges, or are ends of one edge.
+        // If one of two vertices has edges, these are at most as far apart, or both are ends of one edge.
         let has_edge = |v: u32| mesh.edges().as_flattened().contains(&v);
         for q in (0..p).filter(|&q| !has_edge(p) || !has_edge(q)) {
             let query = |x| [p, q].map(|v| at(x, v));

@@ -42,7 +42,7 @@ impl<N: Signed> Inflection<N> {
             for k in 0..last {
                 row[k] = row[k].clone() * s.clone() + row[k + 1].clone() * t.clone();
             }
-            // All coefficients get the factor `sum` in each round, also those that are final.
+            // All coefficients get the factor `sum` in each round, including final ones.
             for k in 0..M - last {
                 before[k] = before[k].clone() * sum.clone();
                 after[M - 1 - k] = after[M - 1 - k].clone() * sum.clone();

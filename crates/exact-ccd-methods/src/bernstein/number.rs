@@ -14,7 +14,7 @@ pub(super) trait Number: Ring + Neg<Output = Self> {
     fn times(self, n: u8) -> Self;
 }
 
-/// A coefficient with a sign. The default is zero, and equals nothing but what is zero for certain.
+/// A coefficient with a sign. The default is zero. It equals only coefficients that are certainly zero.
 pub(super) trait Signed: Number + Default + PartialEq {
     /// The sign. `Equal` stands for zero, and for a sign that an error bound leaves open if the
     /// method continues without it. `None` is an open sign at which the method stops.

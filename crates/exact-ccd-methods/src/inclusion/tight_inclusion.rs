@@ -17,11 +17,11 @@ use super::gap::{Coordinates, Gap};
 ///
 /// # When it fails
 /// It has no false negatives, and its time is never late. Primitives that come closer than about
-/// the tolerance on every axis count as a contact. So do those that the iterations or the queue are
+/// the tolerance on every axis count as a contact. So do primitives that the iterations or the queue are
 /// too few to exclude: parallel edges that slide along each other at a small distance d stay near
 /// over a surface in (t, u, v), and take d⁻² boxes. The bound on rounding errors grows with the
-/// cube of the coordinates. It is 7·10⁻⁶ for coordinates of 1,000, and with some of 10⁵ on every
-/// axis, all that stays within six units of each other collides at t = 0.
+/// cube of the coordinates. It is 7·10⁻⁶ for coordinates of 1,000. With coordinates of 10⁵ on every axis,
+/// primitives that stay within six units of each other collide at t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TightInclusion {
     /// Boxes over which F varies by less than this on every axis are not divided: 10⁻⁶.

@@ -18,8 +18,8 @@ const NORMALS: [Point; 7] = [
     [1.0, 1.0, 1.0],
 ];
 
-/// Returns true if a plane is found, among those across fixed directions and those along the two triangles of
-/// each face, so that the origin is not in the hull of the corners.
+/// Returns true if a plane separates the origin from the hull of the corners. It tries planes across fixed
+/// directions, and planes along the two triangles of each face.
 pub(super) fn separates(corners: &[Vector<Interval>; 8], faces: &[[usize; 4]]) -> bool {
     let middles = corners.map(|corner| corner.map(Interval::middle));
     let normals = faces

@@ -1,4 +1,4 @@
-//! Signs in f64, and exactly where their error bound leaves them open.
+//! Signs in f64, and exact signs where an error bound leaves the sign open.
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! Signs in intervals, and exactly where these leave them open.
+//! Signs in interval arithmetic, and exact signs where an interval leaves the sign open.
 
 use std::cell::OnceCell;
 use std::cmp::Ordering;
@@ -9,7 +9,7 @@ use super::expansion::Expansion;
 use super::image::{Differences, Image, Predicate, Vectors, integers, vectors};
 use crate::interval::Interval;
 
-/// An image in intervals, and exactly where these leave a sign open.
+/// An image with signs in intervals, and exact signs where intervals leave them open.
 pub(super) struct Intervals {
     differences: Differences,
     vectors: Vectors<Interval>,

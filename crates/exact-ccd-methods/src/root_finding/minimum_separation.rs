@@ -28,8 +28,8 @@ use crate::vector::{cross, dot};
 ///   primitives count as touching up to a distance of 3e-5 in the units of the input. Of a
 ///   simulated cloth that slides through a funnel it reports all of the 65 (vertex-face) and 156
 ///   (edge-edge) queries that do not touch.
-/// - Two roots on either side of a contact are 1e-8 apart by default, which is what rounding errors
-///   make of a double root: where they come out as a complex pair, or just outside of the step, the
+/// - Two roots on either side of a contact are 1e-8 apart by default, as close as rounding errors leave
+///   the parts of a double root: where they come out as a complex pair, or just outside of the step, the
 ///   contact is missed. Of a cloth on a ball it misses 604 of 19,032 and 3,047 of 94,822 contacts.
 /// - For edges it tests only their lines: it misses edges that slide in a common plane or stay parallel, and
 ///   edges that are closer than the separation throughout.

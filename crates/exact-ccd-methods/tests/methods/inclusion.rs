@@ -79,7 +79,7 @@ fn nudged() -> impl Strategy<Value = f64> + Clone {
     (grid(), -1..=1i8, 10..60i32).prop_map(|(x, sign, exponent)| x + f64::from(sign) * 2f64.powi(-exponent))
 }
 
-/// Finite numbers, from subnormal ones to those whose products overflow.
+/// Finite numbers, from subnormal numbers to numbers whose products overflow.
 fn finite() -> impl Strategy<Value = f64> + Clone {
     use prop::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
     prop_oneof![NORMAL | SUBNORMAL | ZERO | POSITIVE | NEGATIVE, grid()]

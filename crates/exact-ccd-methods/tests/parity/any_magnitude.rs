@@ -69,8 +69,8 @@ fn of_a_falling_vertex_in_any_units() {
     }
 }
 
-/// Products of three out of the range of f64: without a check of the range, every ray would be
-/// rejected.
+/// Products of three coordinates are out of the range of f64. Without a check of the range, every ray would
+/// be rejected.
 #[test]
 fn of_corners_on_axes_at_any_distance() {
     let start = [[0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [-SMALL, -LARGE, 0.0]];

@@ -7,19 +7,19 @@ use std::rc::Rc;
 use super::fault::Problem;
 use crate::mesh::Mesh;
 
-/// The number of folders above that of the scene in which mesh files are looked for.
+/// The number of folders above the scene's folder in which mesh files are looked for.
 const ABOVE: usize = 8;
 
 /// The mesh files that a scene refers to. Each is read once.
 pub(super) struct Meshes {
     folder: PathBuf,
-    /// True if the folder is not that of the scene: it may contain the files without their folders.
+    /// True if the folder is given: it may then contain the files without their folders.
     is_given: bool,
     read: HashMap<PathBuf, Rc<Mesh>>,
 }
 
 impl Meshes {
-    /// Mesh files in `folder`, or in that of the scene and the folders above.
+    /// Mesh files in `folder`, or in the scene's folder and the folders above.
     pub(super) fn new(scene: &Path, folder: Option<&Path>) -> Self {
         let own = || scene.parent().unwrap_or(Path::new(""));
         Self {

@@ -31,7 +31,7 @@ pub struct Imported {
 }
 
 /// The TOML file of a scene of another program; `None` for a file that is not named as one: `.txt` and `.ipc`
-/// are scenes of IPC, `.json` those of PolyFEM.
+/// are scenes of IPC, `.json` are scenes of PolyFEM.
 ///
 /// `meshes` is the folder of the mesh files. Without it, they are in the folder of the scene or, as of IPC,
 /// in a folder above it.

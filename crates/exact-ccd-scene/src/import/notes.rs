@@ -40,7 +40,7 @@ impl Notes {
         self.faults.borrow_mut().push(fault);
     }
 
-    /// The errors, without those that were taken before.
+    /// The errors since the last call.
     pub(super) fn take_faults(&self) -> Vec<Fault> {
         self.faults.take()
     }

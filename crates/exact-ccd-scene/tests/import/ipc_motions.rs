@@ -77,7 +77,7 @@ fn rotations_about_several_axes_are_those_of_time_steps() {
     assert!(difference(&simulation.state().positions, &expected) < 1e-12);
 }
 
-/// Boxes are relative to that of the mesh before its placement, and contain vertices of the surface only.
+/// Boxes are relative to the box of the mesh before its placement, and contain vertices of the surface only.
 #[test]
 fn boxes_select_vertices_of_the_surface() {
     let folder = Folder::new("boxes");
@@ -176,7 +176,7 @@ fn forces_are_accelerations() {
     assert!(has(&imported, "from = 0.2\nuntil = 9.0"), "{}", imported.toml);
 }
 
-/// A box is symmetric: its center of mass is that of its box.
+/// A box is symmetric: its center of mass is the center of its bounding box.
 #[test]
 fn initial_velocities_are_linear_and_angular() {
     let folder = Folder::new("initial");

@@ -36,7 +36,7 @@ fn mutated(text: &str, separators: &[char], words: &[&str], random: &mut Rng) ->
     parts.concat()
 }
 
-/// The numbers of scenes that are imported, and of those that are not.
+/// The numbers of scenes that are imported, and of scenes that are not.
 fn outcomes(folder: &Folder, name: &str, scenes: impl Iterator<Item = String>) -> [usize; 2] {
     let mut outcomes = [0; 2];
     for text in scenes {

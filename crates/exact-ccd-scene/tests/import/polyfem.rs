@@ -224,7 +224,7 @@ fn regions_select_faces() {
     }
 }
 
-/// A prescribed displacement is that of the function at the end of each time step.
+/// A prescribed displacement is the value of the function at the end of each time step.
 #[test]
 fn displacements_are_functions_of_time() {
     let folder = Folder::new("polyfem-motion");

@@ -6,7 +6,7 @@ use crate::imported::has;
 use crate::polyfem::scene;
 use crate::{Folder, msh_with_tags, solid};
 
-/// A folder with `tagged.msh`: the box, of which the tetrahedra below and above have these tags.
+/// A folder with `tagged.msh`: the box. Its tetrahedra below and above have these tags.
 fn folder(name: &str, [lower, upper]: [i32; 2]) -> Folder {
     let folder = Folder::new(name);
     let body = solid();
@@ -69,7 +69,7 @@ fn physical_tags_are_ids_of_materials() {
         .unwrap();
     assert_eq!(same.toml, imported.toml);
 
-    // One number counts more than the tags, and a material that is not in a list is that of all ids.
+    // One number counts more than the tags, and a material that is not in a list applies to all ids.
     for (selection, materials) in [
         (json!(1), two.clone()),
         (json!({ "id": 1 }), two.clone()),

@@ -48,7 +48,7 @@ fn a_text_scene_of_ipc() {
     assert!(end[27][1] < 0.09, "{:?}", end[27]);
 }
 
-/// A box falls on another one, of which the lowest face is held along x and y.
+/// A box falls on another one, whose lowest face is held along x and y.
 #[test]
 fn a_scene_of_polyfem() {
     let folder = Folder::new("run-polyfem");

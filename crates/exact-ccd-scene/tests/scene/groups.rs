@@ -9,8 +9,8 @@ use exact_ccd_sim::{BodyKind, shapes};
 
 use crate::filter;
 
-/// A folder of this name with `column.msh`: a column of 1 m × 1 m² along y, of which the upper half is the
-/// group `upper` with the tag 7, and the ends are groups of triangles; and with `grid.obj`: two triangles in
+/// A folder of this name with two files. `column.msh` is a column of 1 m × 1 m² along y: its upper half is
+/// the group `upper` with the tag 7, and its ends are groups of triangles. `grid.obj` has two triangles in
 /// two groups.
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);

@@ -104,7 +104,7 @@ fn scripts_act_along_the_axes_of_the_scene_file() {
     let (now, start) = (simulation.state().positions[14], scene.system.start()[14]);
     assert!((now[0] - start[0] - 0.01).abs() < 1e-12, "{now:?}");
     assert!(now[2] < start[2] - 1e-3, "{now:?}");
-    // Released at once, the vertices are those of a body without scripts.
+    // Released at once, the vertices move as without scripts.
     let scene = with("motion = \"fixed\"\nrelease = 0.0");
     assert!(scene.system.is_free(14));
 }

@@ -25,7 +25,7 @@ pub(crate) struct Collision {
     fixed: [bool; 4],
 }
 
-/// The sum of weights, relative to that of their absolute values, up to which it is a rounding error.
+/// The sum of weights, relative to the sum of their absolute values, up to which it is a rounding error.
 const CANCELLED: f64 = 1e-12;
 
 /// The two sides of a collision: two features of its vertices, or its only vertex and a plane.
@@ -54,7 +54,7 @@ impl Between {
     fn factors(&self, points: &[Vector3<f64>; 4]) -> Factors {
         match self {
             Self::Features(feature) => feature.factors(points),
-            // The squared distance is that of one linear combination of the coordinates.
+            // The squared distance is the square of one linear combination of the coordinates.
             Self::VertexAndPlane { plane, .. } => {
                 let mut change = SMatrix::<f64, 12, 5>::zeros();
                 change.fixed_view_mut::<3, 1>(0, 0).copy_from(&plane.normal);
@@ -75,7 +75,7 @@ impl Between {
 impl Collision {
     /// The collision of two features of these vertices, in canonical form. It has only the vertices on which
     /// the distance depends, in an order that does not depend on the primitives that share the features.
-    /// The vertices of the first feature, whose weights are positive, precede those of the second.
+    /// The vertices of the first feature come first and have positive weights.
     pub(crate) fn new(vertices: [u32; 4], feature: Feature, barrier: Barrier) -> Self {
         let used = (0..4)
             .filter(|&place| feature.uses(place))
@@ -135,7 +135,7 @@ impl Collision {
         }
     }
 
-    /// The same collision with second derivatives by those vertices only for which `is_fixed` is false.
+    /// The same collision, with second derivatives only by vertices for which `is_fixed` is false.
     ///
     /// The projection of the full Hessian would add stiffness along the plane of a triangle that does not
     /// move, and with it forces along the plane wherever Newton's method stops.
@@ -192,7 +192,7 @@ impl Collision {
         self.between.separation(&gather_some(points, &self.vertices))
     }
 
-    /// The distance between the surfaces, in m: that of the features minus the thickness.
+    /// The distance between the surfaces, in m: the distance of the features minus the thickness.
     pub(crate) fn gap(&self, points: &[Point]) -> f64 {
         self.barrier.gap(self.separation(points).squared())
     }
@@ -213,8 +213,8 @@ impl Collision {
         self.mollifier.map_or(1.0, |mollifier| mollifier.value(&corners))
     }
 
-    /// The Hessian of a mollified barrier m b, m ∇²b + ∇m ∇bᵀ + ∇b ∇mᵀ + b ∇²m, of which the last term is
-    /// left where m = 0. It counts as zero where b is infinite.
+    /// The Hessian of a mollified barrier m b, m ∇²b + ∇m ∇bᵀ + ∇b ∇mᵀ + b ∇²m. Where m = 0, only the last
+    /// term is left. It counts as zero where b is infinite.
     fn mollified_hessian(
         &self,
         mollifier: Mollifier,

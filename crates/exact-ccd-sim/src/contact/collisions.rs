@@ -23,13 +23,13 @@ pub(crate) struct Collisions {
 }
 
 impl Collisions {
-    /// The collisions among the candidate pairs of a surface, with the vertices at `points`. `barrier` is
-    /// that of surfaces without thickness.
+    /// The collisions among the candidate pairs of a surface, with the vertices at `points`. `barrier` is the
+    /// barrier of surfaces without thickness.
     ///
     /// Two edges that are nearly parallel have a mollified barrier, which vanishes for parallel edges. On
     /// surfaces of faces, the pairs of a vertex and a face remain. Rods have no faces: where one of two
     /// edges is loose, each end of one and the other edge are a pair of their own, and so is the end of a
-    /// rod with the edge before the last. With [weights](Surface::weights), the sum is that of the
+    /// rod with the edge before the last. With [weights](Surface::weights), the sum is the
     /// convergent formulation.
     ///
     /// # Panics
@@ -57,7 +57,7 @@ impl Collisions {
     }
 
     /// The collision with the least distance between two surfaces, and that distance in m. `None` if there is
-    /// none. The arguments are those of [`Collisions::new`].
+    /// none. The arguments are as for [`Collisions::new`].
     pub(crate) fn nearest(
         surface: Surface<'_>,
         candidates: &Candidates,
@@ -73,7 +73,7 @@ impl Collisions {
         &self.collisions
     }
 
-    /// The number of collisions, without those that only correct the sum of others.
+    /// The number of collisions that do not only correct the sum of others.
     pub(crate) fn count(&self) -> usize {
         let repulsive = self
             .collisions
@@ -261,8 +261,8 @@ impl Near<'_> {
     }
 }
 
-/// The pairs of an end and the other edge of all pairs of edges of which one is loose, by their vertices.
-/// Each occurs once.
+/// For each pair of edges with a loose one, the pairs of an end of one edge and the other edge, by their
+/// vertices. Each occurs once.
 fn ends_and_edges(surface: Surface<'_>, candidates: &Candidates) -> Vec<[u32; 3]> {
     let mesh = surface.mesh;
     let first_loose = (mesh.edges().len() - mesh.loose_edges().len()) as u32;

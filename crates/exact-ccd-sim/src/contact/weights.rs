@@ -15,18 +15,17 @@ const COPLANAR: f64 = 1e-9;
 /// - Each term has the area that its vertex or its edge stands for as a weight, so that the sum is an
 ///   integral over the surface. The terms of ends and edges of rods and of particles have no area; their
 ///   weight is 1.
-/// - The barrier of a vertex is that of its distance from the surface, not a sum over all faces near it:
-///   from the sum over faces, the terms of their common edges are subtracted, and those of their common
+/// - The barrier of a vertex acts on its distance from the surface; it is not a sum over all faces near it:
+///   from the sum over faces, the terms of their common edges are subtracted, and the terms of their common
 ///   vertices added (the improved max approximator). Above a plane of triangles, this is exactly the barrier
 ///   of the height, without a force along the plane.
-/// - Flat edges and vertices of obstacles have no terms. The distance of a body from a flat part of an
-///   obstacle is that of a vertex of the body from a face. The pairs that are left out would push the body
-///   along the plane.
+/// - Flat edges and vertices of obstacles have no terms. A body is nearest to a flat part of an obstacle with
+///   a vertex against a face. The pairs that are left out would push the body along the plane.
 ///
 /// Source of the first two: M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang, D.
 /// Kaufman, *Convergent Incremental Potential Contact*, 2023. Weights here are relative to the mean area of
 /// the vertices of all bodies with mass, because the stiffness of the barrier is adapted to the scene anyway.
-/// Those of obstacles are at most 1. In the paper, terms are also subtracted from the sum over pairs of
+/// Weights of obstacles are at most 1. In the paper, terms are also subtracted from the sum over pairs of
 /// edges. Here they are not: where edges are shorter than the contact distance, that sum could become
 /// negative.
 #[derive(Clone, Debug, Default)]
@@ -53,7 +52,7 @@ pub(crate) enum Part {
         /// The number of the motion: 0 for obstacles that rest.
         motion: u32,
     },
-    /// It belongs to an obstacle of which scripts move parts.
+    /// It belongs to an obstacle with parts that scripts move.
     DeformingObstacle,
 }
 
@@ -81,7 +80,7 @@ impl Weights {
                 .filter(|&(vertex, area)| *area > 0.0 && is_body(vertex))
         };
         let mean = areas().map(|(_, area)| area).sum::<f64>() / areas().count() as f64;
-        // Points and rods have no area. That of an obstacle can be arbitrarily large.
+        // Points and rods have no area. The area of an obstacle can be arbitrarily large.
         let weight = |area: f64, is_body: bool| match area / mean {
             weight if weight > 0.0 && weight.is_finite() => {
                 if is_body {

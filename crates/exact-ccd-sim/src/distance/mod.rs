@@ -2,8 +2,8 @@
 //!
 //! All pairs of features share one formula. The vector between two points of the features is r = Σ wᵢ xᵢ,
 //! with weights that are affine in at most two parameters λ. The squared distance is the minimum of |r|²
-//! over λ. By the envelope theorem, its gradient is that of |r|² at fixed λ, and its Hessian is a Schur
-//! complement.
+//! over λ. By the envelope theorem, its gradient is the gradient of |r|² at fixed λ, and its Hessian is a
+//! Schur complement.
 
 mod edge_edge;
 mod feature;

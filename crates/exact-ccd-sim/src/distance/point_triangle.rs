@@ -6,7 +6,7 @@ use super::feature::Feature;
 
 /// The closest features of a point (the first) and a triangle (the last three points).
 ///
-/// The classification of the triangle's regions is that of C. Ericson, *Real-Time Collision Detection*,
+/// Source of the classification of the triangle's regions: C. Ericson, *Real-Time Collision Detection*,
 /// section 5.1.5.
 pub(crate) fn point_triangle(points: &[Vector3<f64>; 4]) -> Feature {
     let [p, a, b, c] = *points;

@@ -28,7 +28,7 @@ impl Isotropic for FixedCorotated {
     }
 
     /// ∂ᵢΨ = 2 μ (σᵢ − 1) + λ (J − 1) σⱼ σₖ. No sum of two stretches is negative. Where one vanishes, R is
-    /// not unique, and the twist is −∞, of which the projection is 0.
+    /// not unique, and the twist is −∞, which projects to 0.
     fn principal(&self, s: &Vector3<f64>) -> Principal {
         let pressure = self.0.lambda * (s.product() - 1.0);
         let cofactors = Vector3::new(s[1] * s[2], s[2] * s[0], s[0] * s[1]);

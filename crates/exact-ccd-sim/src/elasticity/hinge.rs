@@ -10,7 +10,7 @@ use crate::energy::{Block, Energy, Projection, gather, write_blocks, write_rows}
 /// normals, θ₀ that angle at rest, and k = D |e|² / A with the flexural rigidity D, the length |e| of the
 /// edge and the area A of both triangles.
 ///
-/// The form is that of E. Grinspun, A. Hirani, M. Desbrun, P. Schröder, *Discrete shells*, 2003, who leave
+/// The form is due to E. Grinspun, A. Hirani, M. Desbrun, P. Schröder, *Discrete shells*, 2003, who leave
 /// the factor of k open (often it is 3). The factor 1 is exact for a plate that is rolled into a cylinder of
 /// curvature κ, whose energy per area is ½ D κ², if edges run along the cylinder: two faces of height w on
 /// such an edge have A = w |e| and θ = κ w, so that ½ k θ² = ½ D κ² A. For equilateral triangles, it is exact

@@ -25,7 +25,7 @@ pub(crate) trait Isotropic: Debug + Send + Sync {
 ///
 /// In this frame the Hessian is block diagonal, with one 3 × 3 block and three pairs of modes: A. Stomakhin,
 /// R. Howes, C. Schroeder, J. Teran, *Energetically consistent invertible elasticity*, 2012. The names of
-/// the modes are those of B. Smith, F. de Goes, T. Kim, *Analytic eigensystems for isotropic distortion
+/// the modes are from B. Smith, F. de Goes, T. Kim, *Analytic eigensystems for isotropic distortion
 /// energies*, 2019.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Principal {
@@ -48,7 +48,7 @@ pub(crate) struct Curvature {
     v: Matrix3<f64>,
     /// ∂²Ψ/∂Fᵢᵢ∂Fⱼⱼ.
     stretch: Matrix3<f64>,
-    /// ∂²Ψ/∂Fᵢⱼ². Its diagonal is also that of `stretch`.
+    /// ∂²Ψ/∂Fᵢⱼ². It has the same diagonal as `stretch`.
     own: Matrix3<f64>,
     /// ∂²Ψ/∂Fᵢⱼ∂Fⱼᵢ for i ≠ j, zero on the diagonal.
     crossed: Matrix3<f64>,

@@ -183,7 +183,8 @@ impl Frame {
 ///
 /// With the principal stresses Sᵢ = ∂ψ/∂σᵢ / σᵢ, which are functions of λ = σ², and the quotient Q = (S₁ −
 /// S₂) / (λ₁ − λ₂), the eigenvalues of both rotations and shears of the plane into itself, (σ₁ S₁ ± σ₂ S₂) /
-/// (σ₁ ± σ₂), are ½ (S₁ + S₂) + ½ (σ₁ ∓ σ₂)² Q. Those of both rotations out of the plane are S₁ and S₂.
+/// (σ₁ ± σ₂), are ½ (S₁ + S₂) + ½ (σ₁ ∓ σ₂)² Q. The eigenvalues of both rotations out of the plane are S₁ and
+/// S₂.
 struct Modes {
     /// ∂²ψ/∂σᵢ∂σⱼ = Sᵢ δᵢⱼ + 2 σᵢ σⱼ ∂Sᵢ/∂λⱼ.
     stretch: Matrix2<f64>,

@@ -7,20 +7,19 @@
 //!
 //! Let the angles be C κ where the vertices are on a graph of constant curvature κ. On regular meshes M C =
 //! 1; on others, and at the boundary, the mean of constant curvature is another one. H = (M C)⁻¹ M θ is the
-//! curvature of any such graph. What it does not explain is the rest r = θ − C H of the angles. The energy
-//! is that of a plate and that of hinges for the rest, with the factor s = ¾:
+//! curvature of any such graph. It does not explain the rest r = θ − C H of the angles. The energy is the sum
+//! of a plate's energy and of hinges for the rest, with the factor s = ¾:
 //!
 //! ½ A D ((1 − ν) H : H + ν (tr H)²) + ½ Σ ½ s D (l² / a) r²,
 //!
-//! with the flexural rigidity D, Poisson's ratio ν and the area a of both faces of an edge, of which
-//! either end has half. The rest of constant curvature is 0: the energy is that of a plate then, about
-//! each vertex whose edges show all three components of the curvature. Where they do not, as at a vertex
-//! with one inner edge, the energy has the components that they show; a vertex of one face has none. This
-//! is the principle of the virtual element method, a consistent part and a stable rest: L. Beirão da
+//! with the flexural rigidity D, Poisson's ratio ν and the area a of both faces of an edge; either end of the
+//! edge has half of its term. The rest of a constant curvature is 0: the energy then equals the plate's,
+//! about each vertex whose edges show all three components of the curvature. Where they do not, as at a
+//! vertex with one inner edge, the energy has the components that they show; a vertex of one face has none.
+//! This is the principle of the virtual element method, a consistent part and a stable rest: L. Beirão da
 //! Veiga, F. Brezzi, A. Cangiani, G. Manzini, L. Marini, A. Russo, *Basic principles of virtual element
-//! methods*, 2013. The mean is that of O. Stein, E. Grinspun, M. Wardetzky, A. Jacobson, *Natural
-//! boundary conditions for smoothing in geometry processing*, 2018, with terms of the vertices on the
-//! boundary too.
+//! methods*, 2013. The mean follows O. Stein, E. Grinspun, M. Wardetzky, A. Jacobson, *Natural boundary
+//! conditions for smoothing in geometry processing*, 2018, with terms of the vertices on the boundary too.
 
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
@@ -34,8 +33,8 @@ use super::hinges::hinges;
 use super::vertex_bend::VertexBend;
 use crate::energy::{Energy, gather};
 
-/// The stiffness against the part of a fold that no curvature explains, relative to that of a [`Hinge`]. It
-/// has no effect on constant curvature; the value is that with the least errors of the strips of
+/// The stiffness against the part of a fold that no curvature explains, relative to a [`Hinge`]. It has no
+/// effect on constant curvature. The value has the least errors of the strips of
 /// `docs/simulation/validation.md`.
 const REST: f64 = 0.75;
 

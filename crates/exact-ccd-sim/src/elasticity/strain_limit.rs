@@ -1,6 +1,6 @@
 //! The limit of the stretches of a shell.
 //!
-//! The barrier is that of codimensional incremental potential contact (M. Li, D. Kaufman, C. Jiang, 2021)
+//! The barrier follows codimensional incremental potential contact (M. Li, D. Kaufman, C. Jiang, 2021),
 //! with another function. For a principal stretch σ = 1 + e, the limit ε > 0 of the strain e and Young's
 //! modulus E, the energy by volume is
 //!
@@ -8,8 +8,8 @@
 //! f(σ) = −E e² ln(1 − e/ε)  for 0 < e < ε,   0 for e ≤ 0,   ∞ for e ≥ ε.
 //! ```
 //!
-//! It begins as E e³/ε, so that f is twice continuously differentiable and the moduli at small strains are
-//! those of the material. Both derivatives are positive for e > 0:
+//! It begins as E e³/ε, so that f is twice continuously differentiable and does not change the moduli of the
+//! material at small strains. Both derivatives are positive for e > 0:
 //!
 //! ```text
 //! f′ = E (−2 e ln(1 − e/ε) + e²/(ε − e)),
@@ -40,10 +40,11 @@ pub(crate) struct StrainLimit {
 /// The difference of the squares λ of both stretches, relative to the larger one, up to which the quotient of
 /// the differences of s and λ counts as the mean of both derivatives.
 ///
-/// A difference Δ loses digits in the quotient: its relative error is some 4 u λ/Δ, with u = 2⁻⁵³. That of
-/// the mean is Δ² s‴/(12 s′), which is Δ²/(2 γ²) near the limit, where s grows as 1/γ with the distance γ of
+/// A difference Δ loses digits in the quotient: its relative error is some 4 u λ/Δ, with u = 2⁻⁵³. The mean
+/// has the error Δ² s‴/(12 s′), which is Δ²/(2 γ²) near the limit, where s grows as 1/γ with the distance γ
+/// of
 /// λ from it. For the least limit, 1e-6, γ is 1e-6 at half of it: both errors are then about 5e-7 at Δ =
-/// 1e-9 λ. For larger limits that of the mean is smaller.
+/// 1e-9 λ. For larger limits the error of the mean is smaller.
 const NEARLY_EQUAL: f64 = 1e-9;
 
 /// The principal stresses s(λ) at the squares λ of both stretches.

@@ -9,16 +9,16 @@ use crate::energy::{Block, Energy, Projection, write_blocks};
 
 /// The energy ½ (G J / L) φ² of the twist φ of a chain in one time step. The first and the last edge are
 /// held, and their cross sections with them. The twist is uniform along the chain: the cross sections of an
-/// isotropic rod turn to the least energy at once, because waves of twist are much faster than those of
+/// isotropic rod turn to the least energy at once, because waves of twist are much faster than waves of
 /// bending (M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete elastic rods*, 2008,
 /// section 5).
 ///
-/// φ is the angle between the frames of both ends, of which one is transported along the chain without
+/// φ is the angle between the frames of both ends, after one frame is transported along the chain without
 /// twist. From the start of the time step on, it changes by the holonomy of the quadrilaterals on the sphere
 /// of directions whose corners are two successive edges then and now. The arcs between them, from then to
-/// now, cancel in the sum over the vertices, up to those of the first and the last edge, which are held. So
-/// the derivatives of φ are those of M. Bergou, B. Audoly, E. Vouga, M. Wardetzky, E. Grinspun, *Discrete
-/// viscous threads*, 2010, section 4: ∂φ/∂e = κb / (2 |e|) for both edges of each vertex, with its curvature
+/// now, cancel in the sum over the vertices, except for the first and the last edge, which are held. So the
+/// derivatives of φ are as in M. Bergou, B. Audoly, E. Vouga, M. Wardetzky, E. Grinspun, *Discrete viscous
+/// threads*, 2010, section 4: ∂φ/∂e = κb / (2 |e|) for both edges of each vertex, with its curvature
 /// binormal κb = 2 s × t / (1 + s · t) between the directions s and t.
 #[derive(Debug)]
 pub(crate) struct Twist {

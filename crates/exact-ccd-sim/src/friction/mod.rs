@@ -1,4 +1,4 @@
-//! Lagged friction: normal forces and tangent planes are those of an earlier iterate.
+//! Lagged friction: normal forces and tangent planes are taken from an earlier iterate.
 
 mod coefficients;
 mod contact;

@@ -61,7 +61,7 @@ impl Motion {
         }
     }
 
-    /// Sets the held coordinates of the vertices to those at a fraction.
+    /// Sets the held coordinates of the vertices to their values at a fraction.
     fn set(&self, points: &mut [Point], paths: &Paths<'_>, fraction: f64) {
         for target in &self.targets {
             let at = Vector3::from(paths.position(target.vertex, fraction)) + target.apart * (1.0 - fraction);
@@ -149,7 +149,8 @@ impl<'a> Dirichlet<'a> {
         targets.map(|target| target.vertex as u32).collect()
     }
 
-    /// Sets the held coordinates to those after a part of the rest of some motions, by their places.
+    /// Sets the held coordinates to their values after a part of the rest of some motions, given by their
+    /// places.
     pub(crate) fn set(&self, points: &mut [Point], places: &[usize], part: f64) {
         for motion in places.iter().map(|&place| &self.motions[place]) {
             motion.set(points, self.paths, motion.after(part));

@@ -108,9 +108,9 @@ impl<'a> Paths<'a> {
 /// The scripts that act in a part of a time step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Acting {
-    /// Those that began before the part.
+    /// The scripts that began before the part.
     Earlier,
-    /// Those that began last before its end.
+    /// The scripts that began last before its end.
     Later,
 }
 

@@ -108,7 +108,7 @@ pub const MAX_SUBDIVISIONS: u8 = 6;
 /// point outward.
 #[must_use]
 pub fn sphere(subdivisions: u8, radius: f64) -> Body {
-    // The vertices of an icosahedron are those of three golden rectangles, each orthogonal to an axis.
+    // The vertices of an icosahedron are the corners of three golden rectangles, each orthogonal to an axis.
     let golden = 0.5 * (1.0 + 5.0_f64.sqrt());
     let mut points = Vec::new();
     for axis in 0..3 {

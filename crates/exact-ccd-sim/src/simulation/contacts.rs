@@ -55,7 +55,7 @@ impl Simulation {
     fn contact(&self, collision: &Collision) -> Contact {
         let corners = gather_some(&self.state.positions, collision.vertices());
         let separation = collision.separation(&self.state.positions);
-        // The weights of the first feature are positive, those of the second negative.
+        // Weights are positive for the first feature, negative for the second.
         let weighted = corners
             .iter()
             .zip(separation.weights)

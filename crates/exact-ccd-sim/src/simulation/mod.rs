@@ -91,7 +91,7 @@ impl Simulation {
         Self::resume_with(system, settings, state, filter)
     }
 
-    /// [`Simulation::resume`] with a filter, whose name becomes that of the settings.
+    /// [`Simulation::resume`] with a filter, whose name replaces the name in the settings.
     pub(crate) fn resume_with(
         system: System,
         mut settings: Settings,
@@ -192,8 +192,8 @@ impl Simulation {
         &self.state
     }
 
-    /// A checkpoint of the current state. [`Checkpoint::resume`] compares settings and system with those of
-    /// the checkpoint, then continues from this state.
+    /// A checkpoint of the current state. [`Checkpoint::resume`] compares settings and system with the
+    /// checkpoint, then continues from this state.
     #[must_use]
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {

@@ -12,8 +12,8 @@ impl Checkpoint {
     ///
     /// # Errors
     /// [`SimulationError::OtherSetting`] and [`SimulationError::OtherSystem`] name the difference between
-    /// the checkpoint and the arguments. [`SimulationError::OtherVersion`] is that of a checkpoint which
-    /// cannot be compared. All other errors are those of [`Simulation::resume`].
+    /// the checkpoint and the arguments. [`SimulationError::OtherVersion`] means a checkpoint that cannot be
+    /// compared. All other errors are as for [`Simulation::resume`].
     pub fn resume(
         self,
         system: System,

@@ -9,8 +9,8 @@ use crate::settings::Formulation;
 use crate::state::State;
 use crate::system::{BodyPrimitive, Primitive, System};
 
-/// Checks that no two primitives intersect or touch, including those of two obstacles. An [`Audit`] of the
-/// recorded motion starts with the same check. Then checks that all pairs except those of two obstacles are
+/// Checks that no two primitives intersect or touch, including pairs of two obstacles. An [`Audit`] of the
+/// recorded motion starts with the same check. Then checks that all pairs except pairs of two obstacles are
 /// farther apart than the sum of their offsets, that particles touch nothing, and that all bodies but
 /// obstacles are apart from all half spaces.
 pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationError> {

@@ -86,7 +86,7 @@ impl Place {
         Some(Self { block, is_transposed })
     }
 
-    /// The same block of a pattern in which the blocks of this one have other places.
+    /// This block's place after the blocks of the pattern have moved to `places`.
     pub(super) fn among(self, places: &[u32]) -> Option<Self> {
         let block = *places.get(self.block as usize)?;
         Some(Self { block, ..self })

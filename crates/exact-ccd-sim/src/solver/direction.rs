@@ -27,7 +27,7 @@ impl Direction<'_> {
         dot(self.gradient, displacements)
     }
 
-    /// The length of displacements, relative to that of the direction.
+    /// The length of displacements, relative to the length of the direction.
     pub(super) fn share(&self, displacements: &[Vector3<f64>]) -> f64 {
         let square = |vectors| dot(vectors, vectors);
         (square(displacements) / square(self.displacements)).sqrt()

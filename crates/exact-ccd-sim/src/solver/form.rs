@@ -38,7 +38,7 @@ impl<'a> Form<'a> {
         self.factor * values.iter().sum::<f64>()
     }
 
-    /// Adds the gradient to that of other sums.
+    /// Adds the gradient to the gradient of other sums.
     pub(crate) fn add_gradient(&self, points: &[Point], sum: &mut [Vector3<f64>]) {
         self.each(
             |term| 3 * term.vertices().len(),
@@ -62,7 +62,7 @@ impl<'a> Form<'a> {
     }
 
     /// Calls `write` for all terms in parallel, with memory for as many numbers as `length` returns. Calls
-    /// `add` in order, with what was written.
+    /// `add` in order, with the written numbers.
     pub(super) fn each(
         &self,
         length: impl Fn(&dyn Energy) -> usize,

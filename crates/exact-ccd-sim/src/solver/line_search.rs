@@ -24,7 +24,7 @@ pub(super) struct Taken {
     pub(super) collisions: Collisions,
     /// The value of the potential there.
     pub(super) value: f64,
-    /// The length of the step, relative to that of the Newton direction.
+    /// The length of the step, relative to the Newton direction.
     pub(super) size: f64,
 }
 
@@ -162,8 +162,8 @@ impl Newton<'_> {
         free && self.system.geometry.first_grounded(step.positions()[1]).is_none()
     }
 
-    /// Returns true if a part of a step is free of contact. `candidates` are those of the whole step, and
-    /// `along` are its positions at the end of the part.
+    /// Returns true if a part of a step is free of contact. `candidates` are the candidates of the whole
+    /// step, and `along` are its positions at the end of the part.
     ///
     /// Carried vertices are rounded in another way. Where two primitives touch, each coordinate of their
     /// closest points then differs by at most the sum of both deviations more than along the step.

@@ -151,7 +151,7 @@ struct Prescribed<'a> {
 }
 
 impl Prescribed<'_> {
-    /// Adds the product of the block of a pair of which one vertex is unknown.
+    /// Adds the product of the block of a pair with one unknown vertex.
     fn add(&mut self, [row, column]: [u32; 2], block: &Block, factor: f64) {
         let block = Matrix3::from_column_slice(block) * factor;
         for (at, by, block) in [(row, column, block), (column, row, block.transpose())] {
@@ -163,8 +163,8 @@ impl Prescribed<'_> {
 }
 
 impl Quadratic {
-    /// Eliminates the known coordinates of unknown vertices: their rows and columns become those of a
-    /// diagonal matrix, and the change of the gradient by their displacements is that of the columns before.
+    /// Eliminates the known coordinates of unknown vertices: the entries of their rows and columns off the
+    /// diagonal become 0. These columns, times their displacements, have been added to the gradient's change.
     fn eliminate(&mut self, known: &[Axes], unknowns: &Unknowns, displacements: &[Vector3<f64>]) {
         let vertex = |scalar: usize| unknowns.vertices()[scalar / 3] as usize;
         let is_known = |scalar: usize| known[scalar / 3][scalar % 3];

@@ -2,7 +2,7 @@
 
 use crate::scripted::Axes;
 
-/// A numbering of the vertices of which at least one coordinate is unknown.
+/// A numbering of the vertices with at least one unknown coordinate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Unknowns {
     numbers: Vec<Option<u32>>,

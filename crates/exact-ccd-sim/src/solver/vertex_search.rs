@@ -1,10 +1,10 @@
-//! The line search along a direction of which each vertex takes a part of its own.
+//! The line search in which each vertex takes a part of its own of the direction.
 //!
 //! The Newton direction d decreases the potential: with the gradient g, the projected Hessian H and δ = −g
 //! · d = dᵀ H d > 0, the quadratic model of the potential falls by m(α) = α (1 − α/2) δ in the common step
 //! α. For parts αᵥ of its own for each vertex, p = (αᵥ dᵥ) can increase the potential, because Σ αᵥ gᵥ · dᵥ
 //! has terms of both signs. A step β p is therefore taken only if the potential falls by at least m(α), for
-//! the free common step α: by what the common step promises. So the sum of m(α) over all such steps with the
+//! the free common step α, as the common step promises. So the sum of m(α) over all such steps with the
 //! same stiffness is bounded, up to rounding, as for the common step with a condition of descent.
 //!
 //! The model is convex. Along p it falls by at most −β g · p, so that no β with −β g · p < m(α) is tried.
@@ -21,9 +21,9 @@ use super::potential::Potential;
 use crate::statistics::Statistics;
 
 impl Newton<'_> {
-    /// A step towards positions, each of which is on the straight way of its vertex, that is free of
-    /// contact and decreases the potential by at least what the model promises for the size `common`.
-    /// `None` if there is none.
+    /// A step towards positions, each on the straight way of its vertex. It is free of contact and decreases
+    /// the potential by at least as much as the model does in the step of size `common`. `None` if there is
+    /// none.
     pub(super) fn search_to(
         &self,
         now: &Iterate<'_>,

@@ -1,10 +1,10 @@
 //! Affine bodies: four point masses, which carry a surface.
 //!
 //! Four equal masses can have the mass, the center and the second moments of any body. Then the kinetic
-//! energy of every affine motion, and the work of every homogeneous force, are those of the body: the mass
-//! matrix of its twelve unknowns is exact, and it is diagonal. With the Cholesky factor L of the mean of (x
-//! − c) (x − c)ᵀ, the masses are at c + L s for the alternate corners s of a cube: the mean of s is 0, that
-//! of s sᵀ is 1.
+//! energy of every affine motion, and the work of every homogeneous force, are the same as of the body: the
+//! mass matrix of its twelve unknowns is exact, and it is diagonal. With the Cholesky factor L of the mean of
+//! (x − c) (x − c)ᵀ, the masses are at c + L s for the alternate corners s of a cube: s has the mean 0, and
+//! s sᵀ the mean 1.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use crate::elasticity::{SaintVenantKirchhoff, Tetrahedron};
 use crate::moments::{Moments, is_closed};
 use crate::range::check_positive;
 
-/// Alternate corners of a cube, as those of a tetrahedron of positive volume.
+/// Alternate corners of a cube, in the order of a tetrahedron of positive volume.
 const CORNERS: [[f64; 3]; 4] = [
     [1.0, 1.0, 1.0],
     [-1.0, 1.0, -1.0],

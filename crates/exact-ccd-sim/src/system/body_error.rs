@@ -96,7 +96,7 @@ pub enum BodyError {
     },
 }
 
-/// A script or a load, by its place among those of the system, from 0.
+/// A script or a load, by its index in the system's list, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Selecting {
     /// A script.

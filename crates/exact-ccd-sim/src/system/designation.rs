@@ -36,7 +36,7 @@ impl Designation {
         }
     }
 
-    /// The place in the list of bodies, or in that of half spaces, from 0.
+    /// The place in the list of bodies or in the list of half spaces, from 0.
     #[must_use]
     pub fn place(&self) -> usize {
         self.place

@@ -82,7 +82,7 @@ impl Fingerprint {
     }
 }
 
-/// The kind of a body with its materials. Its elements are those of the system.
+/// The kind of a body with its materials. The system's digest has its elements.
 impl Digest for BodyKind {
     fn digest(&self, hash: &mut Hash) {
         self.name().digest(hash);

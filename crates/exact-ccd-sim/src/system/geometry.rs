@@ -32,7 +32,7 @@ pub(super) struct Outline {
 pub(crate) struct Geometry {
     /// The faces, rods and particles; and the vertices in the interior of solids, which take no part.
     pub(crate) mesh: TriangleMesh,
-    /// The vertices of faces and rods, and particles, increasing: without those in the interior of solids.
+    /// The vertices of faces and rods, and particles, increasing, without the interior vertices of solids.
     pub(crate) vertices: Vec<u32>,
     /// The surface with these vertices only.
     pub(super) compact: TriangleMesh,
@@ -115,7 +115,7 @@ impl Geometry {
 
     /// The pairs of two obstacles that can touch in a step. Pairs within one obstacle that moves as a whole,
     /// and pairs of obstacles that rest, are left out. The linear motion of a rigid body from one place to
-    /// another is an affine map at each time, which is injective but for a half turn, in the middle of which
+    /// another is an affine map at each time. The map is injective but for a half turn: in the middle of it,
     /// the body is on one line.
     pub(crate) fn obstacle_pairs(&self, step: Step<'_>) -> Candidates {
         let Some(can_collide) = &self.obstacle_pairs else {

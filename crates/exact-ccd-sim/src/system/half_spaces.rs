@@ -7,7 +7,7 @@ use super::{Designation, System, SystemError};
 use crate::half_space::{HalfSpace, Plane};
 
 impl System {
-    /// The same system with half spaces as obstacles, in place of those that it has.
+    /// The same system with these half spaces as obstacles, in place of its own.
     ///
     /// # Errors
     /// [`SystemError::HalfSpace`] names the first one without a finite point or a normal.

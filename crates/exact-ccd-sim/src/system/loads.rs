@@ -9,7 +9,7 @@ use crate::load::{Force, Load};
 use crate::range::check;
 
 impl System {
-    /// The same system with loads, in place of those that it has.
+    /// The same system with these loads, in place of its own.
     ///
     /// # Errors
     /// [`SystemError::Load`] names the first one with a number that is out of range, or a vertex that the

@@ -16,8 +16,8 @@ impl System {
         self.masses[vertex as usize] > 0.0 || self.carriers.of(vertex).is_some()
     }
 
-    /// The coordinates of each vertex that are not free at this time, in s: those that scripts hold, and all
-    /// of a vertex without mass.
+    /// The coordinates of each vertex that are not free at this time, in s: coordinates that scripts hold,
+    /// and all coordinates of a vertex without mass.
     pub(crate) fn held(&self, time: f64) -> Vec<Axes> {
         let held = |(scripts, &mass): (&Coordinates, &f64)| {
             if mass > 0.0 { scripts.held(time) } else { [true; 3] }

@@ -4,7 +4,7 @@ use super::body_error::BodyError;
 use crate::body::{Region, SolidProperties};
 use crate::range::{OutOfRange, check_positive};
 
-/// The material of each tetrahedron of a solid: that of its last region, otherwise that of the solid.
+/// The material of each tetrahedron of a solid: its last region's, or the solid's if it is in no region.
 pub(super) fn materials<'a>(
     count: usize,
     material: &'a SolidProperties,

@@ -61,9 +61,9 @@ pub struct System {
 }
 
 impl System {
-    /// The system of some bodies. Its vertices are those of the bodies, in their order. `scripts` prescribe
+    /// The system of some bodies. It has the vertices of the bodies, in their order. `scripts` prescribe
     /// the motion of vertices; along each axis, the script of a vertex that began last applies, and the last
-    /// of those that begin at the same time. Obstacles without a script are fixed.
+    /// of the scripts that begin at the same time. Obstacles without a script are fixed.
     ///
     /// # Errors
     /// [`SystemError`] names the body or the script, unless it is about the mesh of all bodies.

@@ -61,7 +61,7 @@ impl System {
 
     /// The bodies of a collision, by their places in the list of all bodies, followed by the half spaces.
     pub(crate) fn bodies_of(&self, collision: &Collision) -> [usize; 2] {
-        // The vertices of the first primitive precede those of the second. A half space has none.
+        // The vertices of the first primitive are first. A half space has none.
         let vertices = collision.vertices();
         let second = match collision.half_space() {
             Some(half_space) => self.bodies.ranges.len() + half_space as usize,
@@ -70,7 +70,7 @@ impl System {
         [self.body_of(vertices[0]), second]
     }
 
-    /// The names of all bodies, followed by those of the half spaces. Empty for no name.
+    /// The names of all bodies, then of the half spaces. Empty for no name.
     #[must_use]
     pub fn names(&self) -> Vec<&str> {
         let half_spaces = self.half_spaces().iter().map(|half_space| &half_space.name);

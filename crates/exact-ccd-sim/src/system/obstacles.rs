@@ -32,7 +32,7 @@ pub(super) fn contact_parts(
     (1..).zip(bodies).flat_map(part).collect()
 }
 
-/// The pairs of obstacles of different motions, and those within obstacles that do not move as a whole.
+/// The pairs of obstacles of different motions, and the pairs within obstacles that do not move as a whole.
 /// `None` if there are none.
 pub(super) fn obstacle_pairs(parts: Vec<Part>) -> Option<CanCollide> {
     let are_together = |a: Part, b: Part| a == b && a != Part::DeformingObstacle;

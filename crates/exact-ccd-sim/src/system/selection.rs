@@ -8,7 +8,7 @@ use super::error::SystemError;
 use crate::carriers::Carriers;
 
 /// The selected vertices, each once, with the nodes of affine bodies in place of the vertices that they
-/// carry. `what` selects them, for the error.
+/// carry. The error names their selection, `what`.
 ///
 /// # Errors
 /// [`BodyError::Partly`], if some vertices of an affine body are selected, but not all.

@@ -12,7 +12,7 @@ use crate::moments::{Moments, is_closed};
 use crate::shapes;
 
 /// A tetrahedron with one vertex of its own and three that four nodes carry: its first and second derivatives
-/// along a motion of the unknowns are those of the collected gradient and of the pulled Hessian.
+/// along a motion of the unknowns follow from the collected gradient and the pulled Hessian.
 #[test]
 fn derivatives_by_nodes_are_those_of_the_composition() {
     let mut random = fastrand::Rng::with_seed(31);

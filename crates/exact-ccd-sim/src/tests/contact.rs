@@ -135,7 +135,7 @@ fn mollified_collisions_have_a_canonical_order() {
         assert!(separation.weights[..2].iter().all(|&weight| weight >= 0.0));
         assert!(separation.weights[2..].iter().all(|&weight| weight <= 0.0));
         swapped += usize::from(collision.vertices()[0] == 2);
-        // The distance is that of the edges in their first order.
+        // The distance is the same as with the edges in their first order.
         let squared = feature.separation(&points).squared();
         assert!((separation.squared() - squared).abs() <= 1e-12 * squared);
     }

@@ -91,7 +91,7 @@ fn projection_is_semi_definite_and_keeps_semi_definite_hessians() {
     }
 }
 
-/// At small strains, the energy density of all materials is that of Hooke: μ |ε|² + λ/2 tr² ε.
+/// At small strains, all materials have the energy density of Hooke: μ |ε|² + λ/2 tr² ε.
 #[test]
 fn small_strains_follow_hooke() {
     let mut random = fastrand::Rng::with_seed(4);

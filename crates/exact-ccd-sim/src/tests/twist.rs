@@ -65,9 +65,9 @@ fn the_derivatives_of_twist_match_differences() {
     assert!(indefinite > 30, "{indefinite}");
 }
 
-/// The inner vertices of a chain move on closed paths of many small time steps, each of which continues with
-/// the twist of the one before. At the end, the twist is that at the start; on the way it is another one. It
-/// is the same as in one time step to the same place.
+/// The inner vertices of a chain move on closed paths of many small time steps. Each continues with the twist
+/// of the one before. The twist at the end equals the twist at the start; on the way it is another one. It is
+/// the same as in one time step to the same place.
 #[test]
 fn twist_is_a_function_of_the_shape() {
     let mut random = fastrand::Rng::with_seed(32);
@@ -104,7 +104,7 @@ fn twist_is_a_function_of_the_shape() {
 
 #[test]
 fn chains_end_at_hinges() {
-    // A rod, a star of three rods of which one has a single edge, and a loop.
+    // A rod, a star of three rods, one of them a single edge, and a loop.
     let edges = [
         [1, 0],
         [1, 2],

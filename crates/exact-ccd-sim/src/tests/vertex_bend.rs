@@ -42,7 +42,7 @@ struct Fan {
 }
 
 impl Fan {
-    /// The number of the center is in the middle of those of its neighbours.
+    /// The index of the center is in the middle of its neighbours' indices.
     fn new(neighbours: usize, is_closed: bool) -> Self {
         let center = neighbours / 2;
         let at = |place: usize| {
@@ -96,8 +96,9 @@ fn assert_equal(found: &DMatrix<f64>, expected: &DMatrix<f64>, tolerance: f64, w
     );
 }
 
-/// At rest, all angles are those at rest, so that the Hessian H is J K Jᵀ with the derivatives J of angles.
-/// With them from differences, K = J⁺ H J⁺ᵀ. In another shape, the changes b of the angles have the energy
+/// At rest, no angle differs from its angle at rest, so that the Hessian H is J K Jᵀ with the derivatives J
+/// of angles. With J from differences, K = J⁺ H J⁺ᵀ. In another shape, the changes b of the angles have the
+/// energy
 /// ½ bᵀ K b, its gradient, and the Hessian J K Jᵀ. The vertices have from 4 to 14 edges.
 #[test]
 fn the_energy_about_a_vertex_is_quadratic_in_the_angles() {

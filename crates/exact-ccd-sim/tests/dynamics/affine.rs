@@ -56,7 +56,7 @@ fn the_nodes_have_the_inertia_of_the_body() {
     assert_eq!(system.masses().iter().filter(|&&mass| mass > 0.0).count(), 4);
 }
 
-/// The moments of a subdivided sphere are those of its polyhedron, for both orientations of its faces.
+/// A subdivided sphere has the moments of its polyhedron, for both orientations of its faces.
 #[test]
 fn both_orientations_are_the_same_body() {
     let BodyKind::Obstacle { faces } = shapes::sphere(1, 0.5).kind else {

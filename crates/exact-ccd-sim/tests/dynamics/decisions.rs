@@ -141,8 +141,8 @@ impl Ccd for Picky {
     }
 }
 
-/// The result of a time step with at most 8 parts, with the number of blocked attempts, of which the method
-/// blocks this many.
+/// The result of a time step with at most 8 parts, if the method blocks at most this many attempts, and the
+/// number of blocked attempts.
 fn blocked_step(most: usize) -> (Result<Statistics, SimulationError>, usize, [State; 2]) {
     let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 5e-4, z + 0.2]);
     let system = System::new(&[cube, shapes::floor([1, 1], [1.1, 1.2])], &[]).unwrap();

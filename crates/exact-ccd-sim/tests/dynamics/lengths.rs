@@ -6,7 +6,7 @@ fn cube(height: f64) -> exact_ccd_sim::Body {
     shapes::solid_box([1, 1, 1], [0.3; 3]).placed(|[x, y, z]| [x + 50.0, y + height, z + 50.0])
 }
 
-/// Relative lengths are those of the bodies with mass, whatever the size of an obstacle.
+/// Lengths are relative to the bodies with mass, whatever the size of an obstacle.
 #[test]
 fn obstacles_do_not_count() {
     let system = |size: f64| System::new(&[cube(0.01), shapes::floor([1, 1], [size; 2])], &[]).unwrap();
@@ -19,7 +19,7 @@ fn obstacles_do_not_count() {
         );
         assert!(system.extent() > size);
     }
-    // Without a body that has an extent, it is that of everything.
+    // Without a body that has an extent, the size is the extent of everything.
     let point = shapes::particles([1, 1, 1], [0.0; 3]).placed(|_| [0.5, 1.0, 0.5]);
     let system = System::new(&[point, shapes::floor([1, 1], [1.0; 2])], &[]).unwrap();
     assert_eq!(system.size(), system.extent());

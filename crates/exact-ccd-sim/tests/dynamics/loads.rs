@@ -228,7 +228,7 @@ fn accelerations_begin_and_end() {
     }
 }
 
-/// The angular momentum at the start is that of a rotation about the center of mass.
+/// At the start, a body has the angular momentum of a rotation about its center of mass.
 #[test]
 fn a_body_starts_with_its_angular_velocity() {
     let cube = shapes::solid_box([2, 2, 2], [0.5; 3]).placed(|[x, y, z]| [x + 7.0, y, z - 3.0]);

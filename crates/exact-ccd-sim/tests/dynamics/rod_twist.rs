@@ -81,7 +81,7 @@ fn a_twisted_rod_has_the_energy_of_the_theory() {
 /// The acceleration of gravity in the test of buckling, in m/s².
 const GRAVITY: f64 = 1e-4;
 
-/// The deflection of a rod with clamped ends, one of which turns by an angle in 3 s, after 12 s.
+/// The deflection after 12 s of a rod with clamped ends. One end turns by an angle in the first 3 s.
 fn deflection(angle: f64) -> f64 {
     // E I = G J.
     let (body, _) = rod(5e5);

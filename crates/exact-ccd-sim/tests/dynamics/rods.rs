@@ -61,7 +61,7 @@ fn a_hanging_rod_stretches_as_a_bar() {
     );
 }
 
-/// The mass of a rod is that of its volume; vertices of its ends have half the mass of the others.
+/// A rod has the mass of its volume; vertices of its ends have half the mass of the others.
 #[test]
 fn a_rod_has_the_mass_of_its_volume() {
     let rod = shapes::line(10, 2.0);

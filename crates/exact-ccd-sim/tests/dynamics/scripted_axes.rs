@@ -22,7 +22,7 @@ pub(crate) fn fallen(steps: u32, time_step: f64) -> f64 {
     0.5 * GRAVITY * time_step * time_step * f64::from(steps * (steps + 1))
 }
 
-/// A coordinate that no script holds is that of a free body; the last script of a coordinate counts.
+/// A coordinate that no script holds moves as of a free body; the last script of a coordinate counts.
 #[test]
 fn each_coordinate_has_its_own_script() {
     let along_x = Script::Moving {
@@ -124,7 +124,7 @@ fn a_bar_contracts_sideways_if_only_its_axis_is_held() {
         let corners: Vec<usize> = at(1.0).into_iter().map(|v| v as usize).collect();
         let scripts = [
             Script::Fixed.on(at(0.0)).along([true, false, false]),
-            // The rotation about x is that of the start.
+            // The rotation about x stays as at the start.
             Script::Fixed.on([center]),
             pull.on(at(1.0)).along(axes),
         ];

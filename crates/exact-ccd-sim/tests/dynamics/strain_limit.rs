@@ -65,7 +65,7 @@ fn a_hanging_cloth_stays_below_its_limit() {
     assert!(1.0 + 0.8 * LIMIT < limited && limited < 1.0 + LIMIT, "{limited}");
 }
 
-/// A cloth is stretched along x by scripts. Its energy is that of the theory, and at the limit it stops.
+/// A cloth is stretched along x by scripts. Its energy agrees with the theory, and it stops at the limit.
 #[test]
 fn a_stretched_cloth_has_the_energy_of_the_theory() {
     let body = cloth([4, 4], Some(LIMIT));

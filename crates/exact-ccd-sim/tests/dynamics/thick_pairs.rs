@@ -14,8 +14,8 @@ pub(crate) struct Increment<'a> {
 }
 
 impl Increment<'_> {
-    /// Asserts that no two primitives come within the sum of their offsets, except those of two obstacles,
-    /// and those that share a vertex.
+    /// Asserts that no two primitives come within the sum of their offsets, except pairs of two obstacles and
+    /// pairs that share a vertex.
     pub(crate) fn assert_thick(&self) {
         let mesh = self.system.surface();
         let corners = mesh.faces().as_flattened().iter();

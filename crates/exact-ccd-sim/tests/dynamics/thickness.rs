@@ -191,7 +191,7 @@ fn a_rod_rests_on_parallel_rods() {
     let (simulation, all) = run(&bodies, &scripts, settings(), 60);
     let last = all.last().unwrap();
     assert!(last.converged && last.contacts > 0, "{last:?}");
-    // The axis of the rod is between 10 and 12 mm from those of the tracks, which are 6 mm aside.
+    // The axis of the rod is between 10 and 12 mm from the axes of the tracks, which are 6 mm aside.
     for [_, y, z] in &simulation.state().positions[6..] {
         let distance = y.hypot(z.abs() - 0.006);
         assert!((0.01..0.012).contains(&distance) && z.abs() < 1e-6, "{y} {z}");

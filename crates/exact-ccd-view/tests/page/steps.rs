@@ -211,7 +211,7 @@ fn a_vertex_in_a_half_space_is_a_contact_of_the_last_frame() {
     );
 }
 
-/// Half spaces of any size: what has no direction is left out, and no point is infinite.
+/// Half spaces of any size: a normal without a direction is left out, and no point is infinite.
 #[test]
 fn extreme_half_spaces() {
     let page = Page::new("frames", mesh(), &START.iter().copied().collect())

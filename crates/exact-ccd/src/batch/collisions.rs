@@ -6,7 +6,7 @@ use crate::kind::Kind;
 use crate::query::Query;
 use crate::tables::Points;
 
-/// A function of collisions as one of what was decided about the points of queries.
+/// Makes a callback for the points and decisions of queries from a callback for collisions.
 pub(super) fn with_queries<K: Kind>(
     mut found: impl FnMut(usize, Collision<'_, K>),
 ) -> impl FnMut(usize, &Points<f64>, Decided<K>) {

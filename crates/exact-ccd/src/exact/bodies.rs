@@ -9,8 +9,8 @@ use super::turn::Turn;
 use crate::tables::{Point, Tables};
 
 impl MovingPoints {
-    /// The points of two bodies, each in the coordinates of its own, with the motions of both. The motions of
-    /// a body apply from the last to the first, as those of a chain of joints.
+    /// The points of two bodies, each in the coordinates of its own body, with the motions of both bodies.
+    /// The motions of a body apply from the last to the first, like the joints of a chain.
     pub(crate) fn of_bodies<K: Tables>(points: &[Point; 4], chains: [&[Turn<'_>]; 2]) -> Self {
         let places = chains.iter().flat_map(|chain| chain.iter());
         let places = places.flat_map(|turn| turn.places);

@@ -65,7 +65,7 @@ impl Bracket {
         }
     }
 
-    /// A polynomial of which it is the only root in the bracket, a simple one.
+    /// A polynomial whose only root in the bracket is this one, which is simple.
     pub(super) fn polynomial(&self) -> &Polynomial {
         &self.of
     }
@@ -114,8 +114,8 @@ impl Bracket {
     }
 
     /// Makes an expansion that suffices for a guess of b bits, if the ends are close. It has at least half as
-    /// many bits as the ends have in common, and suffices for several guesses: most of its cost is that of
-    /// the ends' bits.
+    /// many bits as the ends have in common, and suffices for several guesses, because the bits of the ends
+    /// make up most of its cost.
     fn expand(&mut self, bits: usize, closeness: usize) {
         let tops = [&self.low, &self.high].map(|end| end.value.top());
         let top = tops[0].max(tops[1]);
@@ -162,8 +162,8 @@ impl Bracket {
         Ok(())
     }
 
-    /// Moves the ends to those of a cell that are in the bracket, and returns true if the root is between
-    /// them.
+    /// Moves the bracket's ends to the cell's ends, where these are in the bracket, and returns true if the
+    /// root is in the cell.
     fn cut_to(&mut self, cell: [Split; 2], unit: isize) -> Result<bool, Split> {
         for t in &cell {
             self.cut(t.clone(), unit)?;
@@ -208,8 +208,8 @@ impl Bracket {
 
     /// Returns true if another polynomial vanishes at this root.
     ///
-    /// The common roots are those of the greatest common divisor. In the bracket, it has at most this
-    /// root, which is simple, so that it changes its sign there. It then takes the place of the
+    /// The common roots are the roots of the greatest common divisor. In the bracket, the divisor has at most
+    /// this root, which is simple, so that the divisor changes its sign there. It then takes the place of the
     /// polynomial, because its coefficients are shorter.
     pub(super) fn is_root_of(&mut self, polynomial: &Polynomial) -> bool {
         let common = self.of.gcd_between(polynomial, self.low(), self.high());

@@ -63,7 +63,7 @@ impl Displacement {
         }
     }
 
-    /// Another displacement, and this one after it: Q = Q₁ Q₂, and
+    /// The product: another displacement, then this one: Q = Q₁ Q₂, and
     /// R Q* = Q₁ R₂ Q₂* Q₁* + R₁ Q₁* |Q₂|² = (Q₁ R₂ + R₁ Q₂) Q*.
     fn after(&self, other: &Self) -> Self {
         Self {
@@ -116,7 +116,7 @@ impl Displacement {
     /// The moment a × b of the line through two points, times w, given their moment μ and difference d in the
     /// body: the vector of (Q μ + R d) Q*.
     ///
-    /// The direction becomes D = Q d Q* / w, and the moment Q μ Q* / w + o × D, as that of any line. Times w,
+    /// The direction becomes D = Q d Q* / w, and the moment, as for any line, Q μ Q* / w + o × D. Times w,
     /// the last term is (o Q d Q* − Q d Q* o) / 2. The first product is r = R d Q*. The second one is its
     /// conjugate: r* = Q d* R* = −Q d (o Q)* = Q d Q* o. So the term is (r − r*) / 2, the vector of r.
     pub(super) fn moment(&self, moment: &Vector, direction: &Vector) -> Vector {

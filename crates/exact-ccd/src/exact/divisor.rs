@@ -11,8 +11,8 @@ use super::polynomial::Polynomial;
 use super::split::Split;
 
 impl Polynomial {
-    /// A greatest common divisor; that of a polynomial and zero is the polynomial. Factors without a root in
-    /// [0, 1] may be missing.
+    /// A greatest common divisor; for a polynomial and zero, the polynomial. Factors without a root in [0, 1]
+    /// may be missing.
     ///
     /// Common roots at t = 0 and t = 1 are common zeros at the ends of the coefficients. The rest is
     /// Euclid's algorithm for polynomials in τ.
@@ -37,8 +37,8 @@ impl Polynomial {
         Self::new(common)
     }
 
-    /// This polynomial without factors t + s, which are 1, and without all factors that it has in common with
-    /// another one, which has no root in [0, 1].
+    /// This polynomial without factors t + s, which are 1, and without common factors with another
+    /// polynomial, which has no root in [0, 1].
     pub(super) fn coprime_to(mut self, other: &Self) -> Self {
         while let Some(lowered) = self.lowered() {
             self = lowered;
@@ -62,7 +62,8 @@ impl Polynomial {
 
     /// A polynomial with the same roots, all simple, for a polynomial that is [reduced](Self::reduced).
     ///
-    /// A grazing contact is at a root where the sign does not change: here it becomes one where it does.
+    /// At a grazing contact, the polynomial has a root without a change of sign. The result changes its sign
+    /// at every root.
     pub(super) fn square_free(&self) -> Self {
         let slope = self.slope();
         if are_coprime(self.coefficients(), slope.coefficients()) {
@@ -75,8 +76,8 @@ impl Polynomial {
 
     /// A greatest common divisor for the roots in (low, high); `None` if there certainly are no common ones.
     ///
-    /// Every remainder of Euclid's algorithm vanishes at common roots: none are in an interval in which one
-    /// of them has one sign.
+    /// Every remainder of Euclid's algorithm vanishes at the common roots. So a remainder with one sign in
+    /// the interval excludes common roots.
     pub(super) fn gcd_between(&self, other: &Self, low: &Split, high: &Split) -> Option<Self> {
         let [a, b] = [self, other].map(|p| p.reduced().coefficients().to_vec());
         if are_coprime(&a, &b) {

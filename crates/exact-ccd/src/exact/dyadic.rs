@@ -33,14 +33,14 @@ pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], Opti
     (numbers.map(|x| in_unit(x, unit)), unit)
 }
 
-/// The exponent of the largest power of two of which all numbers are multiples; none if all are zero.
+/// The largest k such that all numbers are multiples of 2ᵏ; none if all are zero.
 pub(super) fn unit_of(numbers: impl IntoIterator<Item = f64>) -> Option<i32> {
     let parts = numbers.into_iter().map(decompose);
     let units = parts.filter(|(mantissa, _)| *mantissa != 0);
     units.map(|part| part.1).min()
 }
 
-/// A number as an integer, divided by the power of two with this exponent, of which it is a multiple.
+/// The integer n of a number n 2ᵏ, for the given exponent k.
 pub(super) fn in_unit(x: f64, unit: Option<i32>) -> IBig {
     match (decompose(x), unit) {
         ((0, _), _) | (_, None) => IBig::ZERO,
@@ -60,8 +60,8 @@ pub(super) fn rounded_down(m: &IBig, k: isize) -> (u64, bool) {
     if m.is_zero() {
         return (0, true);
     }
-    // The exponent of a unit in the last place. A number of j units above the least exponent has j in the
-    // bits above those of its significand, to which the first bit of a normal significand adds 1.
+    // The exponent of a unit in the last place. If it is j above the least one, the field of the exponent is
+    // j plus the first bit of the significand, which is 1 for a normal number: the sum below carries it.
     let unit = (k + m.bit_len() as isize - DIGITS).max(LEAST);
     let significand = shifted(m, k - unit);
     let is_equal = shifted(&significand, unit - k) == *m;

@@ -28,9 +28,9 @@ impl Polynomial {
         self.value_from(self.precision_of(unit, t.top()), t, 0)
     }
 
-    /// The polynomial in τ at t, known to k bits, by a precision that suffices: the given one, or one found
-    /// by doubling it until the sign is known, and then by the bits that are missing. It is at most that of
-    /// the plain integer.
+    /// The polynomial in τ at t, known to k bits. The precision doubles until the sign is known, and then
+    /// grows by the missing bits. Once it reaches the length of the plain integer, the plain integer is
+    /// computed.
     fn value_from(&self, mut precision: usize, t: &Split, bits: usize) -> Approximation {
         while t.is_inner_ratio() && precision < self.length_at(t) {
             let value = self.values(t, t, precision);

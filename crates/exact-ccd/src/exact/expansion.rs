@@ -25,7 +25,7 @@ pub(super) struct Expansion {
 }
 
 impl Expansion {
-    /// The polynomial at a time between those of the expansion.
+    /// The polynomial at a time between the two times of the expansion.
     pub(super) fn value_at(&self, t: &Split) -> Approximation {
         let time = t.after(&self.origin, self.width);
         let value = if time.is_end() {
@@ -52,8 +52,8 @@ impl Polynomial {
     /// are at most 2ⁿ⁺¹⁺ᵇ⁻ᶜⁱ, because the binomial coefficients in them are at most 2ⁿ⁺¹. So `low` is rounded
     /// down to two more bits than that, which adds at most 1 to the error of a sum, its own error included,
     /// and rounding the product adds at most 1. If the error of the coefficients of a quotient is at most 2,
-    /// that of its sums is at most 4 (n + 1), which is at most 2ᶜ: that of the next ones is at most 2. A sum
-    /// of n + 1 coefficients is off by at most 4 (n + 1)².
+    /// the error of its sums is at most 4 (n + 1) ≤ 2ᶜ, and the error of the next coefficients at most 2. A
+    /// sum of n + 1 coefficients is off by at most 4 (n + 1)².
     pub(super) fn expansion(&self, low: &Split, high: &Split, unit: isize) -> Expansion {
         let closeness = Split::closeness(low, high);
         let scale = high.top();

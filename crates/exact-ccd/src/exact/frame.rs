@@ -2,9 +2,8 @@
 //!
 //! There, the second primitive is at rest, and a point of the first one is X / w, on a rational curve. The
 //! polynomials of contact and distance are products of vectors with known positive factors |Q|², which are
-//! left out by construction: the normal of a face at rest is constant, and the line of a moving edge is given
-//! by its Plücker coordinates, direction and moment, both of which are w times those at rest, displaced.
-//! `docs/curved-motion.md` has the degrees.
+//! left out by construction: the normal of a face at rest is constant, and a moving edge is given by the
+//! Plücker coordinates of its line, direction and moment, times w. `docs/curved-motion.md` has the degrees.
 
 use super::displacement::Displacement;
 use super::polynomial::{Polynomial, Vector};

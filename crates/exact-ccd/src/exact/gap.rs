@@ -1,4 +1,4 @@
-//! Two times of which the ratios are integers times powers of two, and times between them.
+//! Two times whose ratios are integers times powers of two, and times between them.
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
@@ -19,7 +19,7 @@ impl Split {
         }
     }
 
-    /// The time whose ratio is the difference of those of this one and an earlier one, over 2ᵏ.
+    /// The time with ratio (self − earlier) / 2ᵏ.
     pub(super) fn after(&self, earlier: &Self, exponent: isize) -> Self {
         let ([earlier, this], own) = Self::align(earlier, self);
         Self::ratio(this - earlier, own - exponent)

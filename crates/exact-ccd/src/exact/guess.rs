@@ -26,7 +26,7 @@ pub(super) fn secant(values: [&Approximation; 2], low: &Split, high: &Split, bit
     cell(low, high, (twice + IBig::ONE) >> 1, bits)
 }
 
-/// The two cells of the grid of 2ᵇ next to its point of this index, without those outside the bracket.
+/// The two cells next to the point of this index of the grid of 2ᵇ cells, cut off at the ends of the bracket.
 fn cell(low: &Split, high: &Split, index: IBig, bits: usize) -> [Split; 2] {
     let last = IBig::ONE << bits;
     let left = (&index - IBig::ONE).max(IBig::ZERO);

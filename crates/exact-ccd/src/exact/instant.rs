@@ -70,8 +70,7 @@ impl Instant {
         }
     }
 
-    /// The sign of a polynomial at the start of the bracket, if it is the one of which this is known to be a
-    /// simple root.
+    /// The sign of a polynomial at the start of the bracket, if it is the bracket's own polynomial.
     pub(super) fn sign_before(&self, polynomial: &Polynomial) -> Option<Ordering> {
         match self {
             Self::Root(root) if root.polynomial() == polynomial => root.sign_before(),

@@ -6,8 +6,8 @@ use super::polynomial::Polynomial;
 use super::split::Split;
 
 impl Polynomial {
-    /// All values in [low, high], two times that are not far apart, by approximations, the last of which
-    /// takes the slope in the interval into account.
+    /// All values in [low, high], two times that are not far apart, by approximations. The last one takes the
+    /// slope in the interval into account.
     ///
     /// Around a number at which the polynomial does not vanish, all values in a narrow bracket have a
     /// sign: the error of each approximation is then proportional to the width.
@@ -32,8 +32,8 @@ impl Polynomial {
         self.changed_by(change, low)
     }
 
-    /// All values of the polynomial in τ that differ from that at t by less than 2ᵏ. The value there is as
-    /// precise as that.
+    /// All values of the polynomial in τ that differ from its value at t by less than 2ᵏ. The value at t is
+    /// computed to this precision.
     fn changed_by(&self, change: isize, t: &Split) -> Approximation {
         let value = self.values(t, t, self.precision_of(change - 12, t.top()));
         let change = (change - value.unit).max(0).unsigned_abs();

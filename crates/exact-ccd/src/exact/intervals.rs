@@ -46,11 +46,11 @@ pub(super) fn intervals_of(events: Vec<Event>, touches: impl Fn(&Split) -> bool)
     ends.filter_map(close).collect()
 }
 
-/// Events in increasing order, each with those that are not told apart from it.
+/// Events in increasing order, each with the events that are not distinguished from it.
 ///
 /// Entries without another event between them are in one interval, because nothing changes between them. So
-/// are exits. Their order does not matter: the least time is one of those with the least rounded value. Other
-/// events are told apart, and of equal ones, one remains.
+/// are exits. Their order does not matter: the least time is among the times with the least rounded value.
+/// Other events are distinguished, and of equal ones, one remains.
 fn places(events: Vec<Event>) -> Vec<Vec<Event>> {
     let mut distinct: Vec<Event> = Vec::new();
     for mut event in events {
@@ -115,8 +115,8 @@ mod tests {
         roots.pop().expect("there is one")
     }
 
-    /// The union of intervals, with ends that are often equal or next to each other, does not depend on what
-    /// is known of its events, on their brackets and on their order.
+    /// The union of intervals, with ends that are often equal or next to each other. It does not depend on
+    /// the order of the events, on their brackets, or on which passages are known.
     #[test]
     fn entries_and_exits_are_the_ends_of_unions() {
         let mut random = Rng::with_seed(0);

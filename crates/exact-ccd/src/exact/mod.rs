@@ -3,7 +3,7 @@
 //! Coordinates are dyadic rationals, so that a query is a set of integer polynomials in t. Contact
 //! begins and ends at roots of one of them (the four points become coplanar, or, if they
 //! always are, a vertex reaches an edge), and the signs of others at a root decide contact there. The squared
-//! distance is the least of those of the primitives' features, each a quotient of polynomials: the times
+//! distance of the primitives is the least one of their features, each a quotient of polynomials: the times
 //! within a distance begin and end where one of them reaches its square (`docs/separation.md`).
 //! Every answer of this crate is the one defined here. Coordinates are read as bit patterns: nothing here
 //! depends on the floating-point environment.

@@ -14,11 +14,11 @@ const PRIME: i64 = (1 << 61) - 2373;
 /// Returns true if two polynomials, given by their coefficients from the constant one up, certainly
 /// have no common factor.
 ///
-/// Let g be their greatest common divisor over the integers. Its leading coefficient divides both of
-/// theirs. If one of these is not a multiple of the prime, neither is that of g, so that g keeps its
-/// degree modulo the prime. There, g divides both polynomials, and hence their greatest common
-/// divisor modulo the prime. If that is a constant, so is g. (The converse fails for about one prime
-/// of this size in 2⁶¹.)
+/// Let g be their greatest common divisor over the integers. Its leading coefficient divides the leading
+/// coefficients of both. If one of these is not a multiple of the prime, neither is the leading coefficient
+/// of g, so that g keeps its degree modulo the prime. There, g divides both polynomials, and hence their
+/// greatest common divisor modulo the prime. If this divisor is a constant, so is g. (The converse fails for
+/// about one prime of this size in 2⁶¹.)
 pub(super) fn are_coprime(a: &[IBig], b: &[IBig]) -> bool {
     let [mut a, mut b] = [a, b].map(reduced);
     let keeps_degree = a.last().is_some_and(|&leading| leading != 0);

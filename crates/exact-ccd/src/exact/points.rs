@@ -19,7 +19,8 @@ pub(crate) struct MovingPoints {
     points: [Vector; 4],
     /// The exponent of the unit of each axis; none if all coordinates are 0.
     units: [Option<i32>; 3],
-    /// For rigid bodies: the coordinates are those of the second body, in which its points are at rest.
+    /// For rigid bodies, the frame of the second body, in which its points are at rest and all coordinates
+    /// are.
     frame: Option<Box<Frame>>,
 }
 

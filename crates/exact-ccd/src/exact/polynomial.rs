@@ -72,7 +72,7 @@ impl Polynomial {
         self.0.iter().all(IBig::is_zero)
     }
 
-    /// The coefficients c₀ … cₙ: the first is the value at t = 0, the last that at t = 1.
+    /// The coefficients c₀ … cₙ: the first is the value at t = 0, the last the value at t = 1.
     pub(super) fn coefficients(&self) -> &[IBig] {
         &self.0
     }

@@ -37,9 +37,9 @@ impl Narrowing {
     /// 2⁻⁵².
     ///
     /// The quotient at an end of the bracket is a guess, which signs prove or refute. Once the bracket is
-    /// narrow enough, the quotient there and the one at this time differ by less than 1/2 unit, and the
-    /// guess is off by less than 1/2 more. Its floor is then at most one above or below that of the quotient
-    /// q, so that the floor of q is at least `low` and below `high`: the loop ends.
+    /// narrow enough, the quotient there and the quotient q at this time differ by less than 1/2 unit, and
+    /// the guess is off by less than 1/2 more. The floors of the guess and of q then differ by at most one,
+    /// so that the floor of q is at least `low` and below `high`: the loop ends.
     pub(crate) fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
         let reaches = |n: u64| {

@@ -1,9 +1,9 @@
 //! The roots of polynomials in the step.
 //!
 //! Between two neighbouring roots of its derivative, a polynomial is monotone: it has one root there if
-//! it has different signs at the two, and otherwise none. So roots are found from the roots of the
-//! derivative, these from those of the second one, and so on. Repeated roots (grazing) are made simple
-//! before. All of them are simple roots of some derivative, to which secants lead in few steps, however
+//! it has different signs at the two, and otherwise none. So the roots of the derivative are found first,
+//! from the roots of the second derivative, and so on. Repeated roots (grazing) are made simple before. All
+//! roots are then simple roots of a polynomial or a derivative, to which secants lead in few steps, however
 //! near to each other they are.
 
 use alloc::sync::Arc;
@@ -60,7 +60,7 @@ fn changes_of_sign(polynomial: &Polynomial) -> usize {
     nonzero.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
-/// The roots of a polynomial, all of them simple, given those of its derivative.
+/// The roots of a polynomial, all of them simple, by the roots of its derivative.
 fn between_extrema(polynomial: &Polynomial) -> Vec<Instant> {
     let mut times = inner_roots(&polynomial.slope().reduced());
     times.insert(0, Instant::At(Split::START));

@@ -10,7 +10,7 @@ use crate::numbers::number::subtract;
 use crate::numbers::vector::{cross, minus};
 use crate::tables::{Points, Tables};
 
-/// Returns true if the plane of an edge of the span and of the velocity separates.
+/// Returns true if a plane that is parallel to an edge of the span and to the velocity separates.
 pub(super) fn separates<K: Tables>(points: &Points<f64>, hull: &Hull<f64>) -> bool {
     let [w, e1, e2] = K::SPAN.map(|difference| subtract::<f64>(points, difference));
     let velocity = minus(w[1], w[0]);

@@ -42,7 +42,7 @@ pub(crate) struct AtRoot {
 }
 
 impl AtRoot {
-    /// The root of the earliest contact and those after it, if it is certain.
+    /// The root of the earliest contact and the roots after it, if it is certain.
     fn since_first(&self) -> Option<(&Root, &[Root])> {
         self.roots
             .get(self.touching..)
@@ -142,7 +142,7 @@ impl Contact {
     }
 }
 
-/// The moments of contact at a root, and at those after it at which the primitives touch.
+/// The moments of contact: at the first root, and at the later roots at which the primitives touch.
 fn moments<K: Tables>(points: &Points<f64>, (first, later): (&Root, &[Root])) -> Option<Intervals> {
     let time = times_of_roots::<K>(points);
     let moment = |root: &Root| time(root).map(Interval::moment);

@@ -89,7 +89,7 @@ fn decided<K: Tables>(integers: &Integers<K>, cubic: &[Volume; 4], moment: Momen
     Some((narrow, touches))
 }
 
-/// The time of a moment of contact. One that is known needs no integers.
+/// The time of a moment of contact. A known time needs no integers.
 pub(crate) fn time<K: Tables>(points: &Points<f64>, moment: &Moment) -> Option<ContactTime> {
     if let Moment::At(time) = moment {
         return Some(time.time());

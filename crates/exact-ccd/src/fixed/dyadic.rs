@@ -43,7 +43,7 @@ impl Dyadic {
         DIGITS.saturating_sub(self.0.trailing_zeros())
     }
 
-    /// The units after this time, and those before it, of a time in the step.
+    /// For a time in the step, the number of units after it, and the number of units before it.
     pub(super) fn weights(self) -> [u64; 2] {
         debug_assert!(self >= Self::START && self <= Self::END, "a time of the step");
         [Self::END.0 - self.0, self.0].map(i64::unsigned_abs)

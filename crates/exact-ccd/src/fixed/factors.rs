@@ -19,7 +19,7 @@ pub(super) fn difference<L: Length>(points: &Points<L>, (i, j): Difference) -> E
 }
 
 /// The linear functions with a zero inside the step that divide an axis or a row of the matrix whose
-/// determinant is the cubic, and what is left without them.
+/// determinant is the cubic, and the quotients.
 ///
 /// The rows are the differences of three pairs of points that connect all four: other ones change at most the
 /// sign of the determinant. If all numbers of an axis or of a row are multiples of a linear function f, the

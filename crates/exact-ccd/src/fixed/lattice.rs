@@ -76,7 +76,7 @@ impl<K: Tables> Integers<K> {
 /// The points in integers of one width.
 pub(super) struct Lattice<K, L> {
     points: Points<L>,
-    /// Computed where they are needed.
+    /// The factors, computed on first use.
     factors: OnceCell<Factors<L>>,
     kind: PhantomData<K>,
 }
@@ -208,8 +208,8 @@ fn cubic<L: Length>([w, e1, e2]: &[Ends<L>; 3]) -> [Volume; 4] {
     ]
 }
 
-/// `Some(decisive)` if a condition certainly equals it, `Some(!decisive)` if all are certain and none does,
-/// otherwise `None`.
+/// `Some(decisive)` if a condition certainly equals `decisive`. `Some(!decisive)` if all conditions are
+/// certain and none equals `decisive`. Otherwise `None`.
 fn holds(conditions: impl Iterator<Item = Option<bool>>, decisive: bool) -> Option<bool> {
     let mut result = Some(!decisive);
     for condition in conditions {

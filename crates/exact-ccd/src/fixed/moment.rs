@@ -71,7 +71,7 @@ impl Moment {
 ///
 /// With its coefficients in the window, M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 2 M its
 /// slope −2 q₀ (1−t) + q₁ (1−2t) + 2 q₂ t. The value at `near` results from n = 7 roundings: one of the
-/// coefficient, 1 − t twice, two products and two sums. The integers are at least 1, so that what underflows
+/// coefficient, 1 − t twice, two products and two sums. The integers are at least 1, so that underflow
 /// is far below the bound.
 fn near<A: Area>(quadratic: [A; 3], window: &Window, root: &Root) -> Option<Ordering> {
     if quadratic.iter().all(|q| q.sign().is_eq()) {

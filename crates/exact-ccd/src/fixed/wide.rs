@@ -78,7 +78,7 @@ impl<const N: usize> Wide<N> {
     /// The leading bits are cut off after [`LEADING`], which is three times 42. Each third is exactly an f64,
     /// and the sum of the first two exactly a double-double h + l. If l is not zero, |h| is at least 2⁹⁵, so
     /// that l and the last third are at most 2⁻⁵³ |h| each: their sum is off by at most 2⁻¹⁰⁵ |h|. If l is
-    /// zero, that sum is exact. What is cut off is below 2⁻¹²⁵ of the integer.
+    /// zero, that sum is exact. The bits that are cut off are below 2⁻¹²⁵ of the integer.
     pub(super) fn approximate(self) -> DoubleDouble {
         const THIRD: u32 = LEADING / 3;
         const MASK: i128 = (1 << THIRD) - 1;
@@ -98,7 +98,7 @@ impl<const N: usize> Wide<N> {
         self.weighted(weight, Self::ZERO, 0)
     }
 
-    /// The sum of two products with weights from 0 to 2⁶³: what is carried is below 2⁶⁴.
+    /// The sum of two products with weights from 0 to 2⁶³, so that each carry is below 2⁶⁴.
     #[inline]
     pub(super) fn weighted(self, weight: u64, other: Self, other_weight: u64) -> Self {
         let mut sum = Self::ZERO;

@@ -1,8 +1,8 @@
-//! A part of the step, and the coefficients of polynomials there from their exact ones.
+//! A window: a part of the step, and the coefficients of polynomials in it.
 //!
-//! Near a root that is almost a double or a triple one, a polynomial is far smaller than its coefficients,
-//! and than their rounding errors. In a narrow window around it, the coefficients are as small as the
-//! polynomial. They are computed exactly, by blossoms, and rounded only then.
+//! Near a root that is almost double or triple, a polynomial is far smaller than its coefficients, and than
+//! their rounding errors. In a narrow window around the root, the coefficients are as small as the
+//! polynomial. They are computed exactly from the coefficients in the step, by blossoms, and then rounded.
 
 use core::array::from_fn;
 use core::cmp::Ordering;

@@ -83,7 +83,7 @@ fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Orderin
 
 /// The same moment, if it certainly is a time with few digits, or a root in a narrower window.
 ///
-/// If a window contains the bracket and exactly one root, it is this root.
+/// The only root in a window that contains the bracket is the root of the bracket.
 pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
     let Moment::Root(window, root) = moment else {
         return None;
@@ -113,7 +113,7 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
 /// parity: none and one are certain (Descartes' rule). Otherwise the bounds of [`Cubic::new`] hold with the
 /// largest coefficient as magnitude: each coefficient is rounded once, n = 1 of the ten roundings there,
 /// and the largest rounded one is below its integer by one rounding at most. Coefficients are below 2⁴⁴⁵
-/// ([`Window::cubic`]): nothing overflows. The largest is at least 1, so that what underflows is far below
+/// ([`Window::cubic`]): nothing overflows. The largest is at least 1, so that underflow is far below
 /// the bounds. If these do not suffice, the window is cut.
 fn push_zeros_inside(
     cubic: &[Volume; 4],

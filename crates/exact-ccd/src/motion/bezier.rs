@@ -10,8 +10,8 @@ use crate::kind::Kind;
 /// The motion of the points of a query on Bézier curves of one degree p, 1 to 8, from t = 0 to t = 1.
 ///
 /// It is given by p + 1 sets of control points, each in the order of the kind. The first and the last are the
-/// positions at t = 0 and t = 1. Two sets are straight motion, as that of a [`Query`](crate::Query); three
-/// are motion with constant acceleration.
+/// positions at t = 0 and t = 1. Two sets are straight motion, as in a [`Query`](crate::Query); three are
+/// motion with constant acceleration.
 #[derive(Clone, PartialEq)]
 pub struct Bezier<K: Kind>(Vec<K::Points>);
 

@@ -5,8 +5,9 @@ use alloc::vec::Vec;
 use super::error::InvalidMotion;
 use super::rigid_motion::RigidMotion;
 
-/// Up to eight rigid motions, which apply from the last to the first, as those of the joints from the base of
-/// an arm to a body at its end. None are a body at rest in the coordinates of the world; one is a free body.
+/// Up to eight rigid motions, which apply from the last to the first, like the joints from the base of an arm
+/// to a body at its end. Without a motion, the body is at rest in the coordinates of the world; with one, it
+/// is a free body.
 ///
 /// A revolute joint is a motion with quaternions about one axis, and with equal control points of its place.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,7 +2,7 @@
 //!
 //! A point of a [`Bezier`] motion moves on a polynomial curve; free fall has degree 2. A [`RigidMotion`]
 //! turns a body by a linear quaternion, and a [`Chain`] is a product of rigid motions. The place of every
-//! point is a quotient of polynomials in t, so that the answers are exact, as those for straight motion: no
+//! point is a quotient of polynomials in t, so that the answers are exact, as for straight motion: no
 //! contact is missed, none is invented, and times are rounded down. `docs/curved-motion.md` has the
 //! definition and the degrees.
 //!

@@ -38,8 +38,8 @@ impl Pose {
         self.place
     }
 
-    /// This pose with the one of both opposite quaternions that is nearer to that of an earlier pose: the
-    /// turn from there is at most 180°. The two are the same rotation.
+    /// This pose with its quaternion or the opposite one, whichever is nearer to the quaternion of an earlier
+    /// pose. The turn from there is at most 180°. Opposite quaternions are the same rotation.
     #[must_use]
     pub fn nearer_turn(self, earlier: &Self) -> Self {
         if exact::cosine_sign([earlier.rotation, self.rotation]).is_lt() {

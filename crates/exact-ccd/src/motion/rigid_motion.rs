@@ -11,9 +11,9 @@ use crate::tables::Point;
 /// on a Bézier curve o(t) of degree 1 to 3. The point v of the body is at o(t) + q v q* / |q|².
 ///
 /// The quaternions, scalar first, are taken exactly, and need not have length 1. If they have the same
-/// length, the orientations are those of spherical interpolation (slerp) at other times: the turn is faster
-/// half way than at both ends. Where a body also translates, this is another motion than slerp. q₁ and −q₁
-/// are the same orientation, but one of them leads there by a turn of more than 180° (see
+/// length, the body passes through the orientations of spherical interpolation (slerp), but at other times:
+/// it turns faster half way than at both ends. Where a body also translates, this is another motion than
+/// slerp. q₁ and −q₁ are the same orientation, but one of them leads there by a turn of more than 180° (see
 /// [`Pose::nearer_turn`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidMotion {

@@ -13,7 +13,7 @@ use crate::tables::Point;
 
 /// The side of the plane through a, b and c on which d lies, exactly.
 ///
-/// It is the sign of (a − d) · ((b − d) × (c − d)), that of Shewchuk's predicate of this name (Adaptive
+/// It is the sign of (a − d) · ((b − d) × (c − d)), as in Shewchuk's predicate of this name (Adaptive
 /// precision floating-point arithmetic and fast robust geometric predicates, 1997).
 ///
 /// It is `Less` if a, b and c turn counterclockwise as seen from d, `Greater` if they turn clockwise, and
@@ -88,8 +88,7 @@ fn sign_in_integers(points: &[Point; 4]) -> Ordering {
 /// and 2⁻⁹⁰⁶ > 2⁻¹⁰⁷⁴, and none underflows. The permanent, unless it is zero, is at least 2⁻⁹⁰⁶.
 /// The smallest error bound, 26 u² times the permanent with u = 2⁻⁵³, is at least 2⁻¹⁰⁰⁸ > 2⁻¹⁰²²:
 /// it is a normal number, whose rounding is relative, as the bound assumes. In the other direction,
-/// products of three differences, of which one is split by a factor of 2²⁷ + 1, add up to less than
-/// 2⁹⁴⁰.
+/// products of three differences, one of them split by a factor of 2²⁷ + 1, add up to less than 2⁹⁴⁰.
 fn is_safe(x: f64) -> bool {
     const SMALLEST: f64 = f64::from_bits((1023 - 250) << 52);
     const LARGEST: f64 = f64::from_bits((1023 + 300) << 52);

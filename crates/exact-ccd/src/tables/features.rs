@@ -28,11 +28,11 @@ impl Side {
     }
 }
 
-/// The pairs of features, one of each primitive, whose closest points can be those of the primitives.
+/// The pairs of features, one of each primitive, that can contain the closest points of the primitives.
 #[derive(Clone, Copy)]
 pub struct Features {
-    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference.
-    /// They are the first of `CORNERS`.
+    /// Two vertices each, one of the first primitive and one of the second, and (u, v) where F is their
+    /// difference. They are the first of `CORNERS`.
     pub vertices: &'static [(Difference, [f64; 2])],
     /// A vertex and an edge each.
     pub sides: &'static [Side],
@@ -48,7 +48,7 @@ impl Features {
     }
 }
 
-/// The tables of a kind of query. By default, those of two edges. The module is private, which seals `Kind`.
+/// The tables of a kind of query. The defaults are for two edges. The module is private, which seals `Kind`.
 ///
 /// The segments cross if the ends of each lie on different sides of the line of the other: with n =
 /// e₁ × e₂, a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four
@@ -68,16 +68,16 @@ pub trait Tables {
         side(2, [0, 1], [0, 2], false, [[0.0, 0.0], [1.0, 0.0]]),
         side(3, [0, 1], [1, 3], true, [[0.0, 1.0], [1.0, 1.0]]),
     ];
-    /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not
+    /// The sides whose (x − q) × (y − q) are u and v times the normal, or −u and −v times the normal if not
     /// `along`.
     const PARAMETERS: [usize; 2] = [0, 2];
     /// For each of x₀ … x₃, its index among the points of the query.
     const LAYOUT: [usize; 4] = [0, 1, 2, 3];
     /// The number of points of the query.
     const COUNT: usize = Self::LAYOUT[3] + 1;
-    /// The index of the first point of the second primitive among those of the query.
+    /// The index of the second primitive's first point among the points of the query.
     const SECOND: usize = Self::LAYOUT[Self::CORNERS[0].1];
-    /// The pairs of features among whose distances the least is that of the primitives.
+    /// The pairs of features. The least of their distances is the distance of the primitives.
     const FEATURES: Features;
 }
 

@@ -49,7 +49,7 @@ impl Tables for EdgeEdge {
     };
 }
 
-/// Two edges, of which the first has length zero.
+/// Two edges, the first of length zero.
 impl Tables for VertexEdge {
     const LAYOUT: [usize; 4] = [0, 0, 1, 2];
     const FEATURES: Features = Features {

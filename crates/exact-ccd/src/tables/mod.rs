@@ -3,7 +3,7 @@
 //! A query has four moving points x₀ … x₃. A vertex and a face, or two edges, meet only when the four
 //! points are coplanar, and the sides of lines on which vertices lie decide contact then. Hence all
 //! algorithms in this crate are written once, over these tables. A vertex against an edge or a vertex
-//! is a query of two edges, of which one or both have length zero: a point is repeated.
+//! is a query of two edges, one or both of length zero: a point is repeated.
 
 mod features;
 mod kinds;

@@ -17,9 +17,9 @@ use crate::tables::Point;
 ///   earlier times.)
 /// - *Vertex on edge*: the face is flat or the edges are parallel at the contact, or the four
 ///   points are coplanar at all times; and a vertex of one primitive lies on an edge of the other.
-///   The parameters belong to that point; if the primitives have more points in common, or the
-///   same point has many parameters, of the first such pair in the order p on v₁v₂, v₂v₃, v₃v₁, or
-///   a₀ and a₁ on b, b₀ and b₁ on a. The normal is the velocity of that point on the second
+///   The parameters belong to that point. If the primitives have more points in common, or the
+///   same point has many parameters, they belong to the first such pair in the order p on v₁v₂,
+///   v₂v₃, v₃v₁, or a₀ and a₁ on b, b₀ and b₁ on a. The normal is the velocity of that point on the second
 ///   primitive relative to the first, projected orthogonally to the line of the edge. There is none
 ///   if that projection vanishes: the primitives rest on each other, or slide along the line.
 /// - *Overlapping* from t = 0 on, coplanar at all times, and no vertex on an edge: the parameters

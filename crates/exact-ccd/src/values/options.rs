@@ -9,7 +9,7 @@ pub const CONTACT: Options = Options::within(Separation::ZERO);
 /// The distance at which primitives *touch*, and the last time that counts.
 ///
 /// Two primitives touch at a time if their distance then is at most the separation d. Contact is d = 0,
-/// [`CONTACT`]; what is said about contact holds for any d. A separation converts into options, so that
+/// [`CONTACT`]; statements about contact hold for any d. A separation converts into options, so that
 /// all functions that take options take a separation too. For a batch, D is [`Separations`]: one for
 /// all pairs, or by the thickness of the vertices.
 ///

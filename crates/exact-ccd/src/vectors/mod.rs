@@ -3,8 +3,8 @@
 mod queries;
 mod row;
 mod run;
-// The only place of the kernel that names the targets with vectors: those for which `fearless_simd` has
-// more than its fallback, whose code for eight queries without vectors takes ten minutes to compile.
+// The only place of the kernel that names the targets with vectors. For other targets, `fearless_simd` has
+// only its fallback, whose code for eight queries without vectors takes ten minutes to compile.
 #[cfg_attr(
     not(any(
         target_arch = "x86",

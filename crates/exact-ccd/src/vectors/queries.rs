@@ -9,7 +9,7 @@ use crate::values::{Options, Separation, Separations};
 /// The number of queries that go through one filter before the next filter.
 pub(crate) const CHUNK: usize = 256;
 
-/// The callback for collisions: the index of a query, its points, and what was decided. Behind a pointer:
+/// The callback for collisions: the index of a query, its points, and the decision. Behind a pointer:
 /// contacts are few, and the vector code is compiled only once for all callbacks.
 pub(super) type Found<'f, K> = &'f mut dyn FnMut(usize, &Points<f64>, Decided<K>);
 
@@ -17,7 +17,7 @@ pub(super) type Found<'f, K> = &'f mut dyn FnMut(usize, &Points<f64>, Decided<K>
 pub(crate) enum Passed<'f, K: Tables> {
     /// Each that collides.
     Colliding(Found<'f, K>),
-    /// Each that the first filters do not prove to stay beyond its separation, by its index.
+    /// The index of each query that the first filters do not prove to stay beyond its separation.
     Unsettled(&'f mut dyn FnMut(usize)),
 }
 

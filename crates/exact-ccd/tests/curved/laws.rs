@@ -94,8 +94,8 @@ fn motion_without_turn_is_straight<K: Kind>() {
     });
 }
 
-/// In degree p + 1, the control points are (k cₖ₋₁ + (p + 1 − k) cₖ) / (p + 1): those given are multiples of
-/// p + 1.
+/// In degree p + 1, the control points are (k cₖ₋₁ + (p + 1 − k) cₖ) / (p + 1). They are exact, because the
+/// given control points are multiples of p + 1.
 fn degree_elevation_changes_nothing<K: Kind>() {
     collisions(|numbers, random| {
         let degree = random.usize(1..=3);
@@ -230,7 +230,8 @@ fn equal_motions_are_at_rest<K: Kind>() {
     });
 }
 
-/// The first time of a step divided at t = 1/2 is that of the first half, halved, or that of the second one.
+/// A step is divided at t = 1/2. Its first time is half the first time t of the first half, if there is one,
+/// and otherwise (1 + t) / 2 for the second half.
 fn assert_divided<K: Kind>([whole, first, second]: [&CurvedQuery<K>; 3]) {
     for options in options() {
         let time = |query: &CurvedQuery<K>| query.time_of_impact(options);

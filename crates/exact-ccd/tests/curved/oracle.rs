@@ -1,4 +1,4 @@
-//! The answers of generated queries are those of the definition.
+//! The answers to generated queries agree with the definition.
 
 use exact_ccd::motion::Chain;
 use exact_ccd::{
@@ -147,7 +147,7 @@ macro_rules! families {
                 });
             }
 
-            /// A common motion, before that of a part.
+            /// A common motion of both bodies, before the motion of each.
             #[test]
             fn of_bodies_that_move_together() {
                 check::<$kind>(8, |numbers, random| {

@@ -1,4 +1,4 @@
-//! Answers where primitives are flat, parallel and in touch are those of the exact path.
+//! Where primitives are flat, parallel and in touch, the filters agree with the exact path.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -23,7 +23,7 @@ fn is_near(a: &Impact, b: &Impact) -> bool {
         && pairs.chain(normals).all(|(x, y)| (x - y).abs() <= ACCURACY)
 }
 
-/// Compares all answers to a query with those of the exact path, and returns the stage that decided.
+/// Compares all answers to a query with the exact path, and returns the stage that decided.
 fn checked_stage<K: Kind>(query: &Query<K>) -> Stage {
     let (collision, stage) = query.decide(CONTACT);
     let intervals = query.exactly().intervals(CONTACT);
@@ -53,8 +53,8 @@ fn checked_stage<K: Kind>(query: &Query<K>) -> Stage {
     stage
 }
 
-/// The queries of the pairs of two lists of primitives whose boxes over the step meet, at most about a count
-/// of them, from all parts of the lists.
+/// Queries of pairs from two lists of primitives, if their boxes over the step meet: at most about `count`,
+/// from all parts of the lists.
 fn queries<K: Kind<Points = [Point; 4]>>(
     scene: &Scene,
     first: &[Vec<u32>],

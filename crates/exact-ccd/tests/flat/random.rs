@@ -85,7 +85,7 @@ fn with_a_common_point(random: &mut Random) -> Points {
     points
 }
 
-/// Points of a plane, of which the first ones slide by tenths, in the plane or towards it.
+/// Points of a plane. The first one or two slide by tenths, in the plane or through it.
 fn sliding(random: &mut Random) -> Points {
     let [mut start, mut end] = random.points(6);
     for point in &mut start {

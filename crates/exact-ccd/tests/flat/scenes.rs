@@ -32,7 +32,7 @@ pub(crate) fn scenes(size: usize) -> Vec<Scene> {
         .collect()
 }
 
-/// The displacement of what slides.
+/// The displacement of sliding primitives.
 const SLIDE: Point = [0.1, 0.05, 0.0];
 
 /// Two triangles for each quadrilateral.

@@ -1,4 +1,4 @@
-//! The answers to hard cases are those of the definition.
+//! The answers to hard cases agree with the definition.
 
 #[path = "../oracle/check.rs"]
 mod check;

@@ -52,7 +52,7 @@ pub(crate) fn queries<K: Hard>(family: Family, count: usize) -> impl Iterator<It
     })
 }
 
-/// The points of a query among four: those of the first primitive first, those of the second one last.
+/// The points of a query among four: the first primitive takes the first ones, the second primitive the last.
 fn points_of<K: Hard>(four: [Point; 4]) -> K::Points {
     let mut points = K::Points::default();
     let (first, second) = points.as_mut().split_at_mut(K::FIRST);

@@ -1,4 +1,4 @@
-//! The answers of the crate, by all paths, are those of the definition.
+//! The answers of the crate, by all paths, agree with the definition.
 
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{

@@ -88,7 +88,7 @@ fn a_vertex_falls_through_a_face() {
     );
 }
 
-/// 1 / 3 is between two f64, of which `1.0 / 3.0` is the lower one.
+/// 1 / 3 is between two f64, and `1.0 / 3.0` is the lower one.
 #[test]
 fn a_third_is_rounded_down() {
     assert!((1.0f64 / 3.0).mul_add(3.0, -1.0) < 0.0);

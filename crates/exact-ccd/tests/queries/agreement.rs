@@ -1,4 +1,4 @@
-//! The answers of the filters are those of the exact path, bit for bit, and both are those of the definition.
+//! The filters agree with the exact path, bit for bit, and both agree with the definition.
 
 use std::cell::RefCell;
 

@@ -97,7 +97,7 @@ impl Answers {
     }
 }
 
-/// Checks batches of some of the queries of vertices, and, if the separation is the same for all, of points.
+/// Checks batches of some queries, given by vertices, and, if all have the same separation, by points.
 fn assert_as_single_queries<K: Kind>(
     queries: &[[K::Points; 2]],
     separations: Separations<'_>,
@@ -345,8 +345,8 @@ fn errors_of_arrays_name_query_and_coordinate() {
     }
 }
 
-/// The differences of one corner, far away at both ends, are rounded across a plane at 45 degrees. Those of
-/// the others are small.
+/// The differences of one corner, far away at both ends, are rounded across a plane at 45 degrees. The
+/// differences of the other corners are small.
 #[test]
 fn a_far_corner_counts_whatever_the_others_are() {
     let far = 2f64.powi(53);

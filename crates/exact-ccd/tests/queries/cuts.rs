@@ -66,7 +66,7 @@ fn halves_of_the_step<K: Primitives>(points: &Points) {
     }
 }
 
-/// The union of intervals. Those that may have a time in common count as one.
+/// The union of intervals. Intervals that may have a time in common count as one.
 fn union(mut intervals: Vec<Interval>) -> Vec<Interval> {
     intervals.sort_by_key(|interval| interval.start);
     let mut union: Vec<Interval> = Vec::new();

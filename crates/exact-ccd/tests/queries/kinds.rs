@@ -8,7 +8,7 @@ pub(crate) fn query<K: Kind>(points: &[[Point; 4]; 2]) -> Query<K> {
     Query::new(start, end).unwrap()
 }
 
-/// The points of a query among four: those of the first primitive first, those of the second one last.
+/// The points of a query among four: the first primitive takes the first ones, the second primitive the last.
 pub(crate) fn points_of<K: Kind>(four: [Point; 4]) -> K::Points {
     let mut points = K::Points::default();
     let (first, second) = points.as_mut().split_at_mut(K::FIRST);

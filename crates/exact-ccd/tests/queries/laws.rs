@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use exact_ccd::{Collision, ContactTime, Interval, Intervals, Kind, Query, Separation};
 
-/// All times at which the primitives touch. They are checked to be ordered intervals of the step, the same
-/// as those of the exact path bit for bit, and consistent with the other answers, which are computed apart
+/// All times at which the primitives touch. They are checked to be ordered intervals of the step, equal to
+/// the answer of the exact path bit for bit, and consistent with the other answers, which are computed apart
 /// from them, and with the primitives at single times.
 pub(crate) fn checked<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
     // Times are equal if their bits are.
@@ -139,7 +139,7 @@ pub(crate) fn assert_same_times<K: Kind, L: Kind>(
     );
 }
 
-/// Checks that the times from s to t are those from 1 − t to 1 − s when time runs backwards.
+/// Checks that an interval of times from s to t is from 1 − t to 1 − s when time runs backwards.
 pub(crate) fn assert_reversible<K: Kind>(forth: &Query<K>, d: Separation) {
     let [start, end] = *forth.points();
     let back = Query::<K>::new(end, start).unwrap();

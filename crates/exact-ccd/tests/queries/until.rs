@@ -34,7 +34,7 @@ fn around(time: ContactTime) -> [f64; 4] {
     [lower.next_down(), lower, upper, upper.next_up()]
 }
 
-/// All answers until a time are those of the whole step, or none, by the filters and in integers.
+/// Each answer until a time equals the answer for the whole step, or is none, by the filters and in integers.
 fn counts_until<K: Kind>(query: &Query<K>, d: Separation, whole: &Intervals, until: f64) {
     let first = whole.first_time();
     // False for NaN.

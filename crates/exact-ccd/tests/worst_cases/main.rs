@@ -1,4 +1,4 @@
-//! The answers to queries that are as costly as possible are those of the definition.
+//! The answers to queries that are as costly as possible agree with the definition.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -45,7 +45,7 @@ fn answers_to_two_edges_are_those_of_the_definition() {
     are_defined::<EdgeEdge>();
 }
 
-/// Queries of every family collide: its digest is not that of an empty list.
+/// Some queries of every family collide, so that its digest is not the digest of an empty list.
 fn some_collide<K: Hard>() {
     for (name, family) in families::<K>() {
         let mut queries = queries::<K>(family, COUNT);
@@ -118,7 +118,7 @@ fn recorded<K: Hard>(kind: usize) {
     }
 }
 
-/// A digest that changes by intent is recorded anew, if the answers remain those of the definition.
+/// A digest that changes by intent is recorded anew, if the answers still agree with the definition.
 #[test]
 fn exact_answers_are_those_recorded() {
     recorded::<VertexFace>(0);

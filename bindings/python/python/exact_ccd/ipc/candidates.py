@@ -232,7 +232,7 @@ class Candidates:
         size = whole = rescaling * time
         retreat = whole - np.nextafter(whole, 0.0)
         while size > 0.0:
-            # At 1 the positions are those given: the sum is rounded.
+            # The sum is rounded: at 1, the positions are x1.
             x = _between(x0, x1, size) if size < 1.0 else x1
             if self._earliest(given, x0, x, min_distance) is None:
                 return size

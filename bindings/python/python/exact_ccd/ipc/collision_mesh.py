@@ -16,7 +16,7 @@ from .primitives import edges as edges_of, primitives
 class CollisionMesh:
     """A mesh in two or three dimensions, with the constructor of ``ipctk.CollisionMesh`` and some of its attributes.
 
-    The attributes are those that collision detection needs.
+    It has the attributes that collision detection needs.
 
     Parameters
     ----------

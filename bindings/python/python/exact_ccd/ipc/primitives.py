@@ -51,7 +51,7 @@ def surface(mesh: AnyMesh) -> SurfaceMesh:
 
 
 class Primitives(NamedTuple):
-    """The primitives of a mesh, by their vertices; those that are loose by their indices."""
+    """The primitives of a mesh, by their vertices; loose primitives, by their indices."""
 
     vertices: Indices
     edges: Indices

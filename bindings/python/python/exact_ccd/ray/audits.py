@@ -146,7 +146,7 @@ class _Work(NamedTuple):
     def run(self, window: int, steps: int) -> tuple[AuditReport, list[bytes]]:
         """The report of the earliest chunk with a violation or an error; of the last one if there is none.
 
-        The parts of the certificate come from the chunks up to that one, in order.
+        The parts of the certificate come from the chunks up to the one of the report, in order.
         """
         parts: dict[Chunk, bytes] = {}
         coming = chunks(len(self.frames), steps)

@@ -1,4 +1,4 @@
-"""Chunks of a sequence of frames, and the results of those that are finished."""
+"""Chunks of a sequence of frames, and the results of finished chunks."""
 
 from __future__ import annotations
 

@@ -31,8 +31,8 @@ def answer_files(
 ) -> Dataset:
     """Decide the queries in Parquet files, and return them with their answers as further columns.
 
-    Each file is read by the task that decides its queries, one group of rows at a time. Of the columns, only those
-    that are selected afterwards leave that task.
+    Each file is read by the task that decides its queries, one group of rows at a time. Only columns
+    that are selected afterwards leave this task.
 
     Parameters
     ----------

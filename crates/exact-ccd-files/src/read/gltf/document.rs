@@ -46,7 +46,7 @@ pub(super) struct Scene {
     pub(super) nodes: Vec<u32>,
 }
 
-/// A node. Its transform is that of `matrix`, or else of the three others.
+/// A node. Its transform is `matrix`, or else the product of `translation`, `rotation` and `scale`.
 #[derive(Debug, Deserialize)]
 pub(super) struct Node {
     #[serde(default)]

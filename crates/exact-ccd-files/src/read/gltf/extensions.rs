@@ -72,8 +72,8 @@ pub(super) fn check_required(required: &[String]) -> Result<(), Fault> {
     }
 }
 
-/// Notes about extensions that change geometry, among those that a file uses and does not require. A mesh
-/// that is compressed has another form, then, which is read.
+/// Notes about extensions that change geometry and that a file uses but does not require. A compressed mesh
+/// then has another form, too, which is read.
 pub(super) fn notes(used: &[String]) -> impl Iterator<Item = Note> {
     used.iter().filter_map(|name| {
         let remedy = remedy(name).filter(|_| !name.ends_with("_compression"))?;

@@ -19,7 +19,7 @@ pub(super) struct Motion {
     pub(super) scales: BTreeMap<u32, [f64; 3]>,
 }
 
-/// The translations of a node at its keys, of which there is one at least. Times increase.
+/// The translations of a node at its keys, at least one. Times increase.
 #[derive(Debug)]
 struct Track {
     node: u32,
@@ -177,7 +177,8 @@ fn moments(tracks: &[Track]) -> Vec<Moment> {
 }
 
 impl Track {
-    /// The translation at a moment: that of the first key before it, that of the last key after it.
+    /// The translation at a moment. Before the first key, it is the first one; after the last key, the last
+    /// one.
     ///
     /// Between two keys of a straight motion it is a + (b − a) s with s = (t − tₐ) / (t_b − tₐ), each
     /// operation rounded to nearest.

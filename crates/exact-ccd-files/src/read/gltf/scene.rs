@@ -31,7 +31,7 @@ pub(super) struct Placed {
 #[derive(Debug)]
 pub(super) struct Run {
     pub(super) end: usize,
-    /// The place of the node among those of the scene.
+    /// The index of the node among the nodes of the scene.
     pub(super) placed: u32,
     /// The transform of an instance within the node.
     pub(super) instance: Option<Box<Transform>>,

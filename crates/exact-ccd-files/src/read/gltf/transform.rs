@@ -19,8 +19,8 @@ impl Default for Transform {
 }
 
 impl Transform {
-    /// The map from the coordinates of a node, of this index, to those of its parent. A translation of a
-    /// motion is in the place of its own.
+    /// The map from the coordinates of the node with this index to the coordinates of its parent. The
+    /// translation of a motion replaces the node's own.
     pub(super) fn of(node: &Node, index: u32, moved: Option<&Point>) -> Result<Self, Fault> {
         if let Some(matrix) = &node.matrix {
             // By columns.

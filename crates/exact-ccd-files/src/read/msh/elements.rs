@@ -141,7 +141,7 @@ impl Elements<'_, '_> {
         let mut physical = None;
         for number in 0..tag_count {
             let tag = tokens.integer(INT, "a tag")?;
-            // The first tag is that of the physical group.
+            // The first tag names the physical group.
             if number == 0 {
                 physical = Some((tag, tokens.place()));
             }

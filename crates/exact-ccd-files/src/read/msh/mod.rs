@@ -1,6 +1,6 @@
 //! Gmsh's MSH, versions 1, 2 to 2.2, 4 and 4.1, as text and binary: nodes, elements and physical groups.
 //!
-//! Gmsh reference manual, *MSH file format*, and the same of versions 1 and 2 (*Legacy*); of version 4.0, the
+//! Sources: Gmsh reference manual, *MSH file format*, with versions 1 and 2 as *Legacy*; for version 4.0, the
 //! manual of Gmsh 4.0.
 
 mod elements;
@@ -24,7 +24,7 @@ const DOUBLE: Scalar = Scalar::F64;
 enum Version {
     /// Text only, without a header.
     V1,
-    /// 2 to 2.2, which differ in what is not read.
+    /// 2 to 2.2, which differ only in sections that are skipped.
     V2,
     V40,
     V41,

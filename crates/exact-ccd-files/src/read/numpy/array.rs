@@ -5,7 +5,7 @@ use super::super::scalar::{ByteOrder, Scalar};
 use super::header::Header;
 use crate::error::{Fault, ParseError, Place};
 
-/// An array, of which the last index varies fastest.
+/// An array. Its last index varies fastest.
 #[derive(Clone, Debug)]
 pub(super) struct Array {
     scalar: Scalar,
@@ -45,7 +45,7 @@ impl Array {
         self.scalar.is_integer()
     }
 
-    /// Returns true for rows of integers, as those of faces.
+    /// Returns true for rows of integers, such as faces.
     pub(super) fn is_table_of_integers(&self) -> bool {
         self.is_integer() && self.shape.len() == 2
     }

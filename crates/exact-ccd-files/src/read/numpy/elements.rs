@@ -7,7 +7,8 @@ use crate::error::{Fault, ParseError, Place, quoted};
 /// Elements of one role.
 #[derive(Debug)]
 pub(in super::super) struct Elements {
-    /// The number of vertices of each element and the vertices, or those of all elements after each other.
+    /// The vertices of all elements one after another, before each element the number of its vertices if the
+    /// form has counts.
     vertices: Vec<i64>,
     form: Form,
 }
@@ -82,7 +83,7 @@ fn has_counts(vertices: &[i64]) -> bool {
     rest.is_empty()
 }
 
-/// Returns true if each of the rows, of which there is one at least, begins with the number of the others.
+/// Returns true if there are rows and each begins with the number of its other entries.
 fn begin_with_count(vertices: &[i64], size: usize) -> bool {
     let count = size as i64 - 1;
     !vertices.is_empty() && vertices.chunks(size).all(|row| row[0] == count)

@@ -106,9 +106,9 @@ fn rows_or_list(header: &Header, size: usize) -> Option<Form> {
 }
 
 impl Roles {
-    /// The roles of the arrays that the options name, or else of those with a known name. Without one for the
-    /// positions, they are the only array of floats of their shape, in an archive with faces, edges or
-    /// tetrahedra.
+    /// The roles of the arrays that the options name, or else of the arrays with a known name. If no name is
+    /// known for positions, they are the only array of floats of their shape, in an archive with faces, edges
+    /// or tetrahedra.
     ///
     /// # Errors
     /// If two arrays have names of one role; if the type or the shape of one does not fit its role; if
@@ -162,7 +162,7 @@ impl Roles {
         Err(Fault::expected(expected, list(unnamed)).at(Place::File))
     }
 
-    /// The names of the arrays that were read, and of those that were not.
+    /// The names of the arrays that were read, and of the arrays that were not.
     pub(super) fn describe(&self, archive: &Archive) -> String {
         let mut parts = Vec::new();
         let mut left_out: Vec<_> = archive.arrays.iter().map(Some).collect();

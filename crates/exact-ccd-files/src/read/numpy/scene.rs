@@ -21,7 +21,7 @@ pub(in super::super) struct Arrays {
     faces: Option<Elements>,
     edges: Option<Elements>,
     tetrahedra: Option<Elements>,
-    /// The names of the arrays that were read, and of those that were not.
+    /// The names of the arrays that were read, and of the arrays that were not.
     description: Option<String>,
 }
 

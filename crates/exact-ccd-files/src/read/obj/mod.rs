@@ -1,5 +1,5 @@
-//! Wavefront OBJ: the statements `v`, `f`, `l`, `p`, `o` and `g`. Those of free-form surfaces are named in a
-//! note, and all others are skipped.
+//! Wavefront OBJ: the statements `v`, `f`, `l`, `p`, `o` and `g`. Statements of free-form surfaces are named
+//! in a note, and all others are skipped.
 //!
 //! The format counts from 1, and so do errors.
 

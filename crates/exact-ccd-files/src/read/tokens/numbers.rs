@@ -42,7 +42,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// An integer of eight bytes, not negative; one above 2⁶³ − 1 in binary data as that.
+    /// An integer of eight bytes, not negative. In binary data, an integer above 2⁶³ − 1 becomes 2⁶³ − 1.
     pub(in super::super) fn size(&mut self, expected: &str) -> Result<u64, ParseError> {
         match self.encoding {
             Encoding::Text => self.parse(expected),

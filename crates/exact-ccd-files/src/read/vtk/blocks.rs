@@ -36,7 +36,7 @@ impl Layout {
             budget.take(first)?;
             return stream.take(first, budget);
         };
-        // The number of blocks, their size, and that of the last one if it is shorter.
+        // The number of blocks (`first`), their size, and the size of the last one if it is shorter.
         let [size, last] = self.words(stream, budget)?;
         let header = stream.take(first.saturating_mul(self.word.size() as u64), budget)?;
         // Several arrays may have the same header.
@@ -62,7 +62,7 @@ impl Layout {
 }
 
 impl Compression {
-    /// The data of a block, of which the size is known.
+    /// The data of a block, whose expanded size is known.
     fn expand(self, block: &[u8], size: u64, budget: &Budget) -> Result<Vec<u8>, Fault> {
         let wrong = |found: String| Fault::expected(format!("a block of {size} bytes"), found);
         let data = match self {

@@ -108,7 +108,7 @@ impl<'a> Reader<'_, 'a> {
         self.check_count(piece, "NumberOfPoints", positions.len())
     }
 
-    /// Compares a number that an attribute of a piece declares with that of its arrays.
+    /// Compares the number of elements that an attribute of a piece declares with the length of its arrays.
     fn check_count(&self, piece: Node<'a, 'a>, name: &str, count: usize) -> Result<(), ParseError> {
         match piece.attribute(name) {
             Some(declared) if declared.parse() != Ok(count) => {

@@ -135,7 +135,7 @@ impl Sections<'_> {
         let size = self.tokens.count("the number of integers")?;
         let (corners, ends) = if self.tokens.next_is("OFFSETS") {
             let mut ends = integers(&mut self.tokens, count)?;
-            // The first offset is that of cell 0.
+            // The first offset belongs to cell 0.
             if !ends.is_empty() && ends.remove(0) != 0 {
                 return Err(Fault::expected("offset 0", "another one").at(place));
             }
@@ -212,8 +212,8 @@ fn integers(tokens: &mut Tokens, count: u64) -> Result<Vec<i64>, ParseError> {
     tokens.integers(count, scalar)
 }
 
-/// Skips a text: a line of a text file. In a binary file, its length comes first, in 1, 2, 4 or 8 bytes, of
-/// which the first two bits are 3, 2, 1 or 0.
+/// Skips a text: a line of a text file. In a binary file, its length comes first, in 1, 2, 4 or 8 bytes. The
+/// first two bits of the length are 3, 2, 1 or 0, in this order.
 fn skip_string(tokens: &mut Tokens) -> Result<(), ParseError> {
     if !tokens.is_binary() {
         if tokens.is_at_end() {

@@ -13,7 +13,7 @@ pub(super) struct File<'a> {
 /// The most attributes of an element, and the most declarations of namespaces in a document.
 ///
 /// The parser compares each attribute with all others of its element, and copies the namespaces of an element
-/// to those within it.
+/// to the elements within it.
 const MOST_ATTRIBUTES: usize = 256;
 const MOST_NAMESPACES: usize = 16;
 
@@ -42,7 +42,7 @@ fn check_numbers(text: &str, budget: &Budget) -> Result<(), ParseError> {
         let is_value = |after: &&str| after.trim_ascii_start().starts_with(['"', '\'']);
         let attributes = piece.split('=').skip(1).filter(is_value).count();
         end += piece.len() + 1;
-        // An element, unless its end is here, and the text after it.
+        // A piece begins with an element, or with the end of one, and text may follow.
         let has_text = piece.split_once('>').is_none_or(|(_, text)| !text.is_empty());
         nodes += usize::from(!piece.starts_with('/')) + usize::from(has_text) + attributes;
         if attributes > MOST_ATTRIBUTES {

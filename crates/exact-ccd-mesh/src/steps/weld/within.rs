@@ -12,13 +12,13 @@ use crate::vector::{dot, minus};
 type Cell = (u32, [i64; 3]);
 
 impl Welding {
-    /// Separates the vertices that are not near each other in a frame with these positions: what
-    /// [`restrict`](Self::restrict) does with a tolerance of 0. Two vertices stay together if they are at
-    /// most `tolerance` apart, or if a chain of such vertices connects them. Distances are rounded.
+    /// Separates the vertices that are not near each other in a frame with these positions. With a tolerance
+    /// of 0, it is [`restrict`](Self::restrict). Two vertices stay together if they are at most `tolerance`
+    /// apart, or if a chain of such vertices connects them. Distances are rounded.
     ///
-    /// The new vertex moves as the first of its vertices. So the surface changes by the distance of the
-    /// others from it, and so does every answer. The tolerance should be at least 2⁻⁵⁰ of the coordinates, in
-    /// magnitude; of a smaller one, vertices may be kept apart that are within it.
+    /// The new vertex moves as the first of its vertices. So the surface changes by the distance of the other
+    /// vertices from it, and so does every answer. The tolerance should be at least 2⁻⁵⁰ of the coordinates,
+    /// in magnitude. A smaller one may separate vertices that are within it.
     ///
     /// ```
     /// use exact_ccd_mesh::Welding;
@@ -69,7 +69,8 @@ impl Welding {
 /// 1/8, so that the computed ones differ by less than 1, and their cells by at most 1 along each axis.
 fn cell(position: Point, tolerance: f64) -> [i64; 3] {
     let side = 2.0 * tolerance;
-    // A quotient that is no number, 0 / 0, is 0 here, and those beyond the integers are the last ones.
+    // The conversion makes 0 of NaN (0 / 0), and the least or greatest integer of quotients beyond the
+    // integers.
     position.map(|x| (x / side).floor() as i64)
 }
 
@@ -91,7 +92,7 @@ fn is_within(a: Point, b: Point, tolerance: f64) -> bool {
 mod tests {
     use super::*;
 
-    /// The sets are those of all pairs within the tolerance, whatever the order of the vertices.
+    /// The sets unite all pairs within the tolerance, whatever the order of the vertices.
     #[test]
     fn sets_are_those_of_all_pairs() {
         let mut random = fastrand::Rng::with_seed(49);

@@ -1,8 +1,8 @@
 //! The answers to generated queries and steps in two numbers, which are the same on every machine:
 //! `scripts/check architectures` runs the program, and `cargo test` compares both numbers too.
 //!
-//! The exit status is 0 if both are those recorded here. With files of raw queries (`raw.rs`), a line for
-//! each with the digest of the answers.
+//! The exit status is 0 if both equal the numbers recorded here. For each file of raw queries (`raw.rs`), it
+//! prints a line with the digest of the answers.
 
 #[path = "../../../../exact-ccd-bench/examples/scaling/cloth.rs"]
 mod cloth;

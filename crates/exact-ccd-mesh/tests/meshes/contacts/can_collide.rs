@@ -29,7 +29,7 @@ impl Rule {
         }
     }
 
-    /// The same rule among some vertices; those without a flag take part.
+    /// The same rule among some vertices. Vertices without a flag take part.
     fn among(mut self, parts: &[bool]) -> Self {
         self.can_collide = self.can_collide.among(parts.to_vec());
         self.takes_part[..parts.len()].copy_from_slice(parts);
@@ -174,7 +174,7 @@ fn candidates_are_those_of_all_pairs_that_can_collide() {
     }
 }
 
-/// Of five vertices, of which the last two have no flag and no group.
+/// Five vertices. The last two have no flag and no group.
 #[test]
 fn rules_name_the_pairs_that_they_allow() {
     let obstacles = CanCollide::not_two_obstacles(vec![true, false, true]);

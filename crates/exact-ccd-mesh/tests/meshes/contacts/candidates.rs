@@ -127,7 +127,7 @@ fn stored_and_streamed_candidates_are_the_same_with_every_broad_phase() {
 }
 
 /// Where no coordinate is rounded, a motion that all primitives have in common changes no candidate, and the
-/// contacts are those of all pairs.
+/// contacts are the same as by a search of all pairs.
 #[test]
 fn a_common_motion_does_not_matter() {
     let mut random = Rng::with_seed(11);

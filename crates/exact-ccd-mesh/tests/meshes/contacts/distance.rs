@@ -96,7 +96,7 @@ fn candidates_contain_all_pairs_that_come_near() {
                 let direction: Vec<Point> = ends
                     .map(|(a, b)| [0, 1, 2].map(|axis: usize| b[axis] - a[axis]))
                     .collect();
-                // Only if the full step ends where the candidates assume it.
+                // The candidates are valid only if the full step ends at their x1.
                 if advance(&scene.x0, &direction, 1.0) != scene.x1 {
                     continue;
                 }

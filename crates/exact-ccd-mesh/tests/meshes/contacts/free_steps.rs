@@ -91,7 +91,7 @@ fn touches_in(step: Step<'_>, pair: Pair, min_distance: &MinDistance) -> bool {
     }
 }
 
-/// Checks what is promised of steps of vertices: by integers, for every pair.
+/// Checks the promises about steps of vertices, in integers, for every pair.
 fn check(scene: &Scene, min_distance: &MinDistance, pinned: &[u32], common: f64, found: &FreeSteps) {
     let [x0, end] = [&scene.x0, &found.positions];
     let taken = Step::new(&scene.mesh, x0, end).unwrap();
@@ -136,7 +136,7 @@ fn check(scene: &Scene, min_distance: &MinDistance, pinned: &[u32], common: f64,
     })
     .collect();
     if pinned.is_empty() {
-        // Without pinned vertices, nothing is blocked but what touches at the start.
+        // Without pinned vertices, only pairs that touch at the start are blocked.
         assert_eq!(blocked, starts_in_contact);
     } else {
         assert!(blocked.is_superset(&starts_in_contact));

@@ -1,4 +1,4 @@
-//! Steps of vertices in named cases: what is held back, what is blocked, and what is searched after that.
+//! Steps of vertices in named cases: vertices that are held back, blocked pairs, and the search after that.
 
 use exact_ccd::{CONTACT, Options, Separation};
 use exact_ccd_mesh::{Detector, FreeStepOptions, LineSearchError, Pair, Point, TriangleMesh};
@@ -108,7 +108,7 @@ fn a_blocked_pair_of_edges_has_the_smaller_index_first() {
 }
 
 /// Two points meet, and are at the distance at the ends of their steps: the common step is one f64 smaller.
-/// A third one meets the place where one of them stops: its box is that of its whole step.
+/// A third one meets the place where one of them stops: its box contains its whole step.
 #[test]
 fn all_is_searched_after_the_common_step() {
     let mesh = TriangleMesh::new(3, Vec::new()).unwrap();

@@ -64,8 +64,8 @@ impl Scene {
     }
 
     /// Two pairs of faces, two rods of three vertices and eight points, in motion, and their scale. Of the
-    /// points, one is a face, and two are the ends of another. On a grid, many distances are those that
-    /// are drawn for queries.
+    /// points, one is a face, and two are the ends of another. On a grid, many distances equal the distances
+    /// that are drawn for queries.
     pub(crate) fn mixed(random: &mut Rng) -> (Self, f64) {
         let scale = [1.0, 1e-6][random.usize(..2)];
         let motion = [0.0, 0.2, 1.0][random.usize(..3)];

@@ -112,7 +112,7 @@ fn known_positions_need_no_pass() {
         .collect::<Vec<_>>();
     assert_eq!(detector.collides(&negative, &x, CONTACT), Ok(false));
     assert_eq!(detector.start_passes(), 2);
-    // The end of a step that is not free, of one of which some pairs or late contacts do not count.
+    // The end is not known after a step that is not free, nor where some pairs or late contacts do not count.
     assert_eq!(detector.collides(&x, &above(-1.0), CONTACT), Ok(true));
     assert_eq!(
         detector.collides_if(&x, &above(-1.0), CONTACT, |_| false),
@@ -124,7 +124,7 @@ fn known_positions_need_no_pass() {
         Err(StepError::Crossing { edge: 3, face: 0, .. })
     ));
     assert_eq!(detector.start_passes(), 3);
-    // Other pairs: what was known is forgotten.
+    // With other pairs, the proofs so far are forgotten.
     detector.set_can_collide(CanCollide::new(|_, _| true));
     assert_eq!(detector.collides(&x, &above(0.5), CONTACT), Ok(false));
     assert_eq!(detector.start_passes(), 4);
@@ -200,7 +200,7 @@ fn free_steps_keep_crossings_away() {
     assert!(blocked > 30, "{blocked}");
 }
 
-/// The end of steps that are free is known, that of steps with a blocked pair is not.
+/// The end of free steps is known; the end of steps with a blocked pair is not.
 #[test]
 fn the_end_of_blocked_steps_is_checked() {
     let options = FreeStepOptions::default();

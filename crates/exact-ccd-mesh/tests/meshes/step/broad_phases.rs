@@ -170,8 +170,8 @@ fn a_place_far_away_does_not_increase_the_number_of_pairs_at_rest() {
     assert_eq!(pairs(f64::from(1 << 30)), near);
 }
 
-/// Boxes, too, are relative to the other vertices: the numbers of pairs, of candidates and of contacts are
-/// those of the motion without the common part.
+/// Boxes, too, are relative to the other vertices: without the common part of the motion, the numbers of
+/// pairs, of candidates and of contacts are the same.
 #[test]
 fn a_common_motion_does_not_matter() {
     let apart = falling_sheet();

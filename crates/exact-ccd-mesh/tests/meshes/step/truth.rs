@@ -55,8 +55,8 @@ impl Truth {
         truth
     }
 
-    /// Counts the pairs of vertices with loose edges, and of loose vertices with each other: those for which
-    /// no edge of a vertex is apart from the other primitive.
+    /// Counts the pairs of vertices with loose edges, and of loose vertices with each other, if no edge of a
+    /// vertex is apart from the other primitive.
     fn count_loose(&mut self, motion: &Motion) {
         let points: Vec<u32> = motion.mesh.loose_vertices().collect();
         let rods = motion.mesh.loose_edges();

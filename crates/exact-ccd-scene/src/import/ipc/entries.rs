@@ -55,7 +55,7 @@ impl File {
         Ok(file)
     }
 
-    /// Reads an entry, of which the keyword is the next word of the line.
+    /// Reads an entry; its keyword is the next word of the line.
     fn entry(&mut self, line: &mut Line<'_>, text: &mut Text<'_>, notes: &Notes) -> Result<(), Fault> {
         let settings = &mut self.settings;
         let Some(keyword) = line.keyword() else {
@@ -215,7 +215,8 @@ fn skip_section(line: &mut Line<'_>, text: &mut Text<'_>) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The tolerances of the first time steps, of which the last is that of all others.
+/// The tolerance of all time steps. A line lists tolerances for the first time steps, and the last one counts
+/// for all others: different ones are an error.
 fn tolerance(line: &mut Line<'_>, text: &mut Text<'_>) -> Result<f64, Fault> {
     let numbers = text.numbers(line)?;
     let Some(&last) = numbers.last() else {

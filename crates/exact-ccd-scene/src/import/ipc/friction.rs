@@ -9,8 +9,8 @@ use exact_ccd_sim::FrictionPair;
 /// The name of all shapes of a file in which obstacles have other friction coefficients.
 const SHAPES: &str = "shapes";
 
-/// The friction coefficients that differ from that between shapes. Names the bodies and half spaces to which
-/// they belong. `bodies` are the shapes of the file, then its obstacles.
+/// The friction coefficients that differ from the coefficient between shapes. Names the bodies and half
+/// spaces to which they belong. `bodies` are the shapes of the file, then its obstacles.
 ///
 /// IPC computes the friction between shapes and on half spaces (`computeEnergyVal` in `Optimizer.cpp`). The
 /// coefficient of a mesh of `meshCO` has no effect there.

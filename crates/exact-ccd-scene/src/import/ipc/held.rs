@@ -104,8 +104,8 @@ impl Piece {
 /// are in the order of their starts.
 ///
 /// # Errors
-/// The last piece has a vertex in common with another one at the same time, or it turns vertices of which the
-/// center is not known.
+/// The last piece has a vertex in common with another one at the same time, or it turns vertices whose center
+/// is not known.
 pub(super) fn moved(pieces: &[Piece]) -> Result<Vector3<f64>, Fault> {
     let mut moved = Vector3::zeros();
     let Some((last, before)) = pieces.split_last() else {

@@ -36,7 +36,7 @@ impl<'a> Part<'a> {
             return Err(at_shape(Problem::unsupported(what, instead)));
         }
         let (path, mesh) = meshes.find(&shape.mesh).map_err(at_shape)?;
-        // The energy is that of the file.
+        // All solids have the energy that the file names.
         let solid = SolidProperties {
             energy: file.material.energy,
             ..shape.material.unwrap_or(file.material)
@@ -103,7 +103,7 @@ impl<'a> Part<'a> {
         self.load(file)
     }
 
-    /// The initial velocity, of which the angular part is about the center of the box in IPC.
+    /// The initial velocity. In IPC, its angular part is about the center of the box.
     fn start(&mut self, linear: Point, angular: Point) {
         let all: Vec<u32> = (0..self.points.len() as u32).collect();
         let arm = self.center_of_mass() - Vector3::from(center(&all, &self.points));
@@ -139,7 +139,7 @@ impl<'a> Part<'a> {
         (1..=pieces.len()).try_for_each(|count| self.script(&pieces[..count], file, notes))
     }
 
-    /// Adds the script of the last of these pieces, of which the others begin before.
+    /// Adds the script of the last of these pieces. The others begin before it.
     fn script(&mut self, pieces: &[Piece], file: &File, notes: &Notes) -> Result<(), Fault> {
         let moved = held::moved(pieces)?;
         let Some(piece) = pieces.last() else {
@@ -176,7 +176,7 @@ impl<'a> Part<'a> {
         Ok(())
     }
 
-    /// The vertices of the surface in a box relative to that of the mesh in its file.
+    /// The vertices of the surface in a box that is relative to the box of the mesh in its file.
     fn inside(&self, relative: &RelativeBox) -> Vec<u32> {
         let points = &self.mesh.points;
         let whole: Aabb = points.iter().copied().collect();

@@ -150,7 +150,7 @@ fn material(line: &mut Line<'_>) -> Result<SolidProperties, Fault> {
     })
 }
 
-/// The velocities of a shape, of which the first is given at `place`.
+/// The velocities of a shape. The first call sets their place.
 fn velocities(shape: &mut Shape, place: Place) -> &mut [Point; 2] {
     let (_, velocities) = shape.moved.get_or_insert((place, [[0.0; 3]; 2]));
     velocities
@@ -221,7 +221,7 @@ fn relative_box(line: &mut Line<'_>) -> Result<RelativeBox, Fault> {
     Ok(RelativeBox { lower, upper })
 }
 
-/// The time of the start and that of the end, if they are given.
+/// The times of the start and of the end, if they are given.
 fn times(line: &mut Line<'_>) -> [f64; 2] {
     [
         line.optional().unwrap_or(0.0),

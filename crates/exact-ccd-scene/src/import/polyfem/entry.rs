@@ -97,8 +97,8 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// Checks all keys of an object by rules for some keys each, with blanks between the keys. Those
-    /// without a counterpart are errors after which the import goes on.
+    /// Checks all keys of an object. Each rule is for some keys, with blanks between them. A key without a
+    /// counterpart is an error, after which the import goes on.
     pub(super) fn check(&self, rules: &[(&str, Rule)]) -> Result<(), Fault> {
         let object = self.value.as_object().ok_or_else(|| self.invalid("an object"))?;
         for (key, value) in object {

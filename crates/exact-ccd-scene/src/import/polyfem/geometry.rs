@@ -124,7 +124,7 @@ impl Geometry {
             .get("surface_selection")
             .map(|entry| Regions::parse(&entry, &bounds))
             .transpose()?;
-        // The ids of all copies are those of the first one.
+        // All copies have the ids of the first one.
         let surface = Surface::new(&points, &mesh.faces, regions.as_ref());
         for offset in offsets(entry, kind, &bounds)? {
             let placement = placement.then(1.0, offset);

@@ -1,4 +1,4 @@
-//! `common`: a file of which the entries apply where the scene has none.
+//! `common`: a file whose entries apply where the scene has none.
 
 use std::path::{Path, PathBuf};
 
@@ -9,8 +9,8 @@ use super::super::fault::{Fault, Place, Problem};
 /// The most files that refer to each other.
 const DEPTH: usize = 16;
 
-/// The contents of a scene, together with those of the file that its key `common` names, relative to
-/// `folder`. Objects are merged (RFC 7396).
+/// The contents of a scene, merged (RFC 7396) with the contents of the file that its key `common` names,
+/// relative to `folder`.
 pub(super) fn resolved(mut scene: Value, folder: &Path) -> Result<Value, Fault> {
     let mut folder = folder.to_owned();
     for _ in 0..DEPTH {

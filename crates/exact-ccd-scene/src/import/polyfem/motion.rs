@@ -31,7 +31,7 @@ impl Held<'_> {
         self.components.iter().any(words)
     }
 
-    /// The script of an obstacle, all of which moves alike.
+    /// The script of an obstacle that moves as a whole.
     pub(super) fn script_of_all(&self) -> Result<Script, Fault> {
         if self.depends_on_place() {
             let what = "a displacement of an obstacle that depends on the place";

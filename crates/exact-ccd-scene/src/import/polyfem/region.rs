@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::super::fault::Fault;
 use super::entry::{Entry, Rule};
 
-/// The keys of a selection. The faces of a body are those of its boundary.
+/// The keys of a selection. The faces of a body are the faces of its boundary.
 const RULES: [(&str, Rule); 1] = [(
     "id id_offset threshold box center radius p1 p2 axis position point normal offset relative boundary_only",
     Rule::Said,

@@ -82,7 +82,8 @@ fn integrator(entry: &Entry<'_>) -> Result<Integrator, Fault> {
     }
 }
 
-/// The settings of `contact` and `solver`. `shortest_edge` is that of all surfaces, in m.
+/// The settings of `contact` and `solver`. `shortest_edge` is the length of the shortest edge of all
+/// surfaces, in m.
 pub(super) fn settings(
     root: &Entry<'_>,
     time: &Time,
@@ -144,7 +145,7 @@ fn contact_distance(contact: &Entry<'_>, shortest_edge: f64) -> Result<f64, Faul
     }
 }
 
-/// The number of friction lags, and that of Newton iterations.
+/// The numbers of friction lags and of Newton iterations.
 fn solver(root: &Entry<'_>) -> Result<(usize, usize), Fault> {
     let (mut lags, mut iterations) = (1, 500);
     let Some(solver) = root.get("solver") else {

@@ -71,7 +71,7 @@ impl Volumes {
         self.rest.into_iter().chain(ids)
     }
 
-    /// Gives a body its materials: that of its first id, and a region for each group with another one.
+    /// Gives a body the material of its first id, and a region for each group with another material.
     pub(super) fn add_materials(
         &self,
         materials: &[Material],

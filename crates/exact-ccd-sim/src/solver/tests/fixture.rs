@@ -125,7 +125,7 @@ impl Fixture {
         Unknowns::new(&self.known())
     }
 
-    /// The unknown coordinates: their places among those of all vertices, and among those of the unknowns.
+    /// The unknown coordinates: their indices among the coordinates of all vertices, and of the unknown ones.
     pub(super) fn rows(&self) -> [Vec<usize>; 2] {
         let (known, unknowns) = (self.known(), self.unknowns());
         let is_unknown = |&place: &usize| !known[place / 3][place % 3];

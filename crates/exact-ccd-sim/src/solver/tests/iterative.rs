@@ -338,7 +338,7 @@ fn conjugate_gradients_against_the_factorisation() {
                     }
                 });
                 row += &format!(" {iterations}, {:.0} |", 1e3 * time.as_secs_f64());
-                // The error in the norm of the matrix, of which the exact solution has that of its energy.
+                // The error in the norm of the matrix, relative to the exact solution.
                 let mut error = found;
                 add(&mut error, -1.0, &expected);
                 let energy = |x: &[f64]| dot(x, &matrix.times(x));

@@ -179,7 +179,8 @@ fn a_pattern_that_has_all_pairs_is_kept() {
     assert_eq!(grown.pattern, fixture.quadratic(&collisions, &unknowns).pattern);
 }
 
-/// The pattern with more pairs is that of all pairs, and its blocks are at the places of their pairs.
+/// A pattern to which pairs are added equals the pattern of all pairs, and its blocks are at the places of
+/// their pairs.
 #[test]
 fn a_pattern_with_more_pairs_is_that_of_all() {
     let mut random = fastrand::Rng::with_seed(12);
@@ -204,7 +205,7 @@ fn a_pattern_with_more_pairs_is_that_of_all() {
     }
 }
 
-/// The scalars are those of the blocks of the lower triangle.
+/// The scalars are the entries of the blocks of the lower triangle.
 #[test]
 fn the_values_are_those_of_the_blocks() {
     let pattern = Pattern::new(3, vec![key(2, 0), key(0, 2)]);

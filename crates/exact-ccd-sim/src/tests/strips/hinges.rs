@@ -1,4 +1,4 @@
-//! Small deflections of plates whose bending energy is that of hinges alone.
+//! Small deflections of plates with the bending energy of hinges alone.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 

@@ -55,8 +55,8 @@ impl Strip {
         (0..=nz).flat_map(row).collect()
     }
 
-    /// The points of a grid, of which those inside are shifted at random, by less than a third of a cell
-    /// along each axis.
+    /// The points of a grid. Inner points are shifted at random, by less than a third of a cell along each
+    /// axis.
     fn shifted(&self, random: &mut Rng) -> Vec<Point> {
         let cell = [0, 1].map(|axis: usize| self.size[axis] / f64::from(self.cells[axis]));
         let mut points = self.points();

@@ -1,5 +1,4 @@
-//! Cantilever strips against the theory of plates. All figures are those of
-//! `docs/simulation/validation.md`.
+//! Cantilever strips against the theory of plates. All figures are in `docs/simulation/validation.md`.
 
 mod hinges;
 mod mesh;
@@ -11,8 +10,8 @@ use mesh::{Mesh, Strip};
 const ROUNDED: f64 = 1e-3;
 
 /// The deflection of the middle of the free end of a plate with ν = 0.3, divided by q L⁴ / (8 D): of 1 m ×
-/// 0.2 m and of 1 m × 3 m. They are those of a finite element of rectangles, of A. Adini and R. Clough,
-/// *Analysis of plate bending by the finite element method*, 1960, on 60 × 12 and 16 × 40 cells. The next
+/// 0.2 m and of 1 m × 3 m. They are computed with a finite element of rectangles (A. Adini and R. Clough,
+/// *Analysis of plate bending by the finite element method*, 1960), on 60 × 12 and 16 × 40 cells. The next
 /// coarser mesh gives the same four digits.
 const NARROW_PLATE: f64 = 0.9752 / (1.0 - 0.3 * 0.3);
 const WIDE_PLATE: f64 = 1.0135;
@@ -35,8 +34,8 @@ impl Strip {
         x < 1.01 * self.cell()
     }
 
-    /// The mean deflection of the middle of the free end, divided by q L⁴ / (8 D). `deflections` are those of
-    /// the vertices, divided by q / D.
+    /// The mean deflection of the middle of the free end, divided by q L⁴ / (8 D). `deflections` has the
+    /// deflection of each vertex, divided by q / D.
     fn relative(&self, mesh: &Mesh, deflections: &[f64]) -> f64 {
         let is_counted = |[x, _, z]: [f64; 3]| {
             x > self.size[0] - 1e-9 && (z - 0.5 * self.size[1]).abs() < 0.101 * self.size[0]
@@ -104,8 +103,8 @@ fn table(header: &str) -> Vec<(String, Vec<f64>)> {
     rows.map(row).collect()
 }
 
-/// Compares figures with those of a row of the documentation, and the `precise` ones with the theory to 3
-/// %. The text of a row that differs is returned.
+/// Compares figures with a row of the documentation, and the `precise` ones with the theory to 3 %. The text
+/// of a row that differs is returned.
 fn difference(name: &str, found: &[f64], expected: &[f64], precise: &[f64]) -> Option<String> {
     let is_rounded = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < ROUNDED);
     let is_precise = precise.iter().all(|ratio| (ratio - 1.0).abs() < 0.03);
@@ -140,8 +139,8 @@ fn narrow_strips_deflect_as_plates() {
     assert_eq!(rows.collect::<Vec<_>>(), [] as [String; 0]);
 }
 
-/// With ν = 0.3, the middle of a wide strip bends as a cylinder, of which D = E h³ / (12 (1 − ν²)) is the
-/// rigidity. That of a beam is 9 % smaller.
+/// With ν = 0.3, the middle of a wide strip bends as a cylinder, with the rigidity D = E h³ / (12 (1 − ν²)).
+/// A beam has a rigidity 9 % smaller.
 #[test]
 fn wide_strips_deflect_as_plates() {
     let rows = table("| mesh, ν = 0.3, 1 m × 3 m | 10 × 30 | 20 × 30 |");

@@ -49,7 +49,7 @@ fn degree(polynomial: &Polynomial) -> usize {
     lowered.last().as_ref().unwrap_or(polynomial).degree()
 }
 
-/// The degree of contact, and the largest one of the excess of a pair of features.
+/// The degree of the coplanarity polynomial, and the largest degree of an excess of two features.
 fn degrees<K: Tables>(points: MovingPoints) -> [usize; 2] {
     let d = Separation::new(1.0).expect("a distance");
     let excess = excess_degrees::<K>(&points, d, degree).into_iter().max();

@@ -10,8 +10,8 @@ use crate::exact::polynomial::{Vector, dot};
 use crate::tables::{Point, Side, Tables};
 use crate::values::Impact;
 
-/// The parameters of two points, and the direction from that on the second primitive to that on the
-/// first.
+/// The parameters of two points, and the direction from the point on the second primitive to the point on the
+/// first one.
 type PointPair = ([f64; 2], Option<Point>);
 
 /// The closest points at the first instant within d.
@@ -41,8 +41,8 @@ pub(super) fn impact<K: Tables>(approach: &Approach, features: &[Feature], first
     }
 }
 
-/// With x from the edge's start to the vertex: the closest point is at s = (e · x) / (e · e), the
-/// direction from it to the vertex that of (e · e) x − (e · x) e.
+/// With x from the edge's start to the vertex, the closest point is at s = (e · x) / (e · e), and the vector
+/// (e · e) x − (e · x) e points from it to the vertex.
 fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPair {
     let [a, b] = side.edge;
     let (x, e) = (
@@ -63,8 +63,7 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPa
     (side.parameters(s), approach.direction(direction, instant))
 }
 
-/// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of
-/// w.
+/// The parameters are guards of the feature over n · n. The direction is n or −n, on the side of w.
 fn inner<K: Tables>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> PointPair {
     let (volume, n) = approach.plane::<K>();
     let squared_length = dot(&n, &n);

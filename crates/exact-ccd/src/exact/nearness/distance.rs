@@ -47,7 +47,7 @@ fn root([numerator, denominator]: [IBig; 2], k: isize) -> (u64, bool) {
     } else {
         [numerator << by, denominator]
     };
-    // The root of a number and that of its integral part have the same integral part.
+    // A number and its integral part have square roots with the same integral part.
     let root = IBig::from((&numerator / &denominator).sqrt());
     let is_exact = &root * &root * denominator == numerator;
     let (floor, is_equal) = rounded_down(&root, k - s);

@@ -32,8 +32,8 @@ pub(super) enum Pair {
 #[derive(Clone, Debug)]
 pub(super) struct Feature {
     pub(super) pair: Pair,
-    /// λ, a common factor of the components of the edge, or of the normal. Numerator and denominator are
-    /// those of the vector divided by λ; the denominator is its square.
+    /// λ, a common factor of the components of the edge, or of the normal. The numerator and the denominator
+    /// belong to the vector divided by λ: the denominator is the square of its length.
     length: Polynomial,
     numerator: Polynomial,
     denominator: Polynomial,

@@ -19,7 +19,7 @@ use crate::values::{ContactTime, Impact, Intervals, Separation};
 pub(crate) struct FirstWithin {
     approach: Approach,
     features: Vec<Feature>,
-    /// Those of each feature; none if the primitives are within d at t = 0.
+    /// The crossings of each feature; none if the primitives are within d at t = 0.
     crossings: Vec<Crossings>,
     time: ContactTime,
 }

@@ -1,7 +1,7 @@
 //! The definition for a separation d above 0: the distance of the primitives compared with d, in integers.
 //!
-//! The squared distance of the primitives is the least of those of their features (`feature.rs`),
-//! each a quotient of polynomials in t. The times at which the distance is at most d form closed
+//! The squared distance of the primitives is the least one of their features (`feature.rs`), each a
+//! quotient of polynomials in t. The times at which the distance is at most d form closed
 //! intervals, which begin and end at 0, at 1, or at roots of the features' excesses over d². The
 //! proofs are in `docs/separation.md`.
 

@@ -94,7 +94,7 @@ fn a_common_divisor_has_the_common_roots() {
             is_common((&common * &a).gcd(&common * &b));
         }
     }
-    // 2 τ³ − 3 τ² + 1, the derivative of which has the root 0.
+    // 2 τ³ − 3 τ² + 1, whose derivative has the root 0.
     assert_eq!(roots(vec![product(&[[1, 1], [1, 1], [-1, 2]])]).len(), 1);
 }
 

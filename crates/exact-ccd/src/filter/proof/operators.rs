@@ -94,8 +94,9 @@ impl Lanes for Symbol {
         self.unchanged(self.value.abs(), Operation::Magnitude(self.place))
     }
 
-    /// The root of a number of even degree. It has no more roundings than its square, and its own. What
-    /// underflows in the square is below 2⁷⁵ units of 2⁻¹⁰⁷⁵, and its root below 2⁻⁵⁰⁰, which the code adds.
+    /// The square root of a number of even degree. It has at most the roundings of the number and its own.
+    /// The number has an underflow below 2⁷⁵ units of 2⁻¹⁰⁷⁵. The root of it is below 2⁻⁵⁰⁰, which the code
+    /// adds.
     fn sqrt(self) -> Self {
         assert_eq!(self.degree % 2, 0, "the root of an odd degree");
         assert!(

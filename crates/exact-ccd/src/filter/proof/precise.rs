@@ -5,7 +5,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 use super::symbol::{Operation, Rules, Symbol};
 use crate::numbers::number::Number;
 
-/// A [`Symbol`] in the place of [`DoubleDouble`](crate::filter::double_double::DoubleDouble): differences of
+/// A [`Symbol`] in the place of [`DoubleDouble`](crate::numbers::double_double::DoubleDouble): differences of
 /// coordinates are exact, and `roundings` counts operations. Or, if not `TWICE`, in the place of an f64.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::filter) struct Precise<const TWICE: bool>(pub(in crate::filter) Symbol);

@@ -25,8 +25,8 @@ use crate::values::{ContactTime, Impact, unit};
 ///   (e · e). It is x* if it is between the corners and x* · (c − x*) > 0 for all other corners c.
 /// - *A corner*: it is x* if x* · (c − x*) > 0 for all others.
 ///
-/// There are no other closest points then. So D is differentiable, and D D′ = x* · v* with the velocity v* of
-/// F at these parameters (Danskin, The theory of max-min, 1966).
+/// In each case, there are no other closest points. So D is differentiable, and D D′ = x* · v* with the
+/// velocity v* of F at these parameters (Danskin, The theory of max-min, 1966).
 pub(super) struct Approach {
     closest: Closest,
     /// The largest error of the guessed parameters.

@@ -115,8 +115,8 @@ impl Crossings {
     /// Returns true if D certainly is below d between two times, given that F is at both, at certain
     /// parameters.
     ///
-    /// Let the parameters change linearly from those at the time a to those at the time b. F is affine in
-    /// them, so that it is a quadratic in t then, with the control points F(a, pₐ), (F(a, p_b) + F(b, pₐ))
+    /// Let the parameters change linearly from pₐ at the time a to p_b at the time b. F is affine in them, so
+    /// that it is a quadratic in t then, with the control points F(a, pₐ), (F(a, p_b) + F(b, pₐ))
     /// / 2 and F(b, p_b). If all have lengths below d, then so has F between. The sum has one more rounding.
     fn middle_is_within(&self, [a, b]: [f64; 2], [of_a, of_b]: [Closest; 2]) -> bool {
         let [x, y] = [self.rough.place(a, of_b), self.rough.place(b, of_a)];

@@ -39,7 +39,7 @@ use crossing::Crossings;
 use scaled::Scaled;
 
 /// The least time until which a step is examined, 2⁻⁶⁰. It is above 0, so that a proof that begins at t = 0
-/// ends later; what is found after the time in question does not count.
+/// ends later. A contact after the time in question does not count.
 pub(crate) const LEAST_UNTIL: f64 = f64::from_bits((1023 - 60) << 52);
 
 /// 2⁻⁶⁰: the least scaled distance for which crossings are tried. Primitives pass through a smaller one

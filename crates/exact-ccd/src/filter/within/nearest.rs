@@ -4,12 +4,11 @@ use crate::numbers::number::Lanes;
 use crate::numbers::vector::{cross, dot, minus, select, towards};
 use crate::tables::Tables;
 
-/// A vector across the features of the closest points at one time: [`Closest`](super::closest::Closest)
-/// for queries side by side.
+/// A vector across the features of the closest points at one time, for queries side by side.
 ///
-/// The two are not one function. That one returns the features, by which a first time is refined in other
-/// precisions: it is done where the inner points are closest, and the branches that choose among features
-/// depend on the query. Here all features are examined in each lane, and only a direction remains.
+/// [`Closest`](super::closest::Closest) is another function, because it returns the features, with which a
+/// first time is refined in other precisions. It ends early where the inner points are closest, and its
+/// branches depend on the query. Here, each lane examines all features, and the result is a direction only.
 #[inline(always)]
 pub(super) fn nearest<K: Tables, T: Lanes>(corners: &[[T; 3]; 4]) -> [T; 3] {
     let features = K::FEATURES;

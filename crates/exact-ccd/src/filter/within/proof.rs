@@ -116,12 +116,12 @@ fn scalar_products_of_vectors_with_errors() {
     assert_eq!((difference.value[0], difference.error), (2.0, 2.0 * UNIT));
 }
 
-/// The ends of what a number can be.
+/// The ends of the interval of a number.
 fn ends([value, error]: [f64; 2]) -> [f64; 2] {
     [value - error, value + error]
 }
 
-/// The corners of what a vector can be.
+/// The corners of the box of a vector.
 fn box_corners(near: &Near) -> impl Iterator<Item = [f64; 3]> + Clone {
     let sides = near.value.map(|x| ends([x, near.error]));
     (0..8_usize).map(move |corner| [0, 1, 2].map(|axis: usize| sides[axis][corner >> axis & 1]))
@@ -153,7 +153,7 @@ fn numbers_with_errors<const N: usize>(count: usize) -> impl Iterator<Item = [[f
 }
 
 /// Each bound is compared with the values at all ends of large errors, where the functions are farthest from
-/// the value between. What is doubled for the roundings of the bound is at least twice as large.
+/// the value between. A bound with a factor 2 for its roundings is at least twice as large as the error.
 #[test]
 fn errors_of_numbers_and_vectors() {
     for [a, b, c, d] in numbers_with_errors(2000) {

@@ -201,8 +201,8 @@ impl<'a> Headed<'a> {
     }
 }
 
-/// The errors of [`are_beyond`]: of [`least_of`], for corners that are off by 8 ε; of [`threshold`], and
-/// of the square of the first, with the difference of the two.
+/// The errors of [`are_beyond`]: in [`least_of`], for corners that are off by 8 ε; in [`threshold`]; and in
+/// the comparison of the square of the first with the second.
 pub(super) const OF_SUM: f64 = margin(8 + 5) * ROUNDOFF;
 pub(super) const OF_THRESHOLD: f64 = margin(7 + 1) * ROUNDOFF;
 pub(super) const OF_SQUARE: f64 = margin(1 + 1) * ROUNDOFF;

@@ -259,7 +259,7 @@ fn impacts_next_to_ends_are_those_of_the_definition() {
     });
 }
 
-/// Two vertices at rest at the distance (1 + k ε) d, exactly, next to what twice the precision proves.
+/// Two vertices at rest at the distance (1 + k ε) d, exactly, near the bounds of twice the precision.
 #[test]
 fn proofs_at_a_time_need_their_slack() {
     let p = [0.25, 0.5, 0.5];

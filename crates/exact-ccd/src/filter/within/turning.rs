@@ -5,8 +5,8 @@ use crate::numbers::number::{Lanes, Number};
 use crate::numbers::roundoff::{UNDERFLOW, UNIT, margin};
 use crate::numbers::vector::{dot, scaled};
 
-/// The corners of F at one time, each component the result of four roundings of terms of at most the reach,
-/// and a direction: a vector of length at most 1 + 8 u.
+/// The corners of F at one time, and a direction: a vector of length at most 1 + 8 u. Each component of a
+/// corner results from four roundings, with terms of at most the reach.
 #[derive(Clone, Copy)]
 pub(super) struct Heading<T> {
     pub(super) corners: [[T; 3]; 4],

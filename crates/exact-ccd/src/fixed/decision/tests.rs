@@ -216,7 +216,8 @@ fn a_time_is_inserted_before_or_after_a_root_or_in_its_place() {
     assert!(counts.iter().all(|&count| count > 500), "{counts:?}");
 }
 
-/// Returns true if a time is inserted among the roots of a cubic, in the same units. It is in its place then.
+/// Returns true if a time is inserted among the roots of a cubic, in the same units. Asserts that it is then
+/// in its place.
 #[track_caller]
 fn is_inserted(roots: &[i128], time: i128, cubic: &[Volume; 4], fraction: Fraction) -> bool {
     let Some(mut moments) = zeros(cubic) else {
@@ -287,7 +288,8 @@ fn a_root_just_before_the_zero_of_a_factor_is_kept() {
     assert_eq!(truth.map(|contact| contact.time()), Some(expected));
 }
 
-/// Returns true if a moment is a time, or a root in a window that contains the bracket of one in another.
+/// Returns true if a moment is a time, or a root in a window that contains the bracket of a root in another
+/// window.
 fn contains(narrow: &Moment, window: &Window, root: &Root) -> bool {
     let Moment::Root(narrow, _) = narrow else {
         return true;

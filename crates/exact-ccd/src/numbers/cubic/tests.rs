@@ -31,7 +31,7 @@ fn value([b0, b1, b2, b3]: [f64; 4], time: f64) -> f64 {
 /// The sign of c(t) for an f64 t, in integers.
 fn exact_sign([b0, b1, b2, b3]: [f64; 4], t: f64) -> Ordering {
     const UNITS: f64 = (1_u128 << 100) as f64;
-    // No end of a bracket is so near to 0 that it is no multiple of 2⁻¹⁰⁰.
+    // Each end of a bracket is far enough from 0 to be a multiple of 2⁻¹⁰⁰.
     let elapsed = t * UNITS;
     assert_eq!(elapsed.fract(), 0.0, "{t}");
     let elapsed = IBig::from(elapsed as i128);

@@ -1,4 +1,4 @@
-//! Chunks of queries: each filter passes on only those that it does not settle.
+//! Chunks of queries: each filter passes on only the queries that it does not settle.
 
 use core::ops::Range;
 

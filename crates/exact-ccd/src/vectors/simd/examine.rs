@@ -13,7 +13,7 @@ use crate::tables::{Points, Tables};
 use crate::values::Separation;
 use crate::vectors::queries::{Batch, Found, Passed, points_of, rows_of};
 
-/// Passes the queries of a batch on, in order; those that collide after `until` may be left out.
+/// Passes the queries of a batch on, in order. Queries that collide after `until` may be left out.
 #[inline(always)]
 pub(super) fn examine<S: Simd, K: Tables, V: AsRef<[u32]>, G: Gaps>(
     simd: S,

@@ -79,7 +79,8 @@ fn are_beyond_axis<S: Simd>([first, rest @ ..]: [f64x8<S>; 4], d: f64x8<S>) -> b
     is_certain(above.to_bitmask()) | is_certain(below.to_bitmask())
 }
 
-/// Returns true if all corners are on the same of four sides, of a plane through the next axis.
+/// Returns true if all corners are on the same one of four sides. Each is a side of a plane through the next
+/// axis.
 #[inline(always)]
 fn on_one_side<S: Simd>(
     [first, rest @ ..]: [f64x8<S>; 4],

@@ -76,7 +76,7 @@ fn exit(status: i32) -> ! {
     unsafe { asm!("syscall", in("rax") 231, in("rdi") status, options(noreturn)) }
 }
 
-/// The bits of the control register that flush subnormal numbers (FTZ, DAZ), and those of the rounding.
+/// The bits of the control register that flush subnormal numbers (FTZ, DAZ), and the bits of the rounding.
 const FLUSH: u32 = 0x8040;
 const DOWN: u32 = 0x2000;
 const UP: u32 = 0x4000;
@@ -186,7 +186,7 @@ impl Coplanar {
         let Ok(tiny) = Separation::new(f64::MIN_POSITIVE) else {
             return false;
         };
-        // Of 300 queries, those of index 0, 7, 14, … within a distance: they take long.
+        // Of 300 queries, every seventh one is decided within a distance too, because this takes long.
         self.queries
             .iter()
             .zip(&self.collide)

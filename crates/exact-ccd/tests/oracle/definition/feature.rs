@@ -1,4 +1,4 @@
-//! The pairs of features, of which the nearest has the distance of the primitives.
+//! The pairs of features. The distance of the nearest pair is the distance of the primitives.
 
 use std::array::from_fn;
 use std::cmp::Ordering::{Equal, Greater, Less};

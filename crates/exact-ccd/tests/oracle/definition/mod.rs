@@ -39,8 +39,8 @@ pub(crate) enum Primitives {
 /// A time: the largest f64 that is not above it, and true if it is that f64.
 pub(crate) type Moment = (f64, bool);
 
-/// The maximal intervals of the times at which the primitives are at most d apart, with their first and last
-/// time, and true for those of length 0.
+/// The maximal intervals of the times at which the primitives are at most d apart: the first and last time of
+/// each, and true if its length is 0.
 pub(crate) fn intervals(
     primitives: Primitives,
     [start, end]: [&[Point]; 2],
@@ -109,8 +109,8 @@ fn insert(events: &mut Vec<Root>, mut root: Root) {
     events.push(root);
 }
 
-/// All points, and d, as integers: in the largest unit of which all of them are multiples. Contact does not
-/// change if an axis is stretched, so that for d = 0 each axis has its own unit.
+/// All points, and d, as integer multiples of the largest possible unit. Contact does not change if an axis
+/// is stretched, so that for d = 0 each axis has its own unit.
 fn in_integers([start, end]: [&[Point]; 2], d: f64) -> (Vec<Vector>, IBig) {
     let on_axis = |axis: usize| start.iter().chain(end).map(move |point| point[axis]);
     let units = if d == 0.0 {
@@ -130,7 +130,7 @@ fn in_integers([start, end]: [&[Point]; 2], d: f64) -> (Vec<Vector>, IBig) {
     (start.iter().zip(end).map(moving).collect(), integer(d, 0))
 }
 
-/// The largest number of which all numbers are multiples, or 1.
+/// The greatest common divisor of all numbers, or 1 if all are zero.
 fn unit(numbers: impl Iterator<Item = f64>) -> RBig {
     let divisor = |a: RBig, b: RBig| {
         // a and b over a common denominator.

@@ -63,7 +63,7 @@ impl Polynomial {
         Self::new((1..self.0.len()).map(|i| &self.0[i] * i).collect())
     }
 
-    /// The sign at n / 2ˢ: that of Σ cᵢ nⁱ 2^(s (degree − i)), by Horner's scheme.
+    /// The sign at n / 2ˢ, which is the sign of Σ cᵢ nⁱ 2^(s (degree − i)), by Horner's scheme.
     pub(crate) fn sign_at(&self, t: &Time) -> Ordering {
         let mut value = IBig::ZERO;
         for (i, c) in self.0.iter().rev().enumerate() {

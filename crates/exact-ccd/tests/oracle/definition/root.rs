@@ -68,8 +68,8 @@ fn isolate_between(sturm: &Rc<Sturm>, [low, high]: [Time; 2], roots: &mut Vec<Ro
     }
 }
 
-/// The number of attempts to separate two roots by halvings after which they may be equal. Most are separated
-/// before, which costs less than their common divisor.
+/// The number of halvings after which two roots that are not separated are compared by their common divisor.
+/// Fewer halvings separate most roots, and cost less than the divisor.
 const PATIENCE: usize = 8;
 
 /// The common roots of two polynomials.

@@ -6,7 +6,8 @@ use exact_ccd::{EdgeEdge, Query, VertexFace};
 
 use super::{during, touches_at, touches_during};
 
-/// The face from that edge up to (0, 8), and the origin, which it contains where the height is not above 0.
+/// The face from the edge up to (0, 8), against the origin. It contains the origin where the height is at
+/// most 0.
 fn face(h: f64) -> Query<VertexFace> {
     during(|s| {
         [

@@ -15,7 +15,7 @@ fn bounds<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
     query.distance_at(t).unwrap()
 }
 
-/// The times of which membership follows from the distance then.
+/// A time is in the intervals exactly if the distance at this time is at most d.
 fn decides_membership<K: Kind>() {
     let points = prop_oneof![20 => ordinary(), 1 => extreme()];
     for_all(cases(4_000), (points, rule()), |(points, rule)| {

@@ -24,8 +24,8 @@ fn connects_the_closest_points<K: Primitives>() {
         };
         let [u, v] = impact.parameters;
         assert!(u >= 0.0 && v >= 0.0, "{impact:?}");
-        // The parameters are within 2⁻³², hence the difference of the points within a few times
-        // that of their size.
+        // The error of the parameters is at most 2⁻³², hence the error of the points' difference a few times
+        // 2⁻³² of their size.
         let x = combine(K::weights(u, v), at(&points, impact.time.lower()));
         let distance = query.distance_at(impact.time.lower()).unwrap().lower;
         let length = dot(x, x).sqrt();

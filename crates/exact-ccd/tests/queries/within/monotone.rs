@@ -1,4 +1,4 @@
-//! With a larger distance, the first time is not later, and the intervals contain those of the
+//! With a larger distance, the first time is not later, and the intervals contain the intervals of the
 //! smaller distance.
 
 use exact_ccd::{Interval, Kind};
