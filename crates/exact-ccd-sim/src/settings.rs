@@ -255,13 +255,14 @@ impl Default for Settings {
 }
 
 impl Default for Friction {
-    /// No friction.
+    /// No friction. Three lags: the first one has the forces of the last time step, the second those at the end of
+    /// this one, and the third corrects them.
     fn default() -> Self {
         Self {
             coefficient: 0.0,
             pairs: Vec::new(),
             static_velocity: Length::Relative(1e-3),
-            lags: 1,
+            lags: 3,
         }
     }
 }

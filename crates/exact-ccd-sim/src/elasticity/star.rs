@@ -30,7 +30,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, MatrixXx3, RowVector3, Vector3};
 
 use super::hinge::{Fold, Hinge};
-use super::hinges::hinges;
+use super::hinges::{Side, hinges};
 use super::vertex_bend::VertexBend;
 use crate::energy::{Energy, gather};
 
@@ -48,28 +48,58 @@ const LEAST: f64 = 0.01;
 struct Star {
     area: f64,
     normal: Vector3<f64>,
+    /// The hinges at the vertex.
     sides: Vec<usize>,
+    /// The hinges opposite to the vertex, between a face of it and another one.
+    opposite: Vec<usize>,
     /// True if neighbouring faces have different orientations, so that angles have different signs.
     is_twisted: bool,
 }
 
 impl Star {
-    /// The stiffness of a plate and of the rest by the angles of the hinges with these corners, for D = 1.
-    fn stiffness(&self, points: &[Point], corners: &[[u32; 4]], poisson: f64) -> DMatrix<f64> {
-        let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
+    /// The hinges from which the curvature follows: those of the vertex if they show all of its components,
+    /// and otherwise those opposite to it too.
+    fn hinges(&self, points: &[Point], sides: &[Side]) -> Vec<[u32; 4]> {
+        let of = |hinges: &[usize]| {
+            hinges
+                .iter()
+                .map(|&side| sides[side].vertices)
+                .collect::<Vec<_>>()
+        };
+        let own = of(&self.sides);
+        let (means, angles) = self.mean(points, &own);
+        let shown = (means * angles).singular_values();
+        if shown.iter().all(|value| *value > LEAST) {
+            own
+        } else {
+            [own, of(&self.opposite)].concat()
+        }
+    }
+
+    /// M and C for the hinges with these corners.
+    fn mean(&self, points: &[Point], corners: &[[u32; 4]]) -> (Matrix3xX<f64>, MatrixXx3<f64>) {
         let plane = Plane::of(self);
         let (mut means, mut angles) = (Matrix3xX::zeros(corners.len()), MatrixXx3::zeros(corners.len()));
-        for (place, (shape, corners)) in shapes.iter().zip(corners).enumerate() {
-            let corners = gather(points, corners);
+        for (place, vertices) in corners.iter().enumerate() {
+            let shape = Fold::of(points, vertices);
+            let corners = gather(points, vertices);
             means.set_column(
                 place,
                 &(plane.across(corners[1] - corners[0]) * (0.5 / self.area)),
             );
             angles.set_row(
                 place,
-                &plane.angles(shape, corners.map(|corner| corner - corners[0])),
+                &plane.angles(&shape, corners.map(|corner| corner - corners[0])),
             );
         }
+        (means, angles)
+    }
+
+    /// The stiffness of a plate and of the rest by the angles of the hinges with these corners, for D = 1.
+    /// The rest of hinges opposite to the vertex is that of others.
+    fn stiffness(&self, points: &[Point], corners: &[[u32; 4]], poisson: f64) -> DMatrix<f64> {
+        let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
+        let (means, angles) = self.mean(points, corners);
         let found = (&means * &angles).pseudo_inverse(LEAST);
         let curvature = found.unwrap_or_else(|_| Matrix3::zeros()) * means;
         let rest = DMatrix::identity(corners.len(), corners.len()) - angles * &curvature;
@@ -77,7 +107,14 @@ impl Star {
         let plate = Matrix3::identity() * (1.0 - poisson) + trace * trace.transpose() * poisson;
         let of_rest = DVector::from_iterator(
             shapes.len(),
-            shapes.iter().map(|shape| 0.5 * REST * shape.stiffness()),
+            shapes.iter().enumerate().map(|(place, shape)| {
+                let is_own = place < self.sides.len();
+                if is_own {
+                    0.5 * REST * shape.stiffness()
+                } else {
+                    0.0
+                }
+            }),
         );
         curvature.transpose() * (plate * self.area) * &curvature
             + rest.transpose() * DMatrix::from_diagonal(&of_rest) * &rest
@@ -108,6 +145,10 @@ pub(crate) fn bending(
             star.sides.push(number);
             star.is_twisted |= !side.is_oriented;
         }
+        for corner in &side.vertices[2..] {
+            let star = stars.entry(*corner).or_default();
+            star.opposite.push(number);
+        }
     }
     let mut elements: Vec<Arc<dyn Energy>> = Vec::new();
     for side in &sides {
@@ -123,7 +164,7 @@ pub(crate) fn bending(
         .iter()
         .filter(|(_, star)| !star.is_twisted && !star.sides.is_empty());
     for (&vertex, star) in whole {
-        let corners: Vec<[u32; 4]> = star.sides.iter().map(|&side| sides[side].vertices).collect();
+        let corners = star.hinges(points, &sides);
         let stiffness = star.stiffness(points, &corners, poisson) * rigidity;
         elements.push(Arc::new(VertexBend::new(vertex, &corners, points, stiffness)));
     }

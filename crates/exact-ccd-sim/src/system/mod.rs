@@ -3,6 +3,7 @@
 mod affine;
 mod bodies;
 mod body_error;
+mod coils;
 mod designation;
 mod elastic;
 mod error;
@@ -137,6 +138,24 @@ impl System {
     #[must_use]
     pub fn surface(&self) -> &TriangleMesh {
         &self.geometry.mesh
+    }
+
+    /// The vertices of the meshes of all bodies, increasing: all but the nodes of affine bodies, which are
+    /// unknowns and no part of a mesh.
+    #[must_use]
+    pub fn mesh_vertices(&self) -> Vec<u32> {
+        let mut is_node = vec![false; self.start.len()];
+        for node in self
+            .carriers
+            .bodies()
+            .iter()
+            .flat_map(|body| self.carriers.nodes(body))
+        {
+            is_node[node as usize] = true;
+        }
+        (0..self.start.len() as u32)
+            .filter(|&vertex| !is_node[vertex as usize])
+            .collect()
     }
 
     /// The vertices that are particles, increasing.

@@ -59,7 +59,7 @@ fn blocks_on_one_slope_have_coefficients_of_their_own() {
     let pairs = vec![
         pair("rough", "slope", 9.0),
         pair("slope", "smooth", 0.3),
-        pair("rough", "slope", 1.02 * angle.tan()),
+        pair("rough", "slope", 1.1 * angle.tan()),
     ];
     let blocks = [block("rough", 0.2), block("smooth", 0.8), block("", 1.4)];
     let slope = |x: f64| 9.81 * (angle.sin() - x * angle.cos());

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod affine;
+mod coils;
 mod conservation;
 mod contacts;
 mod damping;
@@ -17,6 +18,7 @@ mod line_search;
 mod loads;
 mod measure;
 mod newton;
+mod pressing;
 mod rest;
 mod resume;
 mod rod_twist;
