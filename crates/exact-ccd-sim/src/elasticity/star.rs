@@ -15,7 +15,11 @@
 //! with the flexural rigidity D, Poisson's ratio ν and the area a of both faces of an edge, of which
 //! either end has half. The rest of constant curvature is 0: the energy is that of a plate then, about
 //! each vertex whose edges show all three components of the curvature. Where they do not, as at a vertex
-//! with one inner edge, the energy has the components that they show; a vertex of one face has none. This
+//! of the boundary with one inner edge, the energy has the components that they show; a vertex of one face has
+//! none. A vertex inside of four edges along two directions does not show twist: there, the hidden component is
+//! that of the mean over the edges opposite to the vertex too, H = (M C)⁺ M θ + (1 − (M C)⁺ M C) (N B)⁻¹ N θ,
+//! with N and B as M and C for all of them. For constant curvature, this is κ again. Without it, an inner vertex
+//! of four edges has no energy of twist, and every second vertex of a grid with alternating diagonals is one. This
 //! is the principle of the virtual element method, a consistent part and a stable rest: L. Beirão da
 //! Veiga, F. Brezzi, A. Cangiani, G. Manzini, L. Marini, A. Russo, *Basic principles of virtual element
 //! methods*, 2013. The mean is that of O. Stein, E. Grinspun, M. Wardetzky, A. Jacobson, *Natural
@@ -46,6 +50,7 @@ const LEAST: f64 = 0.01;
 /// The faces and hinges about a vertex.
 #[derive(Default)]
 struct Star {
+    faces: usize,
     area: f64,
     normal: Vector3<f64>,
     /// The hinges at the vertex.
@@ -57,8 +62,8 @@ struct Star {
 }
 
 impl Star {
-    /// The hinges from which the curvature follows: those of the vertex if they show all of its components,
-    /// and otherwise those opposite to it too.
+    /// The hinges from which the curvature follows: those of the vertex, and those opposite to it too if the
+    /// vertex is not at the boundary and its own do not show all components of the curvature.
     fn hinges(&self, points: &[Point], sides: &[Side]) -> Vec<[u32; 4]> {
         let of = |hinges: &[usize]| {
             hinges
@@ -69,7 +74,8 @@ impl Star {
         let own = of(&self.sides);
         let (means, angles) = self.mean(points, &own);
         let shown = (means * angles).singular_values();
-        if shown.iter().all(|value| *value > LEAST) {
+        let is_closed = self.sides.len() == self.faces;
+        if !is_closed || shown.iter().all(|value| *value > LEAST) {
             own
         } else {
             [own, of(&self.opposite)].concat()
@@ -100,8 +106,15 @@ impl Star {
     fn stiffness(&self, points: &[Point], corners: &[[u32; 4]], poisson: f64) -> DMatrix<f64> {
         let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
         let (means, angles) = self.mean(points, corners);
-        let found = (&means * &angles).pseudo_inverse(LEAST);
-        let curvature = found.unwrap_or_else(|_| Matrix3::zeros()) * means;
+        let own = self.sides.len();
+        let (own_means, own_angles) = (means.columns(0, own), angles.rows(0, own));
+        let inverse = inverse(own_means * own_angles);
+        let mut curvature = Matrix3xX::zeros(corners.len());
+        curvature.columns_mut(0, own).copy_from(&(inverse * own_means));
+        if corners.len() > own {
+            let hidden = Matrix3::identity() - inverse * own_means * own_angles;
+            curvature += hidden * self::inverse(&means * &angles) * &means;
+        }
         let rest = DMatrix::identity(corners.len(), corners.len()) - angles * &curvature;
         let trace = Vector3::new(1.0, 1.0, 0.0);
         let plate = Matrix3::identity() * (1.0 - poisson) + trace * trace.transpose() * poisson;
@@ -121,6 +134,11 @@ impl Star {
     }
 }
 
+/// The pseudo-inverse of M C. Curvatures that the hinges do not show are 0.
+fn inverse(shown: Matrix3<f64>) -> Matrix3<f64> {
+    shown.pseudo_inverse(LEAST).unwrap_or_else(|_| Matrix3::zeros())
+}
+
 /// The bending energies of a shell with these faces.
 pub(crate) fn bending(
     points: &[Point],
@@ -135,6 +153,7 @@ pub(crate) fn bending(
         let normal = (b - a).cross(&(c - a));
         for &corner in face {
             let star = stars.entry(corner).or_default();
+            star.faces += 1;
             star.area += normal.norm() / 6.0;
             star.normal += normal;
         }
