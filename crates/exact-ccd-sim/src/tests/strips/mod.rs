@@ -3,7 +3,6 @@
 
 mod hinges;
 mod mesh;
-mod plates;
 
 use crate::{Body, BodyKind, Integrator, Length, Script, Settings, Simulation, System, shapes};
 use mesh::{Mesh, Strip};
@@ -151,66 +150,6 @@ fn wide_strips_deflect_as_plates() {
         let strips = [[10, 30], [20, 30]].map(wide);
         let found = strips.map(|strip| strip.simulated(&strip.mesh(&name), 0.3) / WIDE_PLATE);
         difference(&name, &found, &expected, &found)
-    });
-    assert_eq!(rows.collect::<Vec<_>>(), [] as [String; 0]);
-}
-
-impl Strip {
-    /// The energy of a strip whose ends are twisted by the angle 1, divided by that of a plate, D (1 − ν) w / L
-    /// for the length L and the width w.
-    fn twisted(&self, mesh: &Mesh, poisson: f64) -> f64 {
-        let [length, width] = self.size;
-        let is_end = |x: f64| x == 0.0 || x == length;
-        let found = plates::least_energy(mesh, poisson, |&[x, _, z]| {
-            is_end(x).then_some((x / length - 0.5) * (z - 0.5 * width))
-        });
-        found / ((1.0 - poisson) * width / length)
-    }
-
-    /// The energy of a plate whose outer two rows of vertices are on a cylinder of curvature 1 that is curved
-    /// in a direction at an angle to x, divided by ½ D for each unit of area.
-    fn rolled(&self, mesh: &Mesh, poisson: f64, degrees: f64) -> f64 {
-        let (sin, cos) = degrees.to_radians().sin_cos();
-        let is_outer = |x: f64, axis: usize| {
-            let cell = 1.01 * self.size[axis] / f64::from(self.cells[axis]);
-            x < cell || x > self.size[axis] - cell
-        };
-        let found = plates::least_energy(mesh, poisson, |&[x, _, z]| {
-            (is_outer(x, 0) || is_outer(z, 1)).then_some(0.5 * (cos * x + sin * z).powi(2))
-        });
-        found / (0.5 * self.size[0] * self.size[1])
-    }
-}
-
-/// A strip of 1 m × 0.1 m with free sides resists twist as a plate.
-#[test]
-fn twisted_strips_have_the_energy_of_plates() {
-    let rows = table("| mesh, twist | ν = 0, 20 × 2, 40 × 4 | ν = 0.3, 20 × 2, 40 × 4 |");
-    assert_eq!(rows.len(), 5);
-    let rows = rows.into_iter().filter_map(|(name, expected)| {
-        let size = [1.0, 0.1];
-        let strips = [[20, 2], [40, 4]].map(|cells| Strip { cells, size });
-        let found = [0.0, 0.3].map(|poisson| strips.map(|strip| strip.twisted(&strip.mesh(&name), poisson)));
-        difference(&name, found.as_flattened(), &expected, found.as_flattened())
-    });
-    assert_eq!(rows.collect::<Vec<_>>(), [] as [String; 0]);
-}
-
-/// A plate has the same stiffness against a cylinder in any direction.
-#[test]
-fn bending_is_isotropic() {
-    let rows = table("| mesh, cylinder at | 0°, 22.5°, 45°, −45°, 12 × 12 | the same, 24 × 24 |");
-    assert_eq!(rows.len(), 5);
-    let rows = rows.into_iter().filter_map(|(name, expected)| {
-        let plates = [12, 24].map(|cells| Strip {
-            cells: [cells; 2],
-            size: [1.0; 2],
-        });
-        let found = plates.map(|plate| {
-            let mesh = plate.mesh(&name);
-            [0.0, 22.5, 45.0, -45.0].map(|degrees| plate.rolled(&mesh, 0.3, degrees))
-        });
-        difference(&name, found.as_flattened(), &expected, found.as_flattened())
     });
     assert_eq!(rows.collect::<Vec<_>>(), [] as [String; 0]);
 }
