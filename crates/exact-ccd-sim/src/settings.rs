@@ -255,8 +255,8 @@ impl Default for Settings {
 }
 
 impl Default for Friction {
-    /// No friction. Three lags: the first one has the forces of the last time step, the second those at the end of
-    /// this one, and the third corrects them.
+    /// No friction. Three lags: the first one has the forces of the last time step, the second those at the
+    /// end of this one, and the third corrects them.
     fn default() -> Self {
         Self {
             coefficient: 0.0,

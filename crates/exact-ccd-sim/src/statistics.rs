@@ -12,8 +12,8 @@ pub struct Statistics {
     /// True if Newton's method reached its tolerance for every friction lag, and all scripted vertices their
     /// targets.
     pub converged: bool,
-    /// True if rounding errors kept Newton's method from its tolerance: time steps in parts do not help, but a
-    /// larger tolerance does.
+    /// True if rounding errors kept Newton's method from its tolerance: time steps in parts do not help, but
+    /// a larger tolerance does.
     pub stagnated: bool,
     /// The number of Newton iterations, over all friction lags.
     pub iterations: usize,

@@ -13,8 +13,8 @@ const INTERVAL: Duration = Duration::from_secs(1);
 /// The least time between two lines where no progress bar is visible, as in a file.
 const LONG_INTERVAL: Duration = Duration::from_secs(30);
 
-/// The same simulation, which prints a line now and then above a progress bar, or on standard error if the bar
-/// is not visible.
+/// The same simulation, which prints a line now and then above a progress bar, or on standard error if the
+/// bar is not visible.
 pub(super) fn watched(simulation: Simulation, bar: &ProgressBar) -> Simulation {
     let bar = bar.clone();
     let last = Mutex::new(Last {

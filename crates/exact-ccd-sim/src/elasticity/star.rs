@@ -15,16 +15,16 @@
 //! with the flexural rigidity D, Poisson's ratio ν and the area a of both faces of an edge, of which
 //! either end has half. The rest of constant curvature is 0: the energy is that of a plate then, about
 //! each vertex whose edges show all three components of the curvature. Where they do not, as at a vertex
-//! of the boundary with one inner edge, the energy has the components that they show; a vertex of one face has
-//! none. A vertex inside of four edges along two directions does not show twist: there, the hidden component is
-//! that of the mean over the edges opposite to the vertex too, H = (M C)⁺ M θ + (1 − (M C)⁺ M C) (N B)⁻¹ N θ,
-//! with N and B as M and C for all of them. For constant curvature, this is κ again. Without it, an inner vertex
-//! of four edges has no energy of twist, and every second vertex of a grid with alternating diagonals is one. This
-//! is the principle of the virtual element method, a consistent part and a stable rest: L. Beirão da
-//! Veiga, F. Brezzi, A. Cangiani, G. Manzini, L. Marini, A. Russo, *Basic principles of virtual element
-//! methods*, 2013. The mean is that of O. Stein, E. Grinspun, M. Wardetzky, A. Jacobson, *Natural
-//! boundary conditions for smoothing in geometry processing*, 2018, with terms of the vertices on the
-//! boundary too.
+//! of the boundary with one inner edge, the energy has the components that they show; a vertex of one face
+//! has none. A vertex inside of four edges along two directions does not show twist: there, the hidden
+//! component is that of the mean over the edges opposite to the vertex too, H = (M C)⁺ M θ + (1 − (M C)⁺ M
+//! C) (N B)⁻¹ N θ, with N and B as M and C for all of them. For constant curvature, this is κ again. Without
+//! it, an inner vertex of four edges has no energy of twist, and every second vertex of a grid with
+//! alternating diagonals is one. This is the principle of the virtual element method, a consistent part and
+//! a stable rest: L. Beirão da Veiga, F. Brezzi, A. Cangiani, G. Manzini, L. Marini, A. Russo, *Basic
+//! principles of virtual element methods*, 2013. The mean is that of O. Stein, E. Grinspun, M. Wardetzky, A.
+//! Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with terms of the
+//! vertices on the boundary too.
 
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;

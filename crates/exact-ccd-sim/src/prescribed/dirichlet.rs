@@ -179,8 +179,8 @@ impl<'a> Dirichlet<'a> {
 
     /// Ends a step that moved bodies by these parts of their motions: the next one moves them again, or
     /// follows after Newton's method has converged. Without progress, bodies stay, unless all surfaces
-    /// were apart before: a body that begins just outside the contact distance moves up to the other one first,
-    /// which it pushes only from then on.
+    /// were apart before: a body that begins just outside the contact distance moves up to the other one
+    /// first, which it pushes only from then on.
     pub(crate) fn moved(&mut self, progress: f64, was_apart: bool) {
         self.attempts = self.attempts.saturating_sub(1);
         let is_stopped = progress < PROGRESS && !was_apart;

@@ -21,8 +21,8 @@ const IDLE: usize = 20;
 const SHORTER: f64 = 0.5;
 
 impl Stagnation {
-    /// Adds an iteration with a direction of this size in m. `is_lost` is true if the predicted decrease of the
-    /// potential is at most its rounding error. Returns true if no progress is left.
+    /// Adds an iteration with a direction of this size in m. `is_lost` is true if the predicted decrease of
+    /// the potential is at most its rounding error. Returns true if no progress is left.
     pub(super) fn is_reached(&mut self, size: f64, is_lost: bool) -> bool {
         if self.least.is_none_or(|least| size <= SHORTER * least) {
             self.least = Some(size);

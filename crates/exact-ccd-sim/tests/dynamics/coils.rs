@@ -2,7 +2,8 @@
 
 use exact_ccd_sim::{Body, BodyKind, Script, Settings, Simulation, System, Warning, shapes};
 
-/// The warnings about a coil of two turns without a shear modulus or with one, of which scripts hold these edges.
+/// The warnings about a coil of two turns without a shear modulus or with one, of which scripts hold these
+/// edges.
 fn warnings(shear: Option<f64>, held: &[u32], turns: f64) -> usize {
     let mut material = shapes::ROPE;
     material.shear = shear;
@@ -21,8 +22,8 @@ fn warnings(shear: Option<f64>, held: &[u32], turns: f64) -> usize {
         .count()
 }
 
-/// A coil without a shear modulus has no stiffness. The warning is about rods that are curved at rest, and only
-/// where a shear modulus would act: between two held edges.
+/// A coil without a shear modulus has no stiffness. The warning is about rods that are curved at rest, and
+/// only where a shear modulus would act: between two held edges.
 #[test]
 fn a_coil_without_shear_is_a_warning() {
     let ends = [0, 1, 31, 32];

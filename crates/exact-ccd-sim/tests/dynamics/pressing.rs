@@ -19,8 +19,8 @@ fn gap(integrator: Integrator, time_step: f64, steps: u32) -> f64 {
     last.minimal_distance.unwrap()
 }
 
-/// The stiffness of the barrier follows the forces that act in a time step: inertia in a short one, elasticity
-/// and weight in a long one.
+/// The stiffness of the barrier follows the forces that act in a time step: inertia in a short one,
+/// elasticity and weight in a long one.
 #[test]
 fn the_gap_at_rest_does_not_depend_on_the_time_step() {
     let equilibria = [0.01, 1.0, 100.0].map(|time_step| gap(Integrator::QuasiStatic, time_step, 2));
@@ -64,8 +64,8 @@ fn pressed(time_step: f64, ceiling: Option<Body>) -> Simulation {
     Simulation::new(system, settings).unwrap()
 }
 
-/// A sphere that a script presses into a soft block arrives in each step, and the elastic energy does not depend
-/// on the time step.
+/// A sphere that a script presses into a soft block arrives in each step, and the elastic energy does not
+/// depend on the time step.
 #[test]
 fn a_pressed_sphere_arrives() {
     let energies = [0.1, 1.0].map(|time_step| {
@@ -97,8 +97,8 @@ fn a_script_that_stays_behind_is_not_converged() {
     );
 }
 
-/// With a tolerance below rounding errors, Newton's method stops where it makes no progress, and the time step is
-/// not repeated in parts.
+/// With a tolerance below rounding errors, Newton's method stops where it makes no progress, and the time
+/// step is not repeated in parts.
 #[test]
 fn newton_stops_at_rounding_errors() {
     let block = shapes::solid_box([2, 2, 2], [0.4; 3]).placed(|[x, y, z]| [x + 0.3, y + 5e-4, z + 0.3]);
