@@ -74,7 +74,7 @@ Qed.
 
 (** ** The rows of a table *)
 
-(** A row: a single stretch that does not turn, for the grid, or stretches, of which the last ends at [last]. *)
+(** A row: a single stretch that does not turn, for the grid, or stretches; the last one ends at [last]. *)
 Inductive row := OnGrid (g : integer_point) | Exact (inner : list stretch) (from to : integer_point).
 
 Definition stretches (last : time) (inner : list stretch) (from to : integer_point) : list stretch :=

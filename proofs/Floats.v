@@ -103,7 +103,7 @@ Definition time_of_bits (b : Z) : time :=
   | None => {| numerator := 0; power := 0 |}
   end.
 
-(** The value of bits from 0 to those of 1, by their fields. *)
+(** The value of a number from 0 to 1, from the fields of its bits. *)
 Definition field_value (f e : Z) : R :=
   (if (e =? 0)%Z then IZR f * bpow radix2 (-1074) else IZR (2 ^ 52 + f) * bpow radix2 (e - 1075)).
 

@@ -5,7 +5,7 @@ Require Import Vectors Motion Lists Separation.
 Import ListNotations.
 Open Scope R_scope.
 
-(** The number of bits of an integer: that of the shifts to the right until nothing is left. *)
+(** The number of bits of an integer: as many shifts to the right leave nothing. *)
 Definition bit_length (x : Z) : Z := if (x <=? 0)%Z then 0%Z else (Z.log2 x + 1)%Z.
 
 Lemma bit_length_bound x : (0 <= bit_length x /\ x < 2 ^ bit_length x)%Z.

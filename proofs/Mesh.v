@@ -13,7 +13,7 @@ Record mesh := {
   degrees : list nat
 }.
 
-(** Of [Mesh::new]: indices are those of vertices, and each vertex has a number of edges. *)
+(** Of [Mesh::new]: indices name vertices, and each vertex has a number of edges. *)
 Definition is_mesh (m : mesh) :=
   length (degrees m) = vertex_count m
   /\ (forall a b c v, In (a, b, c) (faces m) -> In v [a; b; c] -> v < vertex_count m)
@@ -58,7 +58,7 @@ Definition pair_of (m : mesh) (k : kind) (ids : nat * nat) : option (pair nat) :
 (** A list with its indices. *)
 Definition indexed {A} (l : list A) : list (nat * A) := combine (seq 0 (length l)) l.
 
-(** [Mesh::primitives]: indices and vertices, of which the last is repeated up to three. *)
+(** [Mesh::primitives]: indices and vertices; the last vertex is repeated up to three. *)
 Definition primitives (m : mesh) (k : kind) (is_second : bool) : list (nat * (nat * nat * nat)) :=
   let vertices most := map (fun v => (fst v, (fst v, fst v, fst v))) (filter (fun v => snd v <=? most) (indexed (degrees m))) in
   let edges_from from := map (fun e => (fst e, (fst (snd e), snd (snd e), snd (snd e)))) (skipn from (indexed (edges m))) in

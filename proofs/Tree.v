@@ -83,8 +83,8 @@ Fixpoint leaves (t : tree) : list leaf :=
 Fixpoint height (t : tree) : nat :=
   match t with Leaf _ _ => 0 | Two first second _ => S (Nat.max (height first) (height second)) end.
 
-(** [Tree::new], with the box of all leaves, the tree of the first half of them, in an order that it chooses, and
-    that of the others. The order is any permutation: [select_nth_unstable] only exchanges leaves. *)
+(** [Tree::new], with the box of all leaves, the tree of their first half, in an order that it chooses, and the
+    tree of the others. The order is any permutation: [select_nth_unstable] only exchanges leaves. *)
 Inductive build : list leaf -> tree -> Prop :=
   | build_one p b : build [(p, b)] (Leaf p b)
   | build_more first rest order left right left_tree right_tree :

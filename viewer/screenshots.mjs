@@ -38,7 +38,7 @@ await picture("step", ["step", start, end]);
 await picture("step-all", ["step", start, end], { scheme: "dark", keys: ["f"], slider: "1" });
 await picture("audit", ["audit", start, "examples/drape_free.ply", start, end]);
 
-// A vertex and a face: the cubic has two roots, of which one is a contact.
+// A vertex and a face: the cubic has two roots; one of them is a contact.
 const points = [
   [1.5, -1, 0.25], [1.5, 0.25, -1.5], [0.5, -1.5, 0], [-1, 0.25, 1.25],
   [0.375, 0.5, -0.875], [2.4375, -0.5, -0.375], [0.3125, -0.1875, 0.9375], [-1.1875, -0.5, 0.5],

@@ -29,7 +29,7 @@ def read_header(file, path):
 
 
 def row(properties, order):
-    """The type of a row. A list has three members: that of the corners of a triangle."""
+    """The type of a row. A list has three members: the corners of a triangle."""
     fields = []
     for words in properties:
         match words:

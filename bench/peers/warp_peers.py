@@ -44,7 +44,7 @@ def in_single_precision(query):
 
 
 def sides(query, points, count):
-    """The points of the first primitive and those of the second one, the last repeated up to this number."""
+    """The points of the first and the second primitive, the last of each repeated up to this number."""
     first = {"vf": 1, "ee": 2, "ve": 1, "vv": 1}[query.kind]
     return numpy.array([p for side in (points[:first], points[first:]) for p in [*side, side[-1], side[-1]][:count]])
 

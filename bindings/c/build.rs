@@ -1,4 +1,5 @@
-//! The name under which programs load the shared library: that of its binary interface.
+//! Gives the shared library the name under which programs load it; the version of the binary interface is
+//! part of it.
 
 /// The version of the binary interface, which the header has from `src/version.rs`.
 fn abi_version() -> &'static str {

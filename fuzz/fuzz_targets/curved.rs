@@ -1,4 +1,4 @@
-//! Curved motion: the answers about straight lines are those of exact queries, and no motion makes a panic.
+//! Curved motion: straight lines get the answers of exact queries, and no motion makes a panic.
 
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! Queries of both kinds: the answers are those of the exact path and invariant under symmetries;
-//! the parity is that of the definition.
+//! Queries of both kinds: the answers agree with the exact path and are invariant under symmetries; the
+//! parity agrees with its definition.
 
 #![no_main]
 

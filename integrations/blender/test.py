@@ -42,7 +42,8 @@ assert abs(frame - 4.0) < 1e-4, frame
 assert selected(sphere) == [min(vertex.co.z for vertex in sphere.data.vertices)], selected(sphere)
 exact_ccd_audit.unregister()
 
-# Within a distance less than those of the sphere's own triangles: 0.02 earlier, of 6 in 9 frames.
+# The distance is less than any distance among the sphere's own triangles. The contact is 0.02 earlier on a
+# path of 6, which takes 9 frames.
 make(-3.0)
 assert bpy.ops.scene.exact_ccd_audit(min_distance=0.02) == {"FINISHED"}
 scene = bpy.context.scene

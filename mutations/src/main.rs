@@ -1,4 +1,4 @@
-//! Mutations of a crate: small changes of its source code, each of which a test should notice.
+//! Mutations of a crate: small changes of its source code. A test should notice each.
 //!
 //! All mutations are compiled into the same test programs, and an environment variable selects one. A run of
 //! a mutation therefore costs no compilation, and the programs can run on another machine.

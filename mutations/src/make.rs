@@ -34,7 +34,7 @@ pub fn make(package: &str, folder: &Path) -> Result<(), Box<dyn Error>> {
         let mutations = rewritten_copy(package, &tree, &dropped)?;
         let rejected = rejected(package, folder, &tree)?;
         eprintln!(
-            "{} mutations, {} of which do not compile",
+            "{} mutations; {} do not compile",
             mutations.lines().count(),
             rejected.len()
         );
@@ -46,7 +46,7 @@ pub fn make(package: &str, folder: &Path) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// Copies the files of the repository, and rewrites those of the crate. Returns the list of its mutations.
+/// Copies the files of the repository, and rewrites the crate's own. Returns the list of its mutations.
 fn rewritten_copy(package: &str, tree: &Path, dropped: &HashSet<u32>) -> Result<String, Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"))
         .parent()
@@ -166,14 +166,14 @@ fn numbers(source: &str) -> Vec<u32> {
         .collect()
 }
 
-/// The test of all bits of generated answers, also of the crates below that of the meshes.
+/// The test of all bits of generated answers; it also tests the crates below the meshes.
 const ANSWERS: &[&str] = &["--package", "exact-ccd-mesh", "--test", "architectures"];
 
 /// Compiles the tests, and copies the programs.
 fn test_programs(package: &str, folder: &Path, tree: &Path) -> Result<(), Box<dyn Error>> {
     eprintln!("compiling the tests of {package}");
     let programs = folder.join("programs");
-    // Those of tests that were there before have other mutations.
+    // Programs of an earlier run have other mutations.
     if programs.exists() {
         fs::remove_dir_all(&programs)?;
     }

@@ -43,7 +43,7 @@ pub fn rewrite(source: &str, file: &str, first: u32, dropped: &HashSet<u32>) -> 
 pub struct Rewritten {
     pub source: String,
     pub mutations: Vec<Mutation>,
-    /// The number after that of the last mutation.
+    /// The number of the next mutation.
     pub next: u32,
 }
 

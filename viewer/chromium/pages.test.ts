@@ -241,7 +241,7 @@ describe("ids", () => {
     return `solid a\n${faces.map(facet).join("")}endsolid a\n`;
   };
 
-  it("in the scene are those of the list: the ids of the file", async () => {
+  it("in the scene are the same as in the list: the ids of the file", async () => {
     const [start, end, file] = [write("start.stl", stl(1)), write("end.stl", stl(-1)), join(folder, "stl.html")];
     const report = JSON.parse(run(["step", start, end, "--json", "--view", file])) as { contact: { vertices: number[][] } };
     expect(report.contact.vertices).toEqual([[6], [0, 1, 2]]);

@@ -1,6 +1,6 @@
 /** The faces around vertices. */
 
-/** The faces of each vertex: one pass over all faces finds those of every vertex. */
+/** The faces of each vertex: one pass over all faces finds them for every vertex. */
 export class Incidence {
   /** The faces around vertex v are `list` from `start[v]` to `start[v + 1]`. */
   private readonly start: Uint32Array;

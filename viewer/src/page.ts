@@ -5,7 +5,7 @@ export type Point = readonly [number, number, number];
 /** A vertex, an edge or a face of the mesh, or a half space, which has no vertices. */
 export interface Primitive {
   kind: "vertex" | "edge" | "face" | "half-space";
-  /** Its id in the file, or of an edge in the mesh, from 0; none for those of a query and sides of solids. Of a half
+  /** Its id in the file, or of an edge in the mesh, from 0; none in a query and for a side of a solid. Of a half
    * space, its place in the list of them. */
   id: number | null;
   /** Its vertices in the mesh of the page, from 0. */
@@ -59,7 +59,7 @@ export interface Chart {
   curves: Curve[];
 }
 
-/** Charts over time; `times` are those of all frames, in s. */
+/** Charts over time; `times` has the time of each frame, in s. */
 export interface History {
   times: number[];
   charts: Chart[];
@@ -110,7 +110,7 @@ export interface Page {
   history: History | null;
   frames: Frame[];
   contacts: Contact[];
-  /** The number of all contacts, of which the earliest are listed. */
+  /** The number of all contacts; `contacts` has the earliest. */
   contactCount: number;
   query: Query | null;
 }

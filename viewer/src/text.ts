@@ -17,7 +17,7 @@ const POINT_NAMES = {
   "vertex-vertex": ["p", "p", "q", "q"],
 };
 
-/** The name of a vertex of a primitive: its id in the file, or that of a point of a query. */
+/** The name of a vertex of a primitive: its id in the file, or the name of a point of a query. */
 export function vertexName({ query }: Page, { vertices, labels }: Primitive, i: number): string {
   return query === null ? String(labels[i]) : POINT_NAMES[query.kind][vertices[i]];
 }

@@ -81,7 +81,7 @@ export class Viewer {
     document.documentElement.dataset["ready"] = "true";
   }
 
-  /** Shows other data of the same kind: the camera stays where it is, and so does the time, unless it was that of
+  /** Shows other data of the same kind: the camera stays where it is, and so does the time, unless it was the time of
    * the contact. */
   replace(shown: Shown): void {
     const { state } = this.store;

@@ -128,19 +128,19 @@ describe("the faces around primitives", () => {
 });
 
 describe("the time of a simulation", () => {
-  // Frames were left out: the numbers of those that remain are 0, 2 and 3.
+  // Frames were left out: the remaining ones have the numbers 0, 2 and 3.
   const motion: Page = {
     ...page(3),
     frames: [0, 2, 3].map((number) => ({ number, label: "" })),
     history: { times: [1, 1.5, 2, 4], charts: [] },
   };
-  it("is between those of the frames", () => {
+  it("is between the times of the frames", () => {
     expect(timeOf(motion, { frame: 0, t: 0 })).toBe(1);
     expect(timeOf(motion, { frame: 0, t: 0.5 })).toBe(1.5);
     expect(timeOf(motion, { frame: 1, t: 0.25 })).toBe(2.5);
     expect(timeOf(motion, { frame: 1, t: 1 })).toBe(4);
   });
-  it("is that of a moment", () => {
+  it("is the time of a moment", () => {
     for (const time of [1, 1.25, 2, 3, 4]) expect(timeOf(motion, momentOf(motion, time))).toBeCloseTo(time, 12);
     expect(momentOf(motion, 0)).toEqual({ frame: 0, t: 0 });
     expect(momentOf(motion, 9)).toEqual({ frame: 1, t: 1 });

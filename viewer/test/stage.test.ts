@@ -99,7 +99,7 @@ describe("frames that arrive late", () => {
 });
 
 describe("the direction upwards", () => {
-  it("is that of the data, until another axis is chosen, which other data do not change", () => {
+  it("comes from the data, until another axis is chosen, which other data do not change", () => {
     const { stage, view } = stageOf();
     stage.show(motion(1).shown);
     expect(view.up).toEqual([0, 0, 1]);

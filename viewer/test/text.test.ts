@@ -117,7 +117,7 @@ describe("keys", () => {
     expect(takes(slider("slider"), "ArrowLeft")).toBe(false);
     expect(takes(slider("slider"), "Home")).toBe(true);
   });
-  it("are those of the page elsewhere, but not in a field for text", () => {
+  it("belong to the page elsewhere, but not in a field for text", () => {
     expect(takes({ tagName: "CANVAS", id: "scene" }, "ArrowLeft")).toBe(false);
     expect(takes({ tagName: "INPUT", type: "search" }, "a")).toBe(true);
     expect(takes({ tagName: "BUTTON" }, " ")).toBe(true);

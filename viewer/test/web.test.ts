@@ -133,7 +133,7 @@ describe("a dragged coordinate", () => {
   it("stays as it is if it is hardly moved", () => {
     expect(rounded(1 / 3, 1e-4, 1)).toBe(1 / 3);
   });
-  it("replaces that of the query alone", () => {
+  it("replaces the coordinate of the query alone", () => {
     const before = Float64Array.of(1, 2, 3);
     expect([...replaced(before, [[1, 5]])]).toEqual([1, 5, 3]);
     expect([...before]).toEqual([1, 2, 3]);

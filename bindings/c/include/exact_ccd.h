@@ -49,7 +49,7 @@ typedef enum exact_ccd_audit_result_t {
 typedef enum exact_ccd_kind_t {
   /// A vertex and the three corners of a face: 4 points.
   EXACT_CCD_KIND_VERTEX_FACE = 0,
-  /// The two ends of an edge, and those of another edge: 4 points.
+  /// The two ends of an edge, and the two ends of another edge: 4 points.
   EXACT_CCD_KIND_EDGE_EDGE = 1,
   /// A vertex and the two ends of an edge: 3 points.
   EXACT_CCD_KIND_VERTEX_EDGE = 2,
@@ -83,7 +83,7 @@ typedef struct exact_ccd_pairs_t exact_ccd_pairs_t;
 typedef struct exact_ccd_impact_t {
   /// The time, from 0 to 1, rounded down to `double`.
   double time;
-  /// True if the time is exactly that, false if it lies above.
+  /// True if `time` is the exact time, false if the exact time lies above it.
   bool time_is_exact;
   /// True if there is a normal.
   bool has_normal;
@@ -161,7 +161,7 @@ typedef struct exact_ccd_pair_t {
 typedef struct exact_ccd_interval_t {
   /// The first time.
   double start;
-  /// The last time; that of `start` for a single moment.
+  /// The last time; equal to `start` for a single moment.
   double end;
 } exact_ccd_interval_t;
 
@@ -169,8 +169,8 @@ typedef struct exact_ccd_interval_t {
 extern "C" {
 #endif // __cplusplus
 
-/// An audit of a mesh, to be freed with `exact_ccd_audit_free`. `min_distance` is that of
-/// `exact_ccd_detector_set_min_distance`.
+/// An audit of a mesh, to be freed with `exact_ccd_audit_free`. `min_distance` has the meaning that it has
+/// in `exact_ccd_detector_set_min_distance`.
 enum exact_ccd_status_t exact_ccd_audit_new(const struct exact_ccd_mesh_t *mesh,
                                             double min_distance,
                                             struct exact_ccd_audit_t **audit);
@@ -213,8 +213,8 @@ enum exact_ccd_status_t exact_ccd_batch_time_of_impact(uint32_t kind,
                                                        double *times);
 
 /// `exact_ccd_batch_time_of_impact` for vertices of different thickness: a number for each of the
-/// `vertex_count` vertices. That of a primitive is the largest of its vertices, and the separation of a
-/// query the sum of both, rounded up.
+/// `vertex_count` vertices. A primitive has the largest thickness of its vertices. The separation of a query
+/// is the sum of its two thicknesses, rounded up.
 enum exact_ccd_status_t exact_ccd_batch_time_of_impact_thick(uint32_t kind,
                                                              const double *x0,
                                                              const double *x1,
@@ -259,8 +259,8 @@ enum exact_ccd_status_t exact_ccd_certificate_data(const struct exact_ccd_certif
 /// Frees a certificate. Null is allowed.
 void exact_ccd_certificate_free(struct exact_ccd_certificate_t *certificate);
 
-/// The proof of the answer to a step: that it is free of contact until its earliest one, and has that one;
-/// and with `at_rest`, that no edge passes through a face at `x0`. It has the bytes of
+/// The proof of the answer to a step: the step is free of contact until the earliest contact, and has this
+/// contact. With `at_rest`, it also proves that no edge passes through a face at `x0`. It has the bytes of
 /// `exact-ccd step --certificate`, and is freed with `exact_ccd_certificate_free`. Other arguments as in
 /// `exact_ccd_detector_collides`.
 ///
@@ -282,7 +282,7 @@ enum exact_ccd_status_t exact_ccd_audit_certify(struct exact_ccd_audit_t *audit)
 /// violation. It is freed with `exact_ccd_certificate_free`.
 ///
 /// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, and if there is nothing to
-/// prove: of a single frame, or if the first one has a violation.
+/// prove: for a single frame, or if the first frame has a violation.
 enum exact_ccd_status_t exact_ccd_audit_certificate(const struct exact_ccd_audit_t *audit,
                                                     struct exact_ccd_certificate_t **certificate);
 
@@ -334,15 +334,15 @@ enum exact_ccd_status_t exact_ccd_detector_collisions(struct exact_ccd_detector_
 enum exact_ccd_status_t exact_ccd_detector_set_min_distance(struct exact_ccd_detector_t *detector,
                                                             double min_distance);
 
-/// A thickness for each of the `vertex_count` vertices. That of a primitive is the largest of its
-/// vertices; pairs count as in contact from the sum of both on, rounded up.
+/// A thickness for each of the `vertex_count` vertices. A primitive has the largest thickness of its
+/// vertices. Pairs count as in contact from the sum of both thicknesses on, rounded up.
 enum exact_ccd_status_t exact_ccd_detector_set_thickness(struct exact_ccd_detector_t *detector,
                                                          const double *thickness,
                                                          size_t vertex_count);
 
-/// A uniform distance as in `exact_ccd_detector_set_min_distance`, and a smaller one for pairs that
-/// start within it: these are in contact only if they come within `inner_distance`. For a line search
-/// that has to move on from there. One that is not smaller changes nothing.
+/// A uniform distance as in `exact_ccd_detector_set_min_distance`, and a smaller one for pairs that start
+/// within it: these are in contact only if they come within `inner_distance`. So a line search can move on
+/// from such a start. An inner distance that is not smaller changes nothing.
 enum exact_ccd_status_t exact_ccd_detector_set_inner_distance(struct exact_ccd_detector_t *detector,
                                                               double min_distance,
                                                               double inner_distance);
@@ -376,7 +376,7 @@ enum exact_ccd_status_t exact_ccd_detector_set_start_check(struct exact_ccd_dete
 /// itself at the start, or is nearer to itself there than rounded positions are to the path. `positions` has
 /// room for `vertex_count` points, and may be `x0` or `x1`.
 ///
-/// `collides` is true if the full step has a contact, the earliest of which is written to `contact`; else
+/// `collides` is true if the full step has a contact. Then the earliest one is written to `contact`; else
 /// `contact` is not written. Both may be null.
 ///
 /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
@@ -395,10 +395,10 @@ enum exact_ccd_status_t exact_ccd_detector_free_step(struct exact_ccd_detector_t
 /// A size for each vertex, such that the motion of all vertices is certified to be free of contact: the
 /// sizes, from 0 to 1, are written to `sizes`, and the positions at the end to `positions`.
 ///
-/// The motion from `x0` to `positions`, as they are, has been decided exactly: no two primitives touch but
-/// the pairs of `blocked`. Those touch at t = 0, or their vertices that are not pinned stay at the start.
-/// `pinned` has the `pinned_count` vertices that go all the way, such as those of obstacles; it may be null
-/// for 0. Without pinned vertices, no size is below that of `exact_ccd_detector_free_step`.
+/// The motion from `x0` to `positions`, as they are, has been decided exactly: the pairs in `blocked` touch,
+/// and no others. They touch at t = 0, or their vertices that are not pinned stay at the start. `pinned` has
+/// the `pinned_count` vertices that go all the way, such as the vertices of obstacles; it may be null for 0.
+/// Without pinned vertices, no size is below the size of `exact_ccd_detector_free_step`.
 ///
 /// A contact at time t holds back the vertices that approach, in the first round by the factor `keep` t,
 /// for 0 < `keep` <= 1; docs/steps.md has the rule. `rounds` is the number of searches for contact.
@@ -421,10 +421,10 @@ enum exact_ccd_status_t exact_ccd_detector_free_steps(struct exact_ccd_detector_
 /// All contacts of a step, the earliest first, and the first one of each vertex: for methods that limit the
 /// displacement of each vertex by a rule of their own.
 ///
-/// `first` has room for `vertex_count` indices in the list: that of the first contact of a pair to which the
-/// vertex belongs, or the number of contacts for a vertex without contact. `times` has room for as many
-/// numbers: its time, rounded down, or infinity. The list `contacts` is freed with `exact_ccd_contacts_free`.
-/// Other arguments as in `exact_ccd_detector_collides`.
+/// `first` has room for `vertex_count` numbers. For each vertex, it has the index, in `contacts`, of the
+/// first contact of a pair to which the vertex belongs, or the number of contacts if there is none. `times`
+/// has room for as many numbers: the time of this contact, rounded down, or infinity. The list `contacts` is
+/// freed with `exact_ccd_contacts_free`. Other arguments as in `exact_ccd_detector_collides`.
 enum exact_ccd_status_t exact_ccd_detector_first_contacts(struct exact_ccd_detector_t *detector,
                                                           const double *x0,
                                                           const double *x1,
@@ -434,12 +434,13 @@ enum exact_ccd_status_t exact_ccd_detector_first_contacts(struct exact_ccd_detec
                                                           double *times,
                                                           struct exact_ccd_contacts_t **contacts);
 
-/// The clearance of each vertex at rest: the least distance of a pair of primitives one of which has the
-/// vertex, or `cut_off` if all are farther apart. It is the largest `double` that is not above.
+/// The clearance of each vertex at rest: the least distance between a primitive that has the vertex and
+/// a primitive that can collide with it, or `cut_off` if all are farther apart. It is rounded down to a
+/// `double`.
 ///
-/// A mesh of which each vertex moves by less than half of its clearance, on whatever path, is free of contact
-/// (docs/steps.md). The minimum distance of the detector has no part in it. `clearances` has room for
-/// `vertex_count` numbers, and `cut_off` is finite and at least 0.
+/// If each vertex of a mesh moves by less than half of its clearance, on whatever path, the motion is free
+/// of contact (docs/steps.md). The minimum distance of the detector has no part in it. `clearances` has room
+/// for `vertex_count` numbers, and `cut_off` is finite and at least 0.
 enum exact_ccd_status_t exact_ccd_detector_clearances(struct exact_ccd_detector_t *detector,
                                                       const double *x,
                                                       size_t vertex_count,
@@ -452,7 +453,7 @@ enum exact_ccd_status_t exact_ccd_detector_clearances(struct exact_ccd_detector_
 const char *exact_ccd_last_error(void);
 
 /// The last call on this thread that failed, with the query, the edge and the face that are wrong as
-/// numbers. The message is valid as long as that of `exact_ccd_last_error`.
+/// numbers. The message is valid as long as the one that `exact_ccd_last_error` returns.
 struct exact_ccd_error_t exact_ccd_last_error_fields(void);
 
 /// Decides if a mesh at rest passes through itself: if an edge and a face that can collide and have no
@@ -485,9 +486,9 @@ void exact_ccd_pairs_free(struct exact_ccd_pairs_t *pairs);
 /// A mesh of `face_count` faces, each three vertices from 0, and `edge_count` edges that may be
 /// edges of no face (rods), each two vertices. Vertices of no face and no edge are points.
 ///
-/// The edges of the mesh are those of its faces, each once, as pairs i < j sorted by j, then by i;
-/// then the given edges that are not among them, in the same order. Counts may be 0, and their
-/// arrays null then. The mesh is freed with `exact_ccd_mesh_free`.
+/// The edges of the mesh are the edges of its faces, each once, as pairs i < j sorted by j, then by i; then
+/// the given edges that are not among them, in the same order. Counts may be 0, and their arrays null then.
+/// The mesh is freed with `exact_ccd_mesh_free`.
 enum exact_ccd_status_t exact_ccd_mesh_new(size_t vertex_count,
                                            const uint32_t *faces,
                                            size_t face_count,
@@ -584,16 +585,16 @@ enum exact_ccd_status_t exact_ccd_set_threads(uint32_t count);
 /// The version of the library, such as "0.1.0". The string is never freed.
 const char *exact_ccd_version(void);
 
-/// The `EXACT_CCD_ABI_VERSION` with which the library was compiled. A program that loads the library
-/// at run time compares it with that of its header.
+/// The `EXACT_CCD_ABI_VERSION` with which the library was compiled. A program that loads the library at run
+/// time compares it with the number in its header.
 uint32_t exact_ccd_abi_version(void);
 
 /// `exact_ccd_detector_collides` for each of `world_count` worlds, with the mesh and the settings of the
 /// detector.
 ///
-/// `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then those of
-/// the next, and so on. `collides` has room for `world_count` results. The message of an error names the
-/// first world that is wrong, from 0.
+/// `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then of the next one,
+/// and so on. `collides` has room for `world_count` results. The message of an error names the first world
+/// that is wrong, from 0.
 enum exact_ccd_status_t exact_ccd_worlds_collides(const struct exact_ccd_detector_t *detector,
                                                   const double *x0,
                                                   const double *x1,
@@ -614,8 +615,8 @@ enum exact_ccd_status_t exact_ccd_worlds_collision(const struct exact_ccd_detect
                                                    bool *collides,
                                                    struct exact_ccd_contact_t *contacts);
 
-/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then those
-/// of the next, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
+/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then of
+/// the next one, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
 /// `exact_ccd_worlds_collides`.
 enum exact_ccd_status_t exact_ccd_worlds_collisions(const struct exact_ccd_detector_t *detector,
                                                     const double *x0,

@@ -270,8 +270,8 @@ inline std::pair<double, double> distance_at(Kind kind, Points x0, Points x1, do
     return bounds;
 }
 
-/// The first time of each of many queries about the same vertices, NaN for none. `indices` has the
-/// vertices of each query, as many as the kind has points; `threads` is the number of threads, 0 for that of
+/// The first time of each of many queries about the same vertices, NaN for none. `indices` has the vertices
+/// of each query, as many as the kind has points; `threads` is the number of threads, or 0 for the number in
 /// `set_threads`.
 inline std::vector<double> times_of_impact(Kind kind,
                                            Points x0,
@@ -353,7 +353,7 @@ public:
 
     std::size_t vertex_count() const noexcept { return vertex_count_; }
 
-    /// The edges of the faces, then those of no face: contacts name edges by their index here.
+    /// The edges of the faces, then the edges of no face: contacts name edges by their index here.
     std::vector<std::array<std::uint32_t, 2>> edges() const
     {
         std::size_t face_count = 0, edge_count = 0, loose_edge_count = 0;
@@ -396,10 +396,10 @@ public:
         check(exact_ccd_detector_set_groups(handle(), groups.data(), groups.size()));
     }
 
-    /// The number of threads, 0 for that of `exact_ccd::set_threads`.
+    /// The number of threads, or 0 for the number in `exact_ccd::set_threads`.
     void set_threads(std::uint32_t count) { check(exact_ccd_detector_set_threads(handle(), count)); }
 
-    /// Only primitives can collide of which `rule` allows two vertices: a function object with a call
+    /// Only primitives can collide if `rule` allows two of their vertices: a function object with a call
     /// `bool(std::uint32_t, std::uint32_t)`, which the detector owns. It is called from several threads, and
     /// ends the program if it throws.
     template <typename Rule,
@@ -618,9 +618,9 @@ public:
     }
 };
 
-/// Contact in steps of many worlds, which have one mesh. `x0` and `x1` have the positions of the first world, then
-/// those of the next, and so on. The answers are those of a `Detector` for each world; the worlds are decided in
-/// parallel. The methods that are `const` may be called by several threads at the same time.
+/// Contact in steps of many worlds, which have one mesh. `x0` and `x1` have the positions of the first
+/// world, then of the next one, and so on. Each world gets the answers that a `Detector` gives. The worlds
+/// are decided in parallel. The methods that are `const` may be called by several threads at the same time.
 class Worlds : public Searcher {
 public:
     /// Steps that are certified to be free of contact, of all worlds.
@@ -734,7 +734,7 @@ public:
         handle_.reset(audit);
     }
 
-    /// The number of threads, 0 for that of `exact_ccd::set_threads`.
+    /// The number of threads, or 0 for the number in `exact_ccd::set_threads`.
     void set_threads(std::uint32_t count) { check(exact_ccd_audit_set_threads(handle_.get(), count)); }
 
     /// Examines the next frame and the step that leads to it.

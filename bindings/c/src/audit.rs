@@ -89,8 +89,8 @@ pub enum AuditResult {
     Contact = 2,
 }
 
-/// An audit of a mesh, to be freed with `exact_ccd_audit_free`. `min_distance` is that of
-/// `exact_ccd_detector_set_min_distance`.
+/// An audit of a mesh, to be freed with `exact_ccd_audit_free`. `min_distance` has the meaning that it has
+/// in `exact_ccd_detector_set_min_distance`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_audit_new(
     mesh: *const Mesh,

@@ -52,8 +52,8 @@ pub unsafe extern "C" fn exact_ccd_batch_time_of_impact(
 }
 
 /// `exact_ccd_batch_time_of_impact` for vertices of different thickness: a number for each of the
-/// `vertex_count` vertices. That of a primitive is the largest of its vertices, and the separation of a
-/// query the sum of both, rounded up.
+/// `vertex_count` vertices. A primitive has the largest thickness of its vertices. The separation of a query
+/// is the sum of its two thicknesses, rounded up.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_batch_time_of_impact_thick(
     kind: u32,
@@ -110,7 +110,7 @@ fn first_times<K: Kind + Send + Sync>(
     };
     let chunks = queries.par_chunks(GRAIN).enumerate();
     let found: Vec<Result<Vec<_>, Error>> = chunks.map(answer).collect();
-    // The first error is that of the first wrong query.
+    // The first error in the list belongs to the first wrong query.
     let found = found.into_iter().collect::<Result<Vec<_>, Error>>()?;
     times.fill(MaybeUninit::new(f64::NAN));
     for (index, time) in found.into_iter().flatten() {

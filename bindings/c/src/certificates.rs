@@ -38,8 +38,8 @@ pub unsafe extern "C" fn exact_ccd_certificate_free(certificate: *mut Certificat
     unsafe { free(certificate) }
 }
 
-/// The proof of the answer to a step: that it is free of contact until its earliest one, and has that one;
-/// and with `at_rest`, that no edge passes through a face at `x0`. It has the bytes of
+/// The proof of the answer to a step: the step is free of contact until the earliest contact, and has this
+/// contact. With `at_rest`, it also proves that no edge passes through a face at `x0`. It has the bytes of
 /// `exact-ccd step --certificate`, and is freed with `exact_ccd_certificate_free`. Other arguments as in
 /// `exact_ccd_detector_collides`.
 ///
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn exact_ccd_audit_certify(audit: *mut Audit) -> Status {
 /// violation. It is freed with `exact_ccd_certificate_free`.
 ///
 /// The status is `EXACT_CCD_STATUS_UNCERTIFIED` if some pairs have no proof, and if there is nothing to
-/// prove: of a single frame, or if the first one has a violation.
+/// prove: for a single frame, or if the first frame has a violation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_audit_certificate(
     audit: *const Audit,

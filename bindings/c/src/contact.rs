@@ -12,7 +12,7 @@ use crate::pair::{EXACT_CCD_NONE, Pair};
 pub struct Impact {
     /// The time, from 0 to 1, rounded down to `double`.
     pub time: f64,
-    /// True if the time is exactly that, false if it lies above.
+    /// True if `time` is the exact time, false if the exact time lies above it.
     pub time_is_exact: bool,
     /// True if there is a normal.
     pub has_normal: bool,
@@ -62,7 +62,7 @@ impl Impact {
 pub struct Interval {
     /// The first time.
     pub start: f64,
-    /// The last time; that of `start` for a single moment.
+    /// The last time; equal to `start` for a single moment.
     pub end: f64,
 }
 

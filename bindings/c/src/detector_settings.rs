@@ -28,8 +28,8 @@ pub unsafe extern "C" fn exact_ccd_detector_set_min_distance(
     })
 }
 
-/// A thickness for each of the `vertex_count` vertices. That of a primitive is the largest of its
-/// vertices; pairs count as in contact from the sum of both on, rounded up.
+/// A thickness for each of the `vertex_count` vertices. A primitive has the largest thickness of its
+/// vertices. Pairs count as in contact from the sum of both thicknesses on, rounded up.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_set_thickness(
     detector: *mut Detector,
@@ -47,9 +47,9 @@ pub unsafe extern "C" fn exact_ccd_detector_set_thickness(
     })
 }
 
-/// A uniform distance as in `exact_ccd_detector_set_min_distance`, and a smaller one for pairs that
-/// start within it: these are in contact only if they come within `inner_distance`. For a line search
-/// that has to move on from there. One that is not smaller changes nothing.
+/// A uniform distance as in `exact_ccd_detector_set_min_distance`, and a smaller one for pairs that start
+/// within it: these are in contact only if they come within `inner_distance`. So a line search can move on
+/// from such a start. An inner distance that is not smaller changes nothing.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_set_inner_distance(
     detector: *mut Detector,

@@ -18,7 +18,7 @@ use crate::pointers::{Out, array, fill, places};
 /// itself at the start, or is nearer to itself there than rounded positions are to the path. `positions` has
 /// room for `vertex_count` points, and may be `x0` or `x1`.
 ///
-/// `collides` is true if the full step has a contact, the earliest of which is written to `contact`; else
+/// `collides` is true if the full step has a contact. Then the earliest one is written to `contact`; else
 /// `contact` is not written. Both may be null.
 ///
 /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
@@ -67,10 +67,10 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
 /// A size for each vertex, such that the motion of all vertices is certified to be free of contact: the
 /// sizes, from 0 to 1, are written to `sizes`, and the positions at the end to `positions`.
 ///
-/// The motion from `x0` to `positions`, as they are, has been decided exactly: no two primitives touch but
-/// the pairs of `blocked`. Those touch at t = 0, or their vertices that are not pinned stay at the start.
-/// `pinned` has the `pinned_count` vertices that go all the way, such as those of obstacles; it may be null
-/// for 0. Without pinned vertices, no size is below that of `exact_ccd_detector_free_step`.
+/// The motion from `x0` to `positions`, as they are, has been decided exactly: the pairs in `blocked` touch,
+/// and no others. They touch at t = 0, or their vertices that are not pinned stay at the start. `pinned` has
+/// the `pinned_count` vertices that go all the way, such as the vertices of obstacles; it may be null for 0.
+/// Without pinned vertices, no size is below the size of `exact_ccd_detector_free_step`.
 ///
 /// A contact at time t holds back the vertices that approach, in the first round by the factor `keep` t,
 /// for 0 < `keep` <= 1; docs/steps.md has the rule. `rounds` is the number of searches for contact.

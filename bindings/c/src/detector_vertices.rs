@@ -11,10 +11,10 @@ use crate::pointers::{Out, fill, places, positions, reference_mut};
 /// All contacts of a step, the earliest first, and the first one of each vertex: for methods that limit the
 /// displacement of each vertex by a rule of their own.
 ///
-/// `first` has room for `vertex_count` indices in the list: that of the first contact of a pair to which the
-/// vertex belongs, or the number of contacts for a vertex without contact. `times` has room for as many
-/// numbers: its time, rounded down, or infinity. The list `contacts` is freed with `exact_ccd_contacts_free`.
-/// Other arguments as in `exact_ccd_detector_collides`.
+/// `first` has room for `vertex_count` numbers. For each vertex, it has the index, in `contacts`, of the
+/// first contact of a pair to which the vertex belongs, or the number of contacts if there is none. `times`
+/// has room for as many numbers: the time of this contact, rounded down, or infinity. The list `contacts` is
+/// freed with `exact_ccd_contacts_free`. Other arguments as in `exact_ccd_detector_collides`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_first_contacts(
     detector: *mut Detector,
@@ -46,12 +46,13 @@ pub unsafe extern "C" fn exact_ccd_detector_first_contacts(
     })
 }
 
-/// The clearance of each vertex at rest: the least distance of a pair of primitives one of which has the
-/// vertex, or `cut_off` if all are farther apart. It is the largest `double` that is not above.
+/// The clearance of each vertex at rest: the least distance between a primitive that has the vertex and
+/// a primitive that can collide with it, or `cut_off` if all are farther apart. It is rounded down to a
+/// `double`.
 ///
-/// A mesh of which each vertex moves by less than half of its clearance, on whatever path, is free of contact
-/// (docs/steps.md). The minimum distance of the detector has no part in it. `clearances` has room for
-/// `vertex_count` numbers, and `cut_off` is finite and at least 0.
+/// If each vertex of a mesh moves by less than half of its clearance, on whatever path, the motion is free
+/// of contact (docs/steps.md). The minimum distance of the detector has no part in it. `clearances` has room
+/// for `vertex_count` numbers, and `cut_off` is finite and at least 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_clearances(
     detector: *mut Detector,

@@ -4,7 +4,7 @@
 //! IEEE 754, assumes neither. The control register is read at the start and at the end of each call, and
 //! written only if it differs. It has the flags of exceptions too, which the library raises.
 
-/// The standard environment until it is dropped; then that of the caller.
+/// Sets the standard environment, and restores the caller's when it is dropped.
 pub(crate) struct Environment {
     #[cfg_attr(
         not(target_arch = "x86_64"),

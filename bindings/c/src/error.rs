@@ -191,7 +191,7 @@ pub extern "C" fn exact_ccd_last_error() -> *const c_char {
 }
 
 /// The last call on this thread that failed, with the query, the edge and the face that are wrong as
-/// numbers. The message is valid as long as that of `exact_ccd_last_error`.
+/// numbers. The message is valid as long as the one that `exact_ccd_last_error` returns.
 #[unsafe(no_mangle)]
 pub extern "C" fn exact_ccd_last_error_fields() -> LastError {
     LAST.with_borrow(|last| match last {

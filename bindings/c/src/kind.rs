@@ -8,7 +8,7 @@ use crate::error::Error;
 pub enum Kind {
     /// A vertex and the three corners of a face: 4 points.
     VertexFace = 0,
-    /// The two ends of an edge, and those of another edge: 4 points.
+    /// The two ends of an edge, and the two ends of another edge: 4 points.
     EdgeEdge = 1,
     /// A vertex and the two ends of an edge: 3 points.
     VertexEdge = 2,
@@ -38,7 +38,7 @@ pub(crate) use with_kind;
 #[cold]
 pub(crate) fn unknown(number: u32) -> Error {
     Error::argument(format_args!(
-        "kind is {number}, expected that of a query, 0 to {}: see exact_ccd_kind_t",
+        "kind is {number}, expected the kind of a query, 0 to {}: see exact_ccd_kind_t",
         Kind::VertexVertex as u32
     ))
 }

@@ -14,9 +14,9 @@ pub struct Mesh(pub(crate) Arc<TriangleMesh>);
 /// A mesh of `face_count` faces, each three vertices from 0, and `edge_count` edges that may be
 /// edges of no face (rods), each two vertices. Vertices of no face and no edge are points.
 ///
-/// The edges of the mesh are those of its faces, each once, as pairs i < j sorted by j, then by i;
-/// then the given edges that are not among them, in the same order. Counts may be 0, and their
-/// arrays null then. The mesh is freed with `exact_ccd_mesh_free`.
+/// The edges of the mesh are the edges of its faces, each once, as pairs i < j sorted by j, then by i; then
+/// the given edges that are not among them, in the same order. Counts may be 0, and their arrays null then.
+/// The mesh is freed with `exact_ccd_mesh_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_mesh_new(
     vertex_count: usize,

@@ -1,7 +1,7 @@
 //! The threads of the library: pools of a number of threads, which calls and handles share.
 //!
-//! A handle keeps the pool of its number of threads. Of the others, the pool of the default number and
-//! that of the last call are kept; the threads of any other pool end.
+//! A handle keeps the pool of its number of threads. Without a handle, two pools are kept: the pool of the
+//! default number, and the pool of the last call. The threads of any other pool end.
 //!
 //! The threads are created in a call, and inherit its floating-point environment: the standard one where
 //! [`Environment`](crate::environment::Environment) can set it.
@@ -26,7 +26,7 @@ pub(crate) const MOST: u32 = 1024;
 #[unsafe(no_mangle)]
 pub extern "C" fn exact_ccd_set_threads(count: u32) -> Status {
     call(|| {
-        // Made now, so that the error of a pool that cannot start is that of this call.
+        // Made now, so that this call reports a pool that cannot start.
         check(count)?;
         let before = DEFAULT.swap(count, Ordering::Relaxed);
         pool(count).inspect_err(|_| DEFAULT.store(before, Ordering::Relaxed))?;

@@ -16,8 +16,8 @@ pub extern "C" fn exact_ccd_version() -> *const c_char {
     VERSION.as_ptr()
 }
 
-/// The `EXACT_CCD_ABI_VERSION` with which the library was compiled. A program that loads the library
-/// at run time compares it with that of its header.
+/// The `EXACT_CCD_ABI_VERSION` with which the library was compiled. A program that loads the library at run
+/// time compares it with the number in its header.
 #[unsafe(no_mangle)]
 pub extern "C" fn exact_ccd_abi_version() -> u32 {
     EXACT_CCD_ABI_VERSION

@@ -70,9 +70,9 @@ impl<'a> Worlds<'a> {
 /// `exact_ccd_detector_collides` for each of `world_count` worlds, with the mesh and the settings of the
 /// detector.
 ///
-/// `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then those of
-/// the next, and so on. `collides` has room for `world_count` results. The message of an error names the
-/// first world that is wrong, from 0.
+/// `x0` and `x1` have the positions of the `vertex_count` vertices of the first world, then of the next one,
+/// and so on. `collides` has room for `world_count` results. The message of an error names the first world
+/// that is wrong, from 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_worlds_collides(
     detector: *const Detector,
@@ -128,8 +128,8 @@ pub unsafe extern "C" fn exact_ccd_worlds_collision(
     })
 }
 
-/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then those
-/// of the next, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
+/// `exact_ccd_detector_collisions` for each world: one list with the contacts of the first world, then of
+/// the next one, and so on. `counts` has room for `world_count` numbers of contacts. Other arguments as in
 /// `exact_ccd_worlds_collides`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_worlds_collisions(

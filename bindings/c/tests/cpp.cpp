@@ -180,7 +180,7 @@ std::set<std::thread::id> threads_of(exact_ccd::Detector& detector)
     return threads;
 }
 
-// A detector runs on its own number of threads, or on that of the process, which may be replaced.
+// A detector runs on its own number of threads, or on the number of the process, which may be replaced.
 void threads()
 {
     std::vector<std::array<std::uint32_t, 3>> faces;

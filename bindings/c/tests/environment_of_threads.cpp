@@ -1,5 +1,5 @@
 // The threads of the library do not inherit the floating-point environment of the host that makes the first
-// call: the times of a batch are those of single queries.
+// call: the times of a batch are the same as for single queries.
 
 #include <cfenv>
 

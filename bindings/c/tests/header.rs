@@ -16,7 +16,7 @@ fn the_header_is_current() {
     let mut header = Vec::new();
     bindings.write(&mut header);
     let header = String::from_utf8(header).expect("a header is text");
-    // The names of types end in `_t`, and cbindgen derives those of the constants from them.
+    // The names of types end in `_t`, and cbindgen derives the names of the constants from them.
     let header = header.replace("_T_", "_");
     let path = root.join("include/exact_ccd.h");
     if std::env::var_os("EXACT_CCD_WRITE_HEADER").is_some() {

@@ -1,4 +1,4 @@
-// The steps of `scenes` in the published data: the contacts among the published pairs are those of the truth,
+// The steps of `scenes` in the published data: the contacts among the published pairs are the true ones,
 // with their times, bit for bit; the certified step ends before the first.
 
 #include <cstring>

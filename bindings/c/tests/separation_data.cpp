@@ -11,8 +11,7 @@ namespace {
 using exact_ccd::Kind;
 using exact_ccd::Point;
 
-// A coordinate as numerator and denominator, which is a double: the quotient of two integers, whose
-// range is that of long double.
+// A coordinate, which is a double, as numerator and denominator: two integers in the range of long double.
 double coordinate(std::istream& line)
 {
     static_assert(sizeof(long double) > sizeof(double), "needs the range of extended precision");

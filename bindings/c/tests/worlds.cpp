@@ -1,4 +1,4 @@
-// Many worlds in C++: the answers are those of a detector for each.
+// Many worlds in C++: each world has the answers of a detector.
 
 #include <cstring>
 
@@ -25,7 +25,7 @@ bool same(const std::optional<Contact>& a, const std::optional<Contact>& b)
     return a.has_value() == b.has_value() && (!a || same(*a, *b));
 }
 
-// The settings are those of the detector and of the worlds.
+// The detector and the worlds have the same settings.
 void compare(exact_ccd::Detector& detector,
              const exact_ccd::Worlds& worlds,
              const std::vector<Point>& x0,

@@ -114,7 +114,7 @@ impl Detector {
         let failure = Arc::default();
         let rule = mesh.shared_rule(py);
         let rules = Rules {
-            groups: mesh.groups(),
+            groups: mesh.by_groups(),
             every: mesh.ruled(rule.clone(), &watch, &failure),
             has_rule: rule.is_some(),
         };

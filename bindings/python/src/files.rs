@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use exact_ccd_files::{Format, FrameOrder, ParseError, Polygons, ReadError, parse_frame};
 use exact_ccd_mesh::Frame;
-use numpy::PyReadonlyArray2;
+use numpy::{PyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
 use crate::error::refused;
-use crate::mesh::{Mesh, Table, rows};
+use crate::mesh::{List, Mesh, Table, rows};
 use crate::positions::points;
 
 /// Vertices, faces and loose edges.
@@ -106,6 +106,17 @@ impl Welding {
         Ok(())
     }
 
+    /// Keeps apart the vertices that are not ends of coinciding edges of a mesh.
+    fn along_edges(&mut self, py: Python<'_>, mesh: &Mesh) {
+        let welding = std::mem::take(&mut self.0);
+        self.0 = py.detach(|| welding.along_edges(mesh.mesh()));
+    }
+
+    /// The first of the vertices in place of which each new vertex is.
+    fn first_vertices<'py>(&self, py: Python<'py>) -> List<'py, i64> {
+        PyArray1::from_iter(py, self.0.first_vertices().iter().map(|&vertex| vertex as i64))
+    }
+
     /// The faces and loose edges of a mesh with the new vertices.
     fn primitives<'py>(&self, py: Python<'py>, mesh: &Mesh) -> PyResult<(Table<'py, u32>, Table<'py, u32>)> {
         let welded = py.detach(|| self.0.mesh(mesh.mesh())).map_err(refused)?;
@@ -113,15 +124,5 @@ impl Welding {
             rows(py, welded.faces().iter().copied())?,
             rows(py, welded.loose_edges().iter().copied())?,
         ))
-    }
-
-    /// The positions of the new vertices.
-    fn positions<'py>(
-        &self,
-        py: Python<'py>,
-        positions: PyReadonlyArray2<'_, f64>,
-    ) -> PyResult<Table<'py, f64>> {
-        let positions = points(&positions)?;
-        rows(py, py.detach(|| self.0.positions(positions)))
     }
 }

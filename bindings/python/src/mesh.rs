@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use exact_ccd_mesh::{CanCollide, TriangleMesh};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use exact_ccd_mesh::{CanCollide, GroupMatrix, TriangleMesh};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::{PyTraverseError, PyVisit};
 
@@ -14,7 +14,8 @@ use crate::error::refused;
 #[pyclass(frozen, module = "exact_ccd._native")]
 pub(crate) struct Mesh {
     mesh: Arc<TriangleMesh>,
-    groups: Option<Arc<[u32]>>,
+    /// The pairs that can collide by their groups.
+    by_groups: CanCollide,
     /// A function of two vertices.
     rule: Option<Py<PyAny>>,
 }
@@ -29,13 +30,12 @@ impl Mesh {
         self.rule.as_ref().map(|rule| Arc::new(rule.clone_ref(py)))
     }
 
-    /// The pairs of different groups.
-    pub(crate) fn groups(&self) -> CanCollide {
-        let groups = self.groups.as_deref().map(<[u32]>::to_vec);
-        groups.map_or_else(CanCollide::all, CanCollide::different_groups)
+    /// The pairs that can collide by their groups, whatever the rule.
+    pub(crate) fn by_groups(&self) -> CanCollide {
+        self.by_groups.clone()
     }
 
-    /// The pairs of which two vertices are in different groups and can collide by a rule.
+    /// The pairs of which two vertices can collide by their groups and by a rule.
     ///
     /// An exception of the rule is kept in `failure`, and ends the computation.
     pub(crate) fn ruled(
@@ -45,13 +45,11 @@ impl Mesh {
         failure: &Arc<Mutex<Option<PyErr>>>,
     ) -> CanCollide {
         let Some(rule) = rule else {
-            return self.groups();
+            return self.by_groups();
         };
-        let (watch, failure, groups) = (watch.clone(), failure.clone(), self.groups.clone());
+        let (watch, failure, by_groups) = (watch.clone(), failure.clone(), self.by_groups());
         CanCollide::any_vertices(move |v, w| {
-            // There is a group for each vertex.
-            let same = |groups: &Arc<[u32]>| groups[v as usize] == groups[w as usize];
-            if watch.is_cancelled() || groups.as_ref().is_some_and(same) {
+            if watch.is_cancelled() || !by_groups.allows(&[v], &[w]) {
                 return false;
             }
             let answer = Python::attach(|py| rule.bind(py).call1((v, w))?.is_truthy());
@@ -67,6 +65,7 @@ impl Mesh {
 
 #[pymethods]
 impl Mesh {
+    /// The rule is a function of two vertices, or a matrix of groups.
     #[new]
     fn new(
         py: Python<'_>,
@@ -74,18 +73,16 @@ impl Mesh {
         faces: PyReadonlyArray2<'_, u32>,
         edges: PyReadonlyArray2<'_, u32>,
         groups: Option<PyReadonlyArray1<'_, u32>>,
+        matrix: Option<PyReadonlyArray2<'_, bool>>,
         rule: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
         let (faces, edges) = (faces.as_slice()?.as_chunks().0, edges.as_slice()?.as_chunks().0);
         let mesh = py
             .detach(|| TriangleMesh::with_edges(vertex_count, faces.to_vec(), edges))
             .map_err(refused)?;
-        let groups = groups
-            .map(|groups| groups.as_slice().map(Arc::from))
-            .transpose()?;
         Ok(Self {
             mesh: Arc::new(mesh),
-            groups,
+            by_groups: by_groups(groups, matrix)?,
             rule,
         })
     }
@@ -119,6 +116,23 @@ impl Mesh {
     fn loose_edge_count(&self) -> usize {
         self.mesh.loose_edges().len()
     }
+}
+
+/// The pairs that can collide by the groups of vertices: those of different groups, or those in a matrix.
+fn by_groups(
+    groups: Option<PyReadonlyArray1<'_, u32>>,
+    matrix: Option<PyReadonlyArray2<'_, bool>>,
+) -> PyResult<CanCollide> {
+    let Some(groups) = groups else {
+        return Ok(CanCollide::all());
+    };
+    let groups = groups.as_slice()?.to_vec();
+    let Some(matrix) = matrix else {
+        return Ok(CanCollide::different_groups(groups));
+    };
+    GroupMatrix::new(matrix.shape()[0], matrix.as_slice()?.to_vec())
+        .and_then(|matrix| CanCollide::by_groups(groups, matrix))
+        .map_err(|error| refused(format_args!("can_collide: {error}")))
 }
 
 /// An array of one dimension.

@@ -9,10 +9,11 @@ import sys
 from pathlib import Path
 
 PACKAGE = Path(__file__).parents[1]
-DOCUMENTS = [PACKAGE / "README.md", PACKAGE.parents[1] / "docs" / "python.md"]
+REPOSITORY = PACKAGE.parents[1]
+DOCUMENTS = [REPOSITORY / "README.md", PACKAGE / "README.md", REPOSITORY / "docs" / "python.md"]
 
 PROGRAMS = {
-    f"{document.name} {number}": code
+    f"{document.relative_to(REPOSITORY).as_posix()} {number}": code
     for document in DOCUMENTS
     for number, code in enumerate(re.findall(r"```python\n(.*?)```", document.read_text("utf-8"), re.S), 1)
 }

@@ -106,6 +106,7 @@ def test_nothing_to_prove(tmp_path) -> None:
         {"half_spaces": [[[0, 0, -9], [0, 0, 1]]]},
         {"groups": [0] * 6},
         {"can_collide": lambda a, b: True},
+        {"weld": True},
         {"min_distance": np.zeros(6)},
     ):
         with pytest.raises(ValueError, match="^a certificate is about all pairs and one distance"):

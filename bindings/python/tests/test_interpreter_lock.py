@@ -33,7 +33,7 @@ def overlaps_of_a_missing_vertex() -> None:
 
 
 def mesh() -> _native.Mesh:
-    return _native.Mesh(COUNT, FACES, NO_EDGES, None, None)
+    return _native.Mesh(COUNT, FACES, NO_EDGES, None, None, None)
 
 
 # The arguments are arrays of the compiled part: the conversions of numpy release the lock too.
@@ -41,7 +41,7 @@ CALLS: dict[str, Callable[[], Callable[[], object]]] = {
     "Mesh": lambda: mesh,
     "restrict": lambda: welding,
     "primitives": lambda: lambda welding=welding(), mesh=mesh(): welding.primitives(mesh),
-    "positions": lambda: lambda welding=welding(): welding.positions(POINTS),
+    "along_edges": lambda: lambda welding=welding(), mesh=mesh(): welding.along_edges(mesh),
     "overlaps": lambda: overlaps_of_a_missing_vertex,
 }
 

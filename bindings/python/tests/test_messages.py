@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -52,6 +53,11 @@ CASES = {
     "tmax is nan": lambda: ipc.point_point_ccd(*POINTS, tmax=np.nan),
     "conservative_rescaling has the dtype": lambda: ipc.point_point_ccd(*POINTS, conservative_rescaling="1"),
     "inflation_radius has the dtype": lambda: ipc.Candidates().build(Mesh(6, FACES), X0, X1, "1"),
+    "can_collide of the mesh is not callable: give a matrix of groups to exact_ccd.Mesh": lambda: (
+        ipc.is_step_collision_free(
+            SimpleNamespace(num_vertices=6, edges=ipc.edges(FACES), faces=FACES, can_collide=np.eye(2) > 0), X0, X1
+        )
+    ),
     "displacement_map is not supported": lambda: ipc.CollisionMesh(X0, displacement_map=np.eye(18)),
 }
 

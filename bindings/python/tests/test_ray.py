@@ -105,10 +105,15 @@ def test_groups_rules_and_half_spaces(cluster, tmp_path) -> None:
         {"groups": groups},
         {"can_collide": lambda i, j: abs(i - j) < 3},
         {"groups": groups, "half_spaces": [[[0, 0, -0.99], [0, 0, 1]]]},
+        {"groups": groups, "can_collide": [[True]], "names": ["both"]},
+        {"weld": True},
     ]
     for given in settings:
         assert same(exact_ccd.ray.audit(frames, FACES, steps=3, **given), exact_ccd.audit(frames, FACES, **given))
     assert exact_ccd.ray.audit(frames, FACES, steps=3, groups=groups, results=tmp_path).is_free
+    named = {"groups": groups, "can_collide": [[True]], "names": ["both"], "results": tmp_path}
+    reports = [exact_ccd.ray.audit(frames, FACES, steps=3, **named) for _ in range(2)]
+    assert reports[0] == reports[1] and reports[0].violation.places[0].body == "both"
     # Other settings have other results.
     assert not exact_ccd.ray.audit(frames, FACES, steps=3, results=tmp_path).is_free
     with pytest.raises(ValueError, match="results are not kept for a function"):

@@ -24,7 +24,7 @@ def worlds_of(seed: int) -> tuple[Mesh, np.ndarray, np.ndarray]:
 
 def rows(contact: np.ndarray) -> list:
     """The contact of each world, None if there is none."""
-    return [Contact(*(row[name] for name in Contact._fields)) if row["kind"] else None for row in contact]
+    return [Contact(*(row[name] for name in exact_ccd.CONTACT.names)) if row["kind"] else None for row in contact]
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])

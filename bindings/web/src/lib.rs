@@ -15,13 +15,13 @@ use crate::root_finder::RootFinder;
 
 /// The answer to a query.
 ///
-/// `kind` is `vertex-face`, `edge-edge`, `vertex-edge` or `vertex-vertex`; `coordinates` are those of
-/// the points at t = 0, then at t = 1, in the order of the kind. Primitives at most `distance` apart
-/// count as touching. The root finder adds `tolerance` to that distance.
+/// `kind` is `vertex-face`, `edge-edge`, `vertex-edge` or `vertex-vertex`; `coordinates` has the points at
+/// t = 0, then at t = 1, in the order of the kind. Primitives at most `distance` apart count as touching.
+/// The root finder adds `tolerance` to that distance.
 ///
 /// # Errors
-/// If the kind is unknown, the number of coordinates is not that of the kind, a coordinate is not
-/// finite, or a distance is negative or not finite.
+/// If the kind is unknown, the number of coordinates does not fit the kind, a coordinate is not finite, or a
+/// distance is negative or not finite.
 #[wasm_bindgen(js_name = answerQuery)]
 pub fn answer_query(
     kind: &str,

@@ -16,7 +16,7 @@ mod published;
 use std::hint::black_box;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace};
 use exact_ccd_bench::{mean, median, nanoseconds, nanoseconds_each, quantile};
 use exact_ccd_data::{DataError, DataKind};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion, Step};
@@ -67,9 +67,9 @@ struct Survey {
 /// The times of the colliding queries.
 #[derive(Clone, Default)]
 struct Colliding {
-    /// All contact times, in which the count and the time of impact are.
+    /// The search for all contact times, which also gives the count and the time of impact.
     times: Vec<f64>,
-    /// The same without those of the exact path.
+    /// The same without the queries that take the exact path.
     times_filtered: Vec<f64>,
     impacts: Vec<f64>,
     /// The exact path on some of them.
@@ -187,7 +187,8 @@ impl Colliding {
         }
         self.impacts.push(nanoseconds(|| query.impact(CONTACT)));
         if self.exact.len() < AUDITED {
-            self.exact.push(nanoseconds(|| exact::intervals(query, CONTACT)));
+            self.exact
+                .push(nanoseconds(|| query.exactly().intervals(CONTACT)));
         }
     }
 }
@@ -209,7 +210,7 @@ fn print_candidates(batches: &[Batch<'_>]) {
 }
 
 fn print_stages(batches: &[Batch<'_>]) {
-    // Those of a distance settle no query of contact.
+    // The stages of a distance query settle no query of contact.
     let of_contact = |stage: &&Stage| !matches!(stage, Stage::Start | Stage::Advancement | Stage::Crossing);
     let stages: Vec<Stage> = Stage::ALL.iter().filter(of_contact).copied().collect();
     println!(

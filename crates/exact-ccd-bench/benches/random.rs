@@ -220,7 +220,7 @@ fn thrown(random: &mut Rng) -> [Four; 2] {
     [start, start.map(|x| x.map(|x| -k * x))]
 }
 
-/// x₁ = 2 c − x₀, through a center c of which no coordinate is 0.
+/// x₁ = 2 c − x₀, through a center c without a coordinate that is 0.
 fn inverted(random: &mut Rng) -> [Four; 2] {
     let center = point(random);
     let start = on_sphere(random).map(|x| [0, 1, 2].map(|axis: usize| center[axis] + x[axis]));

@@ -24,7 +24,7 @@ const ROUNDS: usize = 7;
 const FRACTIONS: [f64; 2] = [1e-3, 1e-1];
 /// The largest number of candidates of a row: every so many, if there are more.
 const CANDIDATES: usize = 200_000;
-/// The number of queries of which all intervals and the impact are timed.
+/// The number of queries whose intervals and impact are timed.
 const SAMPLE: usize = 20_000;
 
 fn main() -> Result<(), DataError> {
@@ -67,8 +67,8 @@ struct Measured {
     /// The same in batches.
     contact_batch: Vec<f64>,
     outside_batch: Vec<f64>,
-    /// The first time within d, of each query that comes within d, and the same without those of the
-    /// exact path.
+    /// The first time within d, of each query that comes within d, and the same without the queries that
+    /// take the exact path.
     first: Vec<f64>,
     first_filtered: Vec<f64>,
     intervals: Vec<f64>,

@@ -2,10 +2,10 @@
 //! motion in a plane, equal points.
 //!
 //! `cargo bench -p exact-ccd-bench --bench worst_cases [-- QUERIES]`, on one thread; 100 queries of
-//! each family if no number is given. The queries are generated with fixed seeds. The time of a query
-//! is the least of five attempts. A row is over all families of a kind: those of the exact path alone for
-//! contact, and within the distance that the primitives have at t = 0, 1/2 or 1; and, with the filters,
-//! those of points that coincide.
+//! each family if no number is given. The queries are generated with fixed seeds. The time of a query is
+//! the least of five attempts. A row covers families of one kind. The exact path alone is timed on all
+//! families, for contact, and within the distance that the primitives have at t = 0, 1/2 or 1. With the
+//! filters, only the families of coincident points are timed, for contact.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -16,7 +16,7 @@ mod hard_cases;
 #[allow(dead_code, reason = "the test target `queries` needs more of it")]
 mod primitives;
 
-use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_bench::nanoseconds;
 
 use hard_cases::extremes::families;
@@ -101,10 +101,10 @@ fn distance<K: Kind>(index: usize, query: &Query<K>) -> Separation {
 
 fn exactly<K: Kind>(query: &Query<K>, d: Separation) -> [f64; ANSWERS.len()] {
     [
-        milliseconds(|| exact::collides(query, d)),
-        milliseconds(|| exact::time_of_impact(query, d)),
-        milliseconds(|| exact::intervals(query, d)),
-        milliseconds(|| exact::impact(query, d)),
+        milliseconds(|| query.exactly().collides(d)),
+        milliseconds(|| query.exactly().time_of_impact(d)),
+        milliseconds(|| query.exactly().intervals(d)),
+        milliseconds(|| query.exactly().impact(d)),
     ]
 }
 

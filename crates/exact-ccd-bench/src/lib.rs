@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-/// The runs of a task of which the fastest one counts.
+/// The number of runs of a task; the fastest one counts.
 const ATTEMPTS: usize = 5;
 
 /// The number of items that are timed as a whole.

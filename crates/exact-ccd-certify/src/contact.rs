@@ -1,4 +1,5 @@
-//! The proof of the earliest contact: candidates, of which the checker accepts one.
+//! The proof of the earliest contact: this module makes candidates, and takes the first that the checker
+//! accepts.
 
 use dashu_int::IBig;
 use exact_ccd_check::contact::{Moving, Proof, is_contact, vertex_on_edge};

@@ -1,9 +1,8 @@
 //! Directions that separate the origin from points, in floating point.
 //!
-//! The least of g · p / |g| over some points is largest for the direction g of the point of their hull
-//! that is closest to the origin: a point, or the foot on an edge, or the normal of a triangle. With at
-//! most eight points, all of these are tried. Nothing here is exact; the checker verifies what becomes
-//! of it.
+//! The least of g · p / |g| over some points is largest for the direction g of the point of their hull that
+//! is closest to the origin: a point, or the foot on an edge, or the normal of a triangle. With at most
+//! eight points, all of these are tried. Nothing here is exact; the checker verifies the directions.
 
 use exact_ccd::Point;
 use exact_ccd_mesh::vector::{cross, dot, minus};

@@ -15,7 +15,7 @@ pub(crate) fn number(bytes: &mut Vec<u8>, mut number: u32) {
     bytes.push(number as u8);
 }
 
-/// The indices of a pair, after those of the one before.
+/// Writes the indices of a pair, relative to the indices of the pair before.
 pub(crate) fn ids(bytes: &mut Vec<u8>, last: Option<[u32; 2]>, ids: [u32; 2]) {
     for part in row(last, ids) {
         number(bytes, part);

@@ -4,7 +4,7 @@ use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use exact_ccd_check::polynomial::Polynomial;
 
-/// The greatest common divisor of two polynomials, up to a factor; that of 0 and another one is the other.
+/// The greatest common divisor of two polynomials, up to a factor. If one is 0, it is the other one.
 pub(crate) fn gcd(a: &Polynomial, b: &Polynomial) -> Polynomial {
     let (mut a, mut b) = (primitive(a.0.clone()), primitive(b.0.clone()));
     while !b.is_empty() {

@@ -9,7 +9,8 @@ use exact_ccd_check::Pair;
 use exact_ccd_check::motion::{Motion, Point, Time};
 use exact_ccd_check::separation::dot;
 
-/// All candidates at a time, those of the same features at the same places for all times. Some may be 0.
+/// All candidates at a time. The same features have the same places in the list at all times. Some
+/// candidates may be 0.
 pub(crate) fn directions(motion: &Motion, pair: &Pair<'_>, time: &Time) -> Vec<Point> {
     let points: Vec<Point> = pair.vertices().map(|vertex| motion.at(vertex, time)).collect();
     let (first, second) = points.split_at(pair.first.len());

@@ -24,7 +24,7 @@ pub struct Maker {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MakerError {
-    /// The step is none, or an edge passes through a face at its start.
+    /// The positions are no step, or an edge passes through a face at its start.
     #[error(transparent)]
     Step(#[from] StepError),
     /// Only some pairs can collide, or not all keep the same distance.
@@ -67,8 +67,8 @@ impl Maker {
         maker
     }
 
-    /// A part without steps, to be written behind a certificate about the same distance, or behind another
-    /// part of it: the bytes of all parts, one after the other, are those of the certificate of all steps.
+    /// A part without steps, to be written behind a certificate for the same distance, or behind another
+    /// part of it. All parts together are, byte for byte, the certificate of all steps.
     #[must_use]
     pub fn continued(distance: Separation) -> Self {
         Self {

@@ -44,8 +44,8 @@ impl Step<'_> {
         Some(stretches)
     }
 
-    /// One stretch: a constant direction, or one that turns, or that of closest features at the end or
-    /// at the start.
+    /// One stretch: its direction is constant, or turns, or is a direction between the closest features at
+    /// the end or at the start.
     fn stretch(&self, kind: Kind, pair: &Pair<'_>, times: [f64; 2]) -> Option<Stretch> {
         let [start, end] = times;
         let holds = |stretch: &Stretch| stretch.holds(self.motion, kind, pair, start);

@@ -38,7 +38,7 @@ impl Head {
     /// Reads the flags and the times.
     ///
     /// # Errors
-    /// For flags that are none, and times that are not in [0, 1] or not adjacent.
+    /// If a flag is none of the format, or a time is not in [0, 1] or not adjacent to the other.
     pub fn read(bytes: &mut Bytes<'_>) -> Result<Self, Failure> {
         let flags = bytes.byte()?;
         if flags == 0 || flags > REST | FREE | CONTACT {
@@ -63,10 +63,10 @@ pub fn row(last: Option<[u32; 2]>, [a, b]: [u32; 2]) -> [u32; 2] {
     }
 }
 
-/// The stretches of a pair, of which the last ends at T.
+/// Reads the stretches of a pair; the last one ends at T.
 ///
 /// # Errors
-/// For other tags than those of the format, and at the end.
+/// If the tag of a stretch is none of the format, or the bytes end.
 pub fn stretches(bytes: &mut Bytes<'_>, until: f64) -> Result<Vec<Stretch>, Failure> {
     let mut stretches = Vec::new();
     loop {
@@ -92,7 +92,7 @@ fn direction(bytes: &mut Bytes<'_>, size: usize) -> Result<Point, Failure> {
 /// The kind, the indices and the proof of a contact.
 ///
 /// # Errors
-/// For numbers that are none of the format, and at the end.
+/// If a number is none of the format, or the bytes end.
 pub fn contact(bytes: &mut Bytes<'_>) -> Result<(Kind, [u32; 2], Proof), Failure> {
     // The last kind is not one of contact.
     let Some(&kind) = Kind::ALL[..4].get(usize::from(bytes.byte()?)) else {

@@ -3,8 +3,8 @@
 //! A table has the proofs of one kind of pairs, sorted. The pairs that need a proof are found here, and
 //! each must be in the table. If there are more than the certificate has bytes, it is unreadable. So the
 //! sizes of the files bound the memory: up to some 400 bytes for a coordinate, because the unit of all
-//! numbers is the least exponent of the coordinates and of d. Pairs of neighbours need no proof, and are
-//! found too, so that the time is at most that of all pairs of primitives.
+//! numbers is the least exponent of the coordinates and of d. The search also finds pairs of neighbours,
+//! which need no proof. So the time is at most the time for all pairs of primitives.
 
 use std::fmt;
 

@@ -1,6 +1,6 @@
 //! The proof that two primitives are in contact, or within the distance, at a time after T and not after T⁺.
 //!
-//! Three proofs, of which any suffices:
+//! Any of three proofs suffices:
 //!
 //! - *A point at T⁺.* Weights, not negative and with the same positive sum w for either primitive, name
 //!   a point of each. Their difference, times w, is a vector of integers of length at most w d.
@@ -95,7 +95,7 @@ impl Moving {
         Self(pair.vertices().map(linear).collect())
     }
 
-    /// The normal n, the coplanarity c and the sides, each of the vector of which a component counts.
+    /// The normal n, the coplanarity c and the sides. One component of each side's vector counts.
     pub fn coplanarity(&self, kind: Kind) -> Option<(Vector, Polynomial, Vec<Vector>)> {
         let [a, b, c, d] = &self.0[..] else { return None };
         match kind {

@@ -5,8 +5,8 @@
 //!
 //! 1. No edge pierces a face at t = 0 ([`separation`], the rows of [`Kind::EdgeFace`]).
 //! 2. No two primitives that count come into contact, or within a distance d, at any time of [0, T]
-//!    ([`separation`]). The pairs that count are those of [`mesh`]. Of a vertex and an edge that an edge
-//!    connects, only contact is excluded, whatever d is.
+//!    ([`separation`]). [`mesh`] defines the pairs that count. Of a vertex and an edge that an edge connects,
+//!    only contact is excluded, whatever d is.
 //! 3. Two named primitives are in contact, or within d, at a time after T and not after T⁺, where T and
 //!    T⁺ are adjacent f64 ([`contact`]). With the second statement, the earliest contact of the step is in
 //!    this interval; another pair may be the first in it. Without it, T⁺ is 0, and they touch at t = 0.

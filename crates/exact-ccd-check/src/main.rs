@@ -1,8 +1,8 @@
 //! The program `exact-ccd-check`.
 //!
-//! `exact-ccd-check CERTIFICATE FRAMES...` prints the statements that a certificate proves about mesh
-//! files, and ends with the status 0 if it proves all of them, 1 if it does not, and 2 if a file cannot
-//! be read, or the arguments are others. With `--help`, it prints its usage and ends with the status 0.
+//! `exact-ccd-check CERTIFICATE FRAMES...` prints the statements that a certificate proves about mesh files.
+//! It ends with the status 0 if it proves all of them, 1 if it does not, and 2 if a file cannot be read, or
+//! the arguments are wrong. With `--help`, it prints its usage and ends with the status 0.
 
 use std::io::Write;
 use std::path::PathBuf;

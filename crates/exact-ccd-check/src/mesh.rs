@@ -1,9 +1,9 @@
 //! The primitives of a mesh, and the pairs of them for which contact counts.
 //!
-//! Two primitives are apart if they have no common vertex. A vertex is loose if it has no edge, an edge
-//! if it belongs to no face. The pairs are those of a vertex and a face, apart; of two edges, apart; of
-//! a vertex and a loose edge, apart, if no edge of the vertex is apart from it; and of two loose
-//! vertices. With a distance, the third kind counts at distance 0 only, unless the vertex is loose.
+//! Two primitives are apart if they have no common vertex. A vertex is loose if it has no edge, an edge if
+//! it belongs to no face. The pairs are: a vertex and a face, apart; two edges, apart; a vertex and a
+//! loose edge, apart, if no edge of the vertex is apart from it; and two loose vertices. With a distance,
+//! the third kind counts at distance 0 only, unless the vertex is loose.
 
 use std::slice;
 
@@ -66,7 +66,7 @@ pub struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// The vertices of the first primitive, then those of the second.
+    /// The vertices of the first primitive, then the vertices of the second.
     pub fn vertices(&self) -> impl Iterator<Item = u32> {
         self.first.iter().chain(self.second).copied()
     }
@@ -139,8 +139,8 @@ impl Mesh {
         counts.then_some(Pair { first, second, has_distance })
     }
 
-    /// The first or the second primitives of all pairs of a kind: their indices, and their vertices, of
-    /// which the last is repeated up to three.
+    /// The first or the second primitives of all pairs of a kind: their indices, and three vertices each. If
+    /// a primitive has fewer, its last vertex is repeated.
     pub fn primitives(&self, kind: Kind, is_second: bool) -> Vec<(u32, [u32; 3])> {
         let vertices = |most: u32| {
             let all = (0..self.vertex_count).zip(&self.degrees);

@@ -17,7 +17,7 @@ pub fn dyadic(x: f64) -> Option<(i64, i32)> {
     let (exponent, fraction) = ((bits >> 52 & 2047) as i32, (bits & ((1 << 52) - 1)) as i64);
     let (mantissa, exponent) = match (exponent, fraction) {
         (2047, _) => return None,
-        // The exponent of 0 is that of the largest f64: it is no reason for a smaller unit.
+        // 0 gets the exponent of the largest f64: it is no reason for a smaller unit.
         (0, 0) => return Some((0, 971)),
         (0, _) => (fraction, -1074),
         _ => (fraction | 1 << 52, exponent - 1075),

@@ -17,14 +17,14 @@ pub struct Frame {
     pub positions: Vec<[f64; 3]>,
 }
 
-/// The encoding of numbers; the order of bytes is a function from those of a number to little-endian ones.
+/// The encoding of numbers. In a binary file, the function makes the bytes of a number little-endian.
 #[derive(Clone, Copy)]
 enum Encoding {
     Text,
     Binary(fn(&mut [u8])),
 }
 
-/// A property: its name, the type of its values, and that of the number of values if it is a list.
+/// A property: its name, the type of its values, and for a list the type of the number of values.
 type Property<'a> = (&'a str, &'a str, Option<&'a str>);
 
 /// The name of an element, the number of its rows, and its properties.
@@ -33,7 +33,7 @@ type Element<'a> = (&'a str, usize, Vec<Property<'a>>);
 /// Reads a file.
 ///
 /// # Errors
-/// For all that is not described above.
+/// If the file has anything that the documentation of this module does not list.
 pub fn read(file: &[u8]) -> Result<Frame, Failure> {
     let mut bytes = Bytes(file);
     let (encoding, elements) = header(&mut bytes)?;
@@ -113,8 +113,8 @@ fn header<'a>(bytes: &mut Bytes<'a>) -> Result<(Encoding, Vec<Element<'a>>), Fai
     encoding.map_or_else(|| unreadable("a PLY header has no format"), |encoding| Ok((encoding, elements)))
 }
 
-/// The values of a property in a row: one, or those of a list. A list that is longer than the file ends
-/// with it.
+/// The values of a property in a row: one, or all values of a list. A list with more values than the rest of
+/// the file has is an error.
 fn values(
     bytes: &mut Bytes<'_>,
     encoding: Encoding,

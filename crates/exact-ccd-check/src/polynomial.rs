@@ -1,9 +1,10 @@
 //! Polynomials in both ends of an interval of time.
 //!
-//! With s from 0 to 1 over the interval, a polynomial of degree n is the sum of c_i s^i (1 − s)^(n −
-//! i). Products and sums of equal degree are those of ordinary polynomials in s / (1 − s), which take
-//! the same values up to positive factors inside of the interval. Coefficients of one strict sign are a
-//! proof of that sign for all s in [0, 1].
+//! With s from 0 to 1 over the interval, a polynomial of degree n is the sum of c_i s^i (1 − s)^(n − i).
+//! Its coefficients are also the coefficients of an ordinary polynomial in s / (1 − s), which takes the
+//! same values up to positive factors inside of the interval. So products, and sums of polynomials of
+//! equal degree, are computed as for ordinary polynomials. Coefficients of one strict sign are a proof of
+//! that sign for all s in [0, 1].
 
 use dashu_int::IBig;
 

@@ -1,9 +1,8 @@
 //! The proof that two primitives are not in contact, and not within the distance d.
 //!
-//! Let g be a direction, constant or linear in time, and x_i − x_j the difference of a vertex of the
-//! first primitive and one of the second. The difference of any two points of the primitives is a mean
-//! of such differences. If g · (x_i − x_j) > d |g| for all of them, the primitives are more than d
-//! apart.
+//! Let g be a direction, constant or linear in time, and x_i − x_j the difference of a vertex of the first
+//! primitive and a vertex of the second. The difference of any two points of the primitives is a mean of
+//! such differences. If g · (x_i − x_j) > d |g| for all of them, the primitives are more than d apart.
 //!
 //! On a stretch of time from s to e, let g turn from g_s to g_e. Then g · (x_i − x_j) is quadratic,
 //! with the Bernstein coefficients g_s · x_s, (g_s · x_e + g_e · x_s) / 2 and g_e · x_e for x = x_i −
@@ -12,11 +11,11 @@
 //! times the other. The square of |g_s| + |g_e| is at most 2 (|g_s|² + |g_e|²). If g is constant, so g_s =
 //! g_e, the middle coefficients are the means of the others.
 //!
-//! For an edge and a face at t = 0, it suffices that g is not 0 and g · (x_i − x_j) ≥ 0. An edge that
-//! pierces a face has a point inside of itself in common with the inside of the face; there, all of
-//! these products would be 0, so that g would be orthogonal to the edge and to the plane of the face,
-//! which the edge is not in: g would be 0. An edge that has a vertex in common with a face does not
-//! pierce it, and needs no row: if it is not in the plane of the face, it meets the plane there only.
+//! For an edge and a face at t = 0, it suffices that g is not 0 and g · (x_i − x_j) ≥ 0. If an edge pierces
+//! a face, a point inside of the edge is also inside of the face. There, all of these products would be 0,
+//! so that g would be orthogonal to the edge and to the plane of the face. The edge is not in this plane, so
+//! g would be 0. An edge that has a vertex in common with a face does not pierce it, and needs no row: if it
+//! is not in the plane of the face, it meets the plane only at that vertex.
 
 use dashu_int::IBig;
 

@@ -29,9 +29,9 @@ impl Extent {
         Self(from_fn(|end| from_fn(|axis| from_fn(|side| least(end, axis, side)))))
     }
 
-    /// The least x on one side plus the least −x on the other is the gap between them. The exact
-    /// coordinates are less than 1 above the rounded ones, so a gap of more than the distance between
-    /// rounded coordinates, which is at least 1 more, is one between exact coordinates.
+    /// The least x on one side plus the least −x on the other is the gap between them. The exact coordinates
+    /// are less than 1 above the rounded ones. A gap between rounded coordinates that exceeds the distance
+    /// exceeds it by at least 1, so the gap between the exact coordinates exceeds the distance too.
     fn is_separate(&self, other: &Self, distance: i64) -> bool {
         let gap =
             |end: usize, axis: usize, side: usize| self.0[end][axis][side] + other.0[end][axis][1 - side];

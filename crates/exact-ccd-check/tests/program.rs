@@ -192,7 +192,7 @@ fn connected_rods_within_a_distance() {
     let frame = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n\
         element edge 3\nproperty int vertex1\nproperty int vertex2\nend_header\n\
         0 0 0\n1 0 0\n0 1 0\n0 1\n1 2\n0 2\n";
-    // No rows of the first two kinds, then those of each vertex and the opposite edge.
+    // No rows of the first two kinds, then a row for each vertex and the opposite edge.
     let tables = b"\0\0\x03\0\x02\0\xff\xff\0\x01\x01\0\x01\0\0\x01\0\0\0\x01\0\0";
     let until = 1.0_f64.to_le_bytes();
     let certificate = [&CERTIFICATE[..24], &10.0_f64.to_le_bytes(), &[2], &until, tables].concat();

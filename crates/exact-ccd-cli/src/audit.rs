@@ -17,7 +17,7 @@ use crate::mesh_arguments::MeshArguments;
 use crate::notes::Notes;
 use crate::progress::{self, during};
 use crate::report::{Report, Violations};
-use crate::scene::Scene;
+use crate::scene::{Scene, Turns};
 use crate::seconds::Seconds;
 use crate::view::Recording;
 
@@ -79,6 +79,7 @@ struct Run<'a> {
     audit: Audit,
     certificate: Certificate<'a>,
     page: Recording,
+    turns: Turns,
     report: Report,
     /// All violations.
     list: ContactList,
@@ -112,6 +113,7 @@ impl<'a> Run<'a> {
             certificate,
             page: mesh.view.recording(frames, &scene, half_spaces.all()),
             report: Report::new("audit", &scene, notes, Distances::new(mesh.min_distance, None)),
+            turns: Turns::of(&scene),
             list: ContactList::default(),
             clock,
             writing: if mesh.has_files() { "write" } else { "examine" },
@@ -149,8 +151,14 @@ impl<'a> Run<'a> {
             self.scene
                 .note_split_vertices(first, &[&last.positions], &mut self.report.notes);
         }
+        if index == 0 && found.is_empty() {
+            self.scene.note_nesting(&last.positions, &mut self.report.notes)?;
+        }
+        if let Some(before) = &before {
+            self.turns.add(&self.scene, index - 1, [before, &last.positions]);
+        }
         let all = found.into_iter().chain(self.half_spaces.touching(index, last));
-        let in_file = |record: ContactRecord| record.in_file(self.scene.ids());
+        let in_file = |record: ContactRecord| self.scene.in_file(record);
         let mut records: Vec<_> = all.map(in_file).collect();
         self.clock.end("examine");
         show(&mut self.page, &violations, &records)?;
@@ -191,6 +199,8 @@ impl<'a> Run<'a> {
     /// Writes the outputs about all frames, and returns the exit status.
     fn finish(mut self) -> Result<ExitCode, Failure> {
         let mesh = &self.arguments.mesh;
+        self.turns.note(&self.scene, &mut self.report.notes);
+        self.report.set_times(&self.scene);
         if let Some(file) = &mesh.all {
             self.report.counts.violations = Some(Violations::from(&self.list));
             self.list.write(file)?;

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use exact_ccd::{EdgeEdge, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{DataKind, QueryKind, Record, Rounding, Scene};
+use exact_ccd_files::Format;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -96,6 +97,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     query_files::check(&arguments.inputs, |input| {
         check_path(input, "a query file, CSV or Parquet, or the folder of a scene")
     })?;
+    for input in &arguments.inputs {
+        refuse_mesh(input)?;
+    }
     let kind = kind_of(arguments.kind, &arguments.inputs, &mut Notes::default())?;
     let report = during(progress::count("queries"), |progress| match kind {
         Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
@@ -107,6 +111,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         print(&to_json("convert", &report))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Refuses a mesh, which has no queries.
+fn refuse_mesh(input: &Path) -> Result<(), Failure> {
+    match Format::of_path(input) {
+        None => Ok(()),
+        Some(_) => Err(Failure::of(
+            input,
+            "this is a mesh, and `convert` converts files of queries, from CSV to Parquet and back; `exact-ccd step` and \
+             `exact-ccd audit` read meshes, and meshio or ParaView convert them",
+        )),
+    }
 }
 
 /// Converts queries of a kind; `scene` reads those of a scene.

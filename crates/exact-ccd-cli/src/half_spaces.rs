@@ -171,6 +171,7 @@ impl VertexHalfSpace<'_> {
                 lower: if upper == 0.0 { 0.0 } else { distance },
                 upper: distance,
             },
+            owners: None,
         }
     }
 }

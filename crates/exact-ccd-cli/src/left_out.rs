@@ -93,7 +93,7 @@ pub(crate) fn check(matches: &ArgMatches) -> Result<(), Failure> {
 pub(crate) fn message(part: &str, feature: &str, command: &str) -> String {
     format!(
         "{part} is not in this build, which lacks the feature `{feature}`; \
-         `cargo run --release --features full -- {command} ...` runs the program with all of it, \
+         in a checkout, `cargo full -- {command} ...` runs the program with all of it, \
          `cargo install --locked --path crates/exact-ccd-cli --features full` installs that"
     )
 }

@@ -33,6 +33,9 @@ pub(crate) struct Report {
     frames: usize,
     /// The number of frames examined, until the first intersection or contact unless all are searched for.
     pub(crate) examined: usize,
+    /// The times of the first and of the last frame examined, if the files have times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    times: Option<[f64; 2]>,
     /// The first edge that meets a face in a frame at rest.
     intersection: Option<Finding>,
     /// The first time of the contact in its step, rounded down.
@@ -106,6 +109,7 @@ impl Report {
             touches: false,
             frames: scene.frame_count(),
             examined: scene.frame_count(),
+            times: None,
             intersection: None,
             toi: None,
             contact: None,
@@ -136,6 +140,15 @@ impl Report {
         self.collision_free = false;
     }
 
+    /// Sets the times of the frames that were examined.
+    pub(crate) fn set_times(&mut self, scene: &Scene) {
+        let last = self.examined.saturating_sub(1);
+        self.times = scene
+            .time(0)
+            .zip(scene.time(last))
+            .map(|(first, last)| [first, last]);
+    }
+
     /// Adds a contact that is not known.
     pub(crate) fn touch(&mut self) {
         (self.collision_free, self.touches) = (false, true);
@@ -153,7 +166,9 @@ impl Report {
 
     /// The line of the text about a contact that is not known, or that is absent.
     fn decision(&self) -> &'static str {
-        if self.collision_free && self.frames == 1 {
+        if self.collision_free && self.summary.is_of_points() {
+            "free of contact of points alone"
+        } else if self.collision_free && self.frames == 1 {
             "free of contact at rest: one frame has no motion"
         } else if self.collision_free {
             "free of contact"
@@ -228,7 +243,12 @@ impl fmt::Display for Report {
         }
         self.counts.write(f, &self.distances)?;
         if self.command == "audit" {
-            writeln!(f, "frames: {} of {} examined", self.examined, self.frames)?;
+            write!(f, "frames: {} of {} examined", self.examined, self.frames)?;
+            if let Some(times) = self.times {
+                let [first, last] = times.map(shortest);
+                write!(f, ", from time {first} to {last}")?;
+            }
+            writeln!(f)?;
         }
         self.seconds.iter().try_for_each(|seconds| seconds.fmt(f))
     }

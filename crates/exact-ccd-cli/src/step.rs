@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use clap::value_parser;
 use exact_ccd::{Options, Separation};
-use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{
     Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, IntersectionOptions, Meeting,
     MinDistance, Motion, StepError, StepReport, intersections,
@@ -21,7 +20,7 @@ use crate::mesh_arguments::MeshArguments;
 use crate::notes::Notes;
 use crate::progress::{self, during};
 use crate::report::{Counts, Pairs, Report, Violations};
-use crate::scene::Scene;
+use crate::scene::{Scene, Turns};
 use crate::seconds::Seconds;
 use crate::timed::Timed;
 
@@ -100,7 +99,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let found = arguments.find(&problem, &mut detector, &mut clock)?;
     let distances = Distances::new(mesh.min_distance, arguments.inner_distance());
     let mut report = Report::new("step", &scene, notes, distances);
-    arguments.tell(&scene, &problem, &found, &mut report);
+    arguments.tell(&problem, &found, &mut report)?;
     if mesh.has_files() {
         let contacts = during(progress::stage("listing all contacts"), |_| {
             let Motion { x0, x1, .. } = &problem.motion;
@@ -109,7 +108,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         clock.end("list");
         let list = found.list(&problem, &contacts);
         report.counts.violations = mesh.all.as_ref().map(|_| Violations::from(&list));
-        arguments.write((&scene, &problem), &found.start, &contacts, &list, &report)?;
+        arguments.write(&problem, &found.start, &contacts, &list, &report)?;
         clock.end("write");
     }
     if certificate.is_wanted() {
@@ -143,7 +142,7 @@ struct Found {
 
 impl Found {
     /// The intersections at the start and all contacts, in the order of their times.
-    fn list(&self, problem: &Problem, contacts: &[Contact]) -> ContactList {
+    fn list(&self, problem: &Problem<'_>, contacts: &[Contact]) -> ContactList {
         let start = self.start.iter().map(|&found| problem.record_of_start(found));
         let contacts = contacts.iter().map(|contact| problem.record(contact));
         let mut records: Vec<_> = start.chain(contacts).collect();
@@ -153,17 +152,17 @@ impl Found {
     }
 }
 
-/// A motion, the ids of its vertices and faces, and the meaning of contact in it.
-struct Problem {
+/// A motion, the scene that it is of, and the meaning of contact in it.
+struct Problem<'a> {
+    scene: &'a Scene,
     motion: Motion,
-    ids: FileIds,
     can_collide: CanCollide,
     distance: MinDistance,
     half_spaces: HalfSpaces,
     broad_phase: Arc<Timed>,
 }
 
-impl Problem {
+impl Problem<'_> {
     fn detector(&self) -> Detector {
         let detector = Detector::with_broad_phase(self.motion.mesh.clone(), self.broad_phase.clone());
         detector.with_can_collide(self.can_collide.clone())
@@ -175,12 +174,14 @@ impl Problem {
 
     fn record_of_start(&self, found: Intersection) -> ContactRecord {
         let Motion { mesh, x0, .. } = &self.motion;
-        ContactRecord::of_intersection(0, mesh, x0, found).in_file(&self.ids)
+        self.scene
+            .in_file(ContactRecord::of_intersection(0, mesh, x0, found))
     }
 
     fn record(&self, contact: &Contact) -> ContactRecord {
         let Motion { mesh, x0, x1 } = &self.motion;
-        ContactRecord::of_contact(0, mesh, [x0, x1], contact).in_file(&self.ids)
+        self.scene
+            .in_file(ContactRecord::of_contact(0, mesh, [x0, x1], contact))
     }
 }
 
@@ -198,7 +199,7 @@ impl Arguments {
         Ok((scene, motion))
     }
 
-    fn problem(&self, scene: &Scene, motion: Motion) -> Problem {
+    fn problem<'a>(&self, scene: &'a Scene, motion: Motion) -> Problem<'a> {
         let (min_distance, inner_distance) = (self.mesh.min_distance, self.inner_distance());
         let half_spaces = &self.mesh.half_spaces;
         Problem {
@@ -206,7 +207,7 @@ impl Arguments {
             distance: kept(min_distance, inner_distance),
             half_spaces: half_spaces.around(scene.moving_vertices(), min_distance, inner_distance),
             broad_phase: Arc::default(),
-            ids: scene.ids().clone(),
+            scene,
             motion,
         }
     }
@@ -214,14 +215,14 @@ impl Arguments {
     /// All answers, that about the mesh as often as `--repeat` says.
     fn find(
         &self,
-        problem: &Problem,
+        problem: &Problem<'_>,
         detector: &mut Detector,
         clock: &mut Seconds,
     ) -> Result<Found, Failure> {
         let start = self.start(problem)?;
         clock.end("start");
         let (in_half_spaces, half_spaces) = problem.half_spaces.in_step(&problem.motion);
-        let in_file = |record: ContactRecord| record.in_file(&problem.ids);
+        let in_file = |record: ContactRecord| problem.scene.in_file(record);
         let in_half_spaces = in_half_spaces.into_iter().map(in_file).collect();
         let half_spaces = self.mesh.half_spaces.is_given().then_some(half_spaces);
         if half_spaces.is_some() {
@@ -245,7 +246,8 @@ impl Arguments {
     }
 
     /// Adds what was found to the report.
-    fn tell(&self, scene: &Scene, problem: &Problem, found: &Found, report: &mut Report) {
+    fn tell(&self, problem: &Problem<'_>, found: &Found, report: &mut Report) -> Result<(), Failure> {
+        let scene = problem.scene;
         let at_start = found.start.first().map(|&found| problem.record_of_start(found));
         // Of contacts at the same time, those of the mesh are first.
         let answer = &found.answer;
@@ -257,6 +259,13 @@ impl Arguments {
             let Motion { x0, x1, .. } = &problem.motion;
             scene.note_split_vertices(first, &[x0, x1], &mut report.notes);
         }
+        let Motion { x0, x1, .. } = &problem.motion;
+        if at_start.is_none() {
+            scene.note_nesting(x0, &mut report.notes)?;
+        }
+        let mut turns = Turns::of(scene);
+        turns.add(scene, 0, [x0, x1]);
+        turns.note(scene, &mut report.notes);
         if let Some(record) = &at_start {
             report.add(scene, 1, record);
         }
@@ -271,10 +280,11 @@ impl Arguments {
             half_spaces: found.half_spaces,
             violations: None,
         };
+        Ok(())
     }
 
     /// The intersections at the start, unless they are not searched for.
-    fn start(&self, problem: &Problem) -> Result<Vec<Intersection>, Failure> {
+    fn start(&self, problem: &Problem<'_>) -> Result<Vec<Intersection>, Failure> {
         if self.no_start_check {
             return Ok(Vec::new());
         }
@@ -286,7 +296,7 @@ impl Arguments {
         Ok(found.map_err(StepError::from)?)
     }
 
-    fn answer(&self, problem: &Problem, detector: &mut Detector) -> Result<Answer, Failure> {
+    fn answer(&self, problem: &Problem<'_>, detector: &mut Detector) -> Result<Answer, Failure> {
         let Motion { x0, x1, .. } = &problem.motion;
         let stage = progress::stage("searching for contact");
         let mut answer = Answer::default();
@@ -312,18 +322,18 @@ impl Arguments {
     /// Writes the files that have all contacts.
     fn write(
         &self,
-        (scene, problem): (&Scene, &Problem),
+        problem: &Problem<'_>,
         start: &[Intersection],
         contacts: &[Contact],
         list: &ContactList,
         report: &Report,
     ) -> Result<(), Failure> {
-        let Problem { motion, ids, .. } = problem;
+        let Problem { scene, motion, .. } = problem;
         if let Some(file) = &self.mesh.all {
             list.write(file)?;
         }
         if let Some(folder) = &self.mesh.paraview {
-            impact_files::write(folder, motion.step()?, ids, list)?;
+            impact_files::write(folder, motion.step()?, scene.ids(), list)?;
         }
         let half_spaces = problem.half_spaces.all();
         let mut page = self.mesh.view.recording(&self.files, scene, half_spaces);

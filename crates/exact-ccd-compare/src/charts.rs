@@ -145,7 +145,7 @@ fn error_rates(row: &Row) -> [f64; 2] {
     ]
 }
 
-/// Where the name of a row is written.
+/// The place of the name of a row.
 fn place(index: usize) -> (i32, i32) {
     (SIZE.0 as i32 - LEGEND + 8, 70 + 24 * index as i32)
 }

@@ -45,7 +45,7 @@ pub struct Peer {
 struct Program {
     command: String,
     process: Process,
-    /// The time limit of an answer, in addition to that of its queries.
+    /// The time limit of an answer, in addition to the time limits of its queries.
     grace: Duration,
 }
 

@@ -70,8 +70,8 @@ impl Report {
     #[must_use]
     pub fn markdown(&self) -> String {
         let mut text = format!("{}.\n\n", self.setting);
-        text += "Times in µs: T is the mean, TP that of queries that collide, TN that of the others. FP and FN are wrong answers \
-                 among those given. t is the error of the times of impact, in time steps.\n\n";
+        text += "Times in µs: T is the mean over all queries, TP over queries that collide, TN over the others. \
+                 FP and FN are wrong answers among those given. t is the error of the times of impact, in time steps.\n\n";
         for note in &self.notes {
             text += note;
             text += "\n\n";

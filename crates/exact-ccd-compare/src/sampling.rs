@@ -32,9 +32,9 @@ impl<K: Kind> Subject<K> {
 
 /// A sample of the queries of a data set.
 ///
-/// Queries that collide and queries that do not are two classes, of which as many are drawn, so
-/// that rare contacts are timed as well as frequent ones. Means weight each class by its share of
-/// the data set.
+/// Queries that collide and queries that do not are two classes. As many are drawn from each class, so
+/// that rare contacts are timed as well as frequent ones. Means weight each class by its share of the data
+/// set.
 #[derive(Clone, Debug)]
 pub struct Subjects<K: Kind> {
     free: Reservoir<Subject<K>>,

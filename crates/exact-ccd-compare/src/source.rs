@@ -58,14 +58,14 @@ impl Source {
         Ok(sources)
     }
 
-    /// The name in tables, different from those of the other data sets.
+    /// The name in tables, different from the names of the other data sets.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Reads the queries of a kind, and keeps a random sample: up to `most` of those that collide
-    /// and as many of those that do not. The exact method replaces ground truth that is missing.
+    /// Reads the queries of a kind, and keeps a random sample: up to `most` queries that collide, and as
+    /// many that do not. The exact method replaces ground truth that is missing.
     ///
     /// # Errors
     /// If a file is missing or wrong.

@@ -13,7 +13,7 @@ pub struct TimeError {
     pub late: usize,
 }
 
-/// The arithmetic mean; `None` of no values.
+/// The arithmetic mean; `None` if there are no values.
 pub(super) fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
@@ -70,8 +70,8 @@ pub(super) fn quantile(distribution: &[(f64, f64)], share: f64) -> Option<f64> {
 }
 
 impl TimeError {
-    /// The errors of pairs of a true time and an answer, of which either can be missing. `None` if
-    /// no pair is complete.
+    /// The errors of pairs of a true time and an answer. Either can be missing. `None` if no pair is
+    /// complete.
     pub(super) fn new(times: impl Iterator<Item = (Option<f64>, Option<f64>)>) -> Option<Self> {
         let pairs: Vec<(f64, f64)> = times.filter_map(|(first, time)| first.zip(time)).collect();
         let mut errors: Vec<f64> = pairs.iter().map(|(first, time)| (time - first).abs()).collect();

@@ -18,7 +18,7 @@ pub struct Table {
     pub kind: &'static str,
     /// The number of queries in the data set.
     pub queries: usize,
-    /// The number of those that collide.
+    /// The number of queries in the data set that collide.
     pub colliding: usize,
     /// The number of queries in the sample.
     pub sample: Sizes,
@@ -29,9 +29,9 @@ pub struct Table {
 /// Numbers of queries.
 #[derive(Clone, Copy, Debug, Serialize, PartialEq, Eq)]
 pub struct Sizes {
-    /// Those that collide.
+    /// The number of queries that collide.
     pub colliding: usize,
-    /// Those that do not.
+    /// The number of queries that do not collide.
     pub free: usize,
 }
 
@@ -47,7 +47,7 @@ pub struct Row {
     pub mean: Option<f64>,
     /// The mean time on queries that collide; the paper's TP.
     pub mean_colliding: Option<f64>,
-    /// The mean time on those that do not; the paper's TN.
+    /// The mean time on queries that do not collide; the paper's TN.
     pub mean_free: Option<f64>,
     /// The median time, each class weighted as in the mean.
     pub median: Option<f64>,

@@ -12,7 +12,7 @@ use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, Kind, Point, Query, TimeG
 use exact_ccd_compare::{Comparison, Contestant, Peer, PeerError, Report, Subject, Subjects, Table};
 
 fn main() {
-    // Other arguments, such as those of libtest, run the tests.
+    // Other arguments, such as libtest's, run the tests.
     match std::env::args().nth(1).as_deref() {
         Some("peer") => answer_all(None),
         Some("mute") => {}
@@ -25,7 +25,7 @@ fn main() {
     }
 }
 
-/// The peer: the exact method under two names, one of which stops after the first query.
+/// The peer: the exact method under two names; one of the two stops after the first query.
 fn answer_all(fault: Option<&str>) {
     let (mut reader, mut writer) = (io::stdin().lock(), io::stdout().lock());
     let describe = |name: &str, time: &str| {

@@ -1,7 +1,7 @@
 //! The answer of a search.
 
-/// The times of a step before which two curved primitives are certainly more than d apart, and by
-/// which they certainly come within d, or near to it.
+/// Two times of a step: before the first, two curved primitives are certainly more than d apart; by the
+/// second, they certainly come within d, or near to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// The distance is certainly above d at all times before this one. If [`end`](Self::end) is

@@ -12,8 +12,8 @@ use crate::straight::Straight;
 /// Let F map the prism or cube of (t, u, v) to the difference of two points, on the curves, and F′ the
 /// same on the chords: |F − F′| ≤ Δ. If |F′| > Δ on the boundary of the domain, then no map
 /// (1 − σ) F′ + σ F has a root there, for σ from 0 to 1, and the degree of F on the domain is the degree
-/// of F′. If that is not 0, F has a root. The boundary are the two ends in time, and the sides, at each
-/// of which a vertex meets an edge.
+/// of F′. If that is not 0, F has a root. The boundary consists of the two ends in time and the sides. At
+/// each side, a vertex meets an edge.
 ///
 /// The degree of F′ is ±1 if the chords touch at one time only, and pass through each other then. No
 /// vertex is on an edge at that time, so that the normal n = e₁ × e₂ is not 0, and F′ has one root. Near it,

@@ -49,8 +49,8 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         })
     }
 
-    /// Returns true if boxes around the chords are much larger by the deviations: by more than an eighth of
-    /// the longest chord, and 2⁻³⁰ of the largest coordinate. Shorter intervals have smaller boxes, but
+    /// Returns true if the deviations make the boxes around the chords much larger: by more than an eighth
+    /// of the longest chord, and 2⁻³⁰ of the largest coordinate. Shorter intervals have smaller boxes, but
     /// each of them costs a broad phase.
     pub(crate) fn is_coarse(&self) -> bool {
         let largest = |of: fn(&Chord) -> f64| self.chords.iter().map(of).fold(0.0, f64::max);
@@ -118,7 +118,7 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
             .with_can_collide(options.can_collide.clone());
         let candidates = Candidates::with_options(chords, &Bvh, &candidate_options);
         let candidates = candidates.expect("each vertex has a thickness");
-        let trajectories = Trajectories::new(&x0, &x1).expect("the positions are those of a step");
+        let trajectories = Trajectories::new(&x0, &x1).expect("the positions belong to a step");
         step.candidates += candidates.counts().total();
         step.answer.chords += candidates.counts().total();
         let mut near = self.near_of::<VertexFace>(&trajectories, &thickness, candidates.vertex_face());
@@ -154,7 +154,7 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
             let found = trajectories.collisions::<K>(&queries, thickness, |index, collision| {
                 near.push((collision.time().lower(), K::pair(ids[index])));
             });
-            found.expect("the vertices are those of the mesh");
+            found.expect("the vertices belong to the mesh");
             near
         };
         pairs.par_chunks(GRAIN).flat_map_iter(near_among).collect()

@@ -26,7 +26,7 @@
 //!
 //! | item | contents |
 //! |---|---|
-//! | [`Trajectory`] | the two bounds on which all rests |
+//! | [`Trajectory`] | the two bounds that every answer rests on |
 //! | [`Polynomial`] | control points or coefficients, of any degree |
 //! | [`RigidMotion`] | rotation about an axis that moves in a straight line, as in a screw motion |
 //! | [`FromFunctions`] | functions of the caller |

@@ -24,7 +24,7 @@ use crate::trajectory::{Position, Trajectory, deviation_by_acceleration};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polynomial<const N: usize> {
     control_points: [Point; N],
-    /// A bound of the distance between this curve and the one that is meant, at each time.
+    /// A bound of the distance between this curve and the intended one, at each time.
     offset: f64,
     /// A bound of |x″|.
     acceleration: f64,
@@ -119,7 +119,8 @@ impl<const N: usize> Trajectory for Polynomial<N> {
         }
     }
 
-    /// From |x″|. The curve that is meant is within the offset of this one, and so are their chords.
+    /// The bound follows from |x″|. The intended curve is within `offset` of this one, and so are their
+    /// chords.
     fn deviation(&self, start: f64, end: f64) -> f64 {
         let deviation = deviation_by_acceleration(self.acceleration, start, end);
         if self.offset == 0.0 {

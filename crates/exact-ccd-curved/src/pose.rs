@@ -60,7 +60,7 @@ impl Pose {
             y * a - w * c - z * b + x * d,
             z * a - w * d - x * c + y * b,
         ];
-        // q and −q are the same rotation: that with the smaller angle has a positive real part.
+        // q and −q are the same rotation; the one with a positive real part has the smaller angle.
         let (real, axis) = if real < 0.0 {
             (-real, axis.map(|x| -x))
         } else {

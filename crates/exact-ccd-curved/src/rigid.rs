@@ -182,7 +182,8 @@ impl Trajectory for RigidPoint {
 
     /// With the angle α = θ (end − start) and the radius r = |ρ|: |x″| = r θ², so that the deviation is at
     /// most r α² / 8. It is at most 2 r too, because arc and chord lie in a disc of that radius. The
-    /// straight motion by t v does not deviate. For comparison, half way it is r (1 − cos(α / 2)).
+    /// straight motion by t v does not deviate. For comparison, the deviation half way is r
+    /// (1 − cos(α / 2)).
     fn deviation(&self, start: f64, end: f64) -> f64 {
         let angle = self.motion.angle * (end - start);
         if self.motion.angle == 0.0 {

@@ -18,18 +18,18 @@ const RESOLUTION: f64 = 4.0 * f64::EPSILON;
 /// The shortest chord that is cut.
 const SHORTEST: f64 = f64::EPSILON / 2.0;
 
-/// The first time at which two curved primitives touch, between certain bounds: at which they are at most d
-/// apart, for the separation d of the options.
+/// Certain bounds of the first time at which two curved primitives are at most d apart, for the separation d
+/// of the options. d = 0 is contact.
 ///
-/// `trajectories` are those of the points, in the order of the kind: four for
+/// `trajectories` are the paths of the points, in the order of the kind: four for
 /// [`VertexFace`](exact_ccd::VertexFace) and [`EdgeEdge`](exact_ccd::EdgeEdge), three for
 /// [`VertexEdge`](exact_ccd::VertexEdge), two for [`VertexVertex`](exact_ccd::VertexVertex). They may be of
-/// different types behind `&dyn Trajectory`. d = 0 is contact. The search is for the first time not after
-/// the last one that counts, which ends the step.
+/// different types behind `&dyn Trajectory`. The last time that counts ends the step.
 ///
-/// The step is cut into chords where that is needed. The chords within d + Δ, Δ being a bound of the
-/// deviation of both primitives, are not certainly free; those within d + ε − Δ certainly come within
-/// d + ε. For contact, chords that pass through each other by more than Δ are a proof too.
+/// The step is cut into chords where that is needed. Δ is a bound of the deviation of both primitives. A
+/// chord that comes within d + Δ is not certainly free. A chord that comes within d + ε − Δ proves that the
+/// primitives come within d + ε. For contact, chords that pass through each other by more than Δ are a proof
+/// too.
 ///
 /// If the motion is straight, and without error at both ends, this is one exact query.
 ///
@@ -76,7 +76,7 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
         let within = answer.within;
         within.is_some_and(|within| within.by - answer.free_until <= tolerance)
     };
-    // All after the limit is of no importance: at first the end, then a time of proved proximity.
+    // Times after `limit` do not matter. It is the end at first, then a time of proved proximity.
     let mut end = limit;
     loop {
         let start = answer.free_until;

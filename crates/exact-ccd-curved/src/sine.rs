@@ -17,8 +17,8 @@
 //!   than 0.13 u, h by (0.13 + 0.5) u, z h by 0.618 · 0.63 u + 2 u · 0.309 < 1.01 u, and the sum by 2.01 u.
 //!   The first term left out, r²⁰ / 20!, is below 10⁻⁴ u.
 //!
-//! So the error is at most 1.55 u |x| if k = 0, of which the bound is 2 u |x|; otherwise at most
-//! (2.37 + 2.02) u, of which the bound is 5 u.
+//! So the error is at most 1.55 u |x| if k = 0, and the function returns the bound 2 u |x|; otherwise it
+//! is at most (2.37 + 2.02) u, and the function returns the bound 5 u.
 
 /// u, the largest relative error of one operation.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;

@@ -8,8 +8,8 @@ use crate::interval::Interval;
 use crate::step_answer::{CurvedStep, CurvedStepError, CurvedStepOptions};
 use crate::trajectory::Trajectory;
 
-/// The first time at which two primitives of a mesh, whose vertices move on curves, touch, between certain
-/// bounds: at which they are at most d apart, for the separation d of the options.
+/// Certain bounds of the first time at which two primitives of a mesh are at most d apart, for the
+/// separation d of the options. The vertices move on curves.
 ///
 /// The step is cut into intervals of time in which the deviations are small compared with the motion. In
 /// each, every vertex moves along its chord and is as thick as its deviation and d / 2. The pairs that come

@@ -10,11 +10,11 @@ use crate::options::SearchOptions;
 /// The certified part of a step of a mesh whose vertices move on curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvedStep {
-    /// The pair with the earliest time until which it is certainly free, if a pair is not free.
+    /// The pair whose certainly free time ends first, if a pair is not free.
     pub pair: Option<Pair>,
     /// The answer for that pair: all pairs are certainly farther than d apart before
     /// [`free_until`](Answer::free_until), and until the last time that counts if it [is
-    /// free](Answer::is_free). The number of chords is that of all pairs.
+    /// free](Answer::is_free). The number of chords is the sum over all pairs.
     pub answer: Answer,
     /// The number of intervals of time with a broad phase of their own.
     pub intervals: usize,
@@ -54,7 +54,7 @@ pub enum CurvedStepError {
     /// not valid; or a thread has another environment.
     #[error(transparent)]
     Search(#[from] SearchError),
-    /// The search of a pair failed: the points are those of the pair.
+    /// The search of a pair failed; the message numbers the points within the pair.
     #[error("{pair:?}: {source}")]
     Pair {
         /// The pair.
@@ -70,7 +70,7 @@ pub enum CurvedStepError {
 pub struct CurvedStepOptions {
     /// The end of the search of each pair.
     pub search: SearchOptions,
-    /// The pairs that can collide. For rigid bodies, those of
+    /// The pairs that can collide. For rigid bodies, use
     /// [`Instances::can_collide`](crate::Instances::can_collide).
     pub can_collide: CanCollide,
 }

@@ -14,7 +14,8 @@ use crate::trajectory::{Chord, Trajectory};
 /// the largest deviations of both primitives:
 ///
 /// - F on the curves differs from F on the chords by at most Δ, at each (t, u, v).
-/// - The distance of the curved primitives differs from that on the chords by at most Δ, at each time.
+/// - The distance of the curved primitives differs from the distance of the chords by at most Δ, at each
+///   time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Straight<K: CurvedKind> {
     pub(crate) query: Query<K>,
@@ -58,7 +59,7 @@ impl<K: CurvedKind> Straight<K> {
     /// At a time not after this one, the curved primitives are certainly at most d apart; `None` if
     /// this does not follow from the chords.
     ///
-    /// They are where the chords are within d − Δ.
+    /// The curved primitives are within d where the chords are within d − Δ.
     pub(crate) fn within_by(&self, d: Separation) -> Option<f64> {
         let threshold = if self.deviation == 0.0 {
             d
@@ -69,11 +70,11 @@ impl<K: CurvedKind> Straight<K> {
         Some(self.after(first))
     }
 
-    /// The end of the next chord, which begins at `start`: twice as far as the time at which this chord
-    /// comes within d, at most in the middle.
+    /// The end of the next chord, which begins at `start`. If this chord comes within d at a time t, the
+    /// next one is 2 (t − `start`) long. It ends in the middle of this chord at the latest.
     ///
-    /// The error of the time at which it does is that of the free times, and is quadratic in the length
-    /// of the chord. So the chords shrink quadratically where the distance is not stationary.
+    /// The error of t has the order of the error of the free times, quadratic in the length of the chord.
+    /// So the chords shrink quadratically where the distance is not stationary.
     pub(crate) fn cut(&self, d: Separation, start: f64) -> f64 {
         let middle = start + 0.5 * (self.end - start);
         let guess = self.query.time_of_impact(d).map(|first| self.after(first));
@@ -82,7 +83,8 @@ impl<K: CurvedKind> Straight<K> {
         })
     }
 
-    /// An upper bound of the time at a relative time; that itself in the whole step.
+    /// An upper bound of the time in the step at a relative time. If the chord lasts the whole step, both
+    /// are equal.
     fn after(&self, relative: f64) -> f64 {
         if is_whole(self.start, self.end) {
             return relative;
@@ -92,7 +94,8 @@ impl<K: CurvedKind> Straight<K> {
     }
 }
 
-/// A lower bound of the time at a relative time; that itself in the whole step.
+/// A lower bound of the time in the step at a relative time. If the chord lasts the whole step, both are
+/// equal.
 ///
 /// The difference, the product and the sum of lower bounds are each below the real value.
 pub(crate) fn time_before(relative: f64, start: f64, end: f64) -> f64 {

@@ -70,6 +70,14 @@ impl DataFolder {
             .collect())
     }
 
+    /// All files of queries of curved motion, one a line, sorted by name.
+    ///
+    /// # Errors
+    /// If the folder cannot be read.
+    pub fn nonlinear(&self) -> Result<Vec<PathBuf>, DataError> {
+        list(&self.0.join("nonlinear"))
+    }
+
     /// All scenes.
     ///
     /// # Errors

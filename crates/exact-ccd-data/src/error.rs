@@ -82,7 +82,7 @@ pub enum DataError {
         /// The name of the kind.
         kind: &'static str,
     },
-    /// The number of verdicts is not that of the pairs.
+    /// The number of verdicts differs from the number of pairs.
     #[error("{}: expected a verdict on each of {expected} pairs, found {found}", file.display())]
     VerdictCount {
         /// The file with the verdicts.

@@ -9,7 +9,7 @@ use crate::query_kind::QueryKind;
 /// scene end in its [short name](QueryKind::SHORT).
 pub trait DataKind: QueryKind + PairKind + Kind<Points = [Point; 4], Vertices = [u32; 4]> {
     /// The folder of its handcrafted query files.
-    const FOLDER: &'static str;
+    const FOLDER: &'static str = Self::KIND.name();
 
     /// The indices of the two primitives of a mesh with these global ids, or `None` if they are not
     /// a pair of this kind. Ids count the vertices, then the edges, then the faces.
@@ -23,8 +23,6 @@ pub trait DataKind: QueryKind + PairKind + Kind<Points = [Point; 4], Vertices = 
 }
 
 impl DataKind for VertexFace {
-    const FOLDER: &'static str = "vertex-face";
-
     fn indices([vertex, face]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
         let face = face.checked_sub(mesh.vertex_count() + mesh.edges().len())?;
         Some([
@@ -44,8 +42,6 @@ impl DataKind for VertexFace {
 }
 
 impl DataKind for EdgeEdge {
-    const FOLDER: &'static str = "edge-edge";
-
     fn indices([a, b]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
         let edge = |id: usize| index(id.checked_sub(mesh.vertex_count())?, mesh.edges().len());
         Some([edge(a)?, edge(b)?])

@@ -1,34 +1,16 @@
 //! The names of the kinds of query, and of their points, in query files.
 
-use exact_ccd::{EdgeEdge, Kind, NonFinite, Point, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{Kind, NonFinite, Point, Query};
 
 /// A kind of query, with its names in query files.
 pub trait QueryKind: Kind + Send + Sync {
     /// The short name of the kind.
-    const SHORT: &'static str;
+    const SHORT: &'static str = Self::KIND.short();
     /// The names of the points of a query, in the order of [`Query::points`].
-    const POINTS: &'static [&'static str];
+    const POINTS: &'static [&'static str] = Self::KIND.point_names();
 }
 
-impl QueryKind for VertexFace {
-    const SHORT: &'static str = "vf";
-    const POINTS: &'static [&'static str] = &["p", "v1", "v2", "v3"];
-}
-
-impl QueryKind for EdgeEdge {
-    const SHORT: &'static str = "ee";
-    const POINTS: &'static [&'static str] = &["a0", "a1", "b0", "b1"];
-}
-
-impl QueryKind for VertexEdge {
-    const SHORT: &'static str = "ve";
-    const POINTS: &'static [&'static str] = &["p", "a", "b"];
-}
-
-impl QueryKind for VertexVertex {
-    const SHORT: &'static str = "vv";
-    const POINTS: &'static [&'static str] = &["p", "q"];
-}
+impl<K: Kind + Send + Sync> QueryKind for K {}
 
 /// The points of a query in the order of the files: all at t = 0, then all at t = 1.
 pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Point> {
@@ -41,7 +23,7 @@ pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Poi
 /// [`NonFinite`] names the first coordinate that is infinite or not a number.
 ///
 /// # Panics
-/// If the number of points is not that of the kind.
+/// If the kind has another number of points.
 pub(crate) fn query<K: QueryKind>(points: &[Point]) -> Result<Query<K>, NonFinite> {
     let (start, end) = points.split_at(K::POINTS.len());
     let [t0, t1] = [start, end].map(|points| {
@@ -54,6 +36,8 @@ pub(crate) fn query<K: QueryKind>(points: &[Point]) -> Result<Query<K>, NonFinit
 
 #[cfg(test)]
 mod tests {
+    use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+
     use super::*;
 
     fn assert_inverse<K: QueryKind + PartialEq>(count: usize) {

@@ -136,7 +136,7 @@ impl Scene {
     /// method.
     ///
     /// # Errors
-    /// Those of [`samples`](Self::samples), and if the file with the contact times is wrong.
+    /// As [`samples`](Self::samples), and if the file with the contact times is wrong.
     pub fn records<K: DataKind>(&self, step: &Step<'_>) -> Result<Vec<Record<K>>, DataError> {
         let name: Arc<str> = self.name().into();
         let pairs = self.pairs::<K>(step.mesh())?;

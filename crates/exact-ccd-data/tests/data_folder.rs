@@ -13,7 +13,7 @@ use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Frame, Motion};
 use tempfile::TempDir;
 
-/// Two triangles, the second of which falls on the first.
+/// Two triangles; the second falls on the first.
 fn frame(height: f64) -> Frame {
     let at = |z| [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z]];
     Frame::new([at(0.0), at(height)].concat(), vec![[0, 1, 2], [3, 4, 5]]).unwrap()

@@ -15,8 +15,8 @@ pub enum Format {
     Stl,
     /// The Object File Format of Geomview, as text.
     Off,
-    /// Gmsh's MSH, version 2.2 or 4.1: text, or binary of either byte order. Cells with volume read
-    /// as their surface.
+    /// Gmsh's MSH, version 1 to 2.2, 4 or 4.1: text, or binary of either byte order. Cells with volume
+    /// read as their surface.
     Msh,
     /// VTK's XML format of unstructured grids: data inline or appended, as text, in base64 or raw,
     /// also compressed by zlib or LZ4. Cells with volume read as their surface, and other faces

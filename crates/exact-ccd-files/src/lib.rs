@@ -52,6 +52,7 @@ mod file_ids;
 mod format;
 mod frame_order;
 mod named_part;
+mod note;
 mod read;
 mod unsupported;
 mod write;
@@ -62,6 +63,7 @@ pub use file_ids::FileIds;
 pub use format::Format;
 pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;
+pub use note::{Fact, Note};
 pub use read::{
     Budget, FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame,
     parse_tet_mesh, read_frame, read_motion, read_pvd, read_tet_mesh,

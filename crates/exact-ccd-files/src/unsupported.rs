@@ -18,6 +18,13 @@ const MESH: &str = "export the mesh as OBJ, PLY or GLB";
 const EXTRACT: &str =
     "save its surface as .vtp (in ParaView: Extract Surface; in pyvista: extract_surface())";
 const PIECES: &str = "save it as one .vtu or .vtp file (in ParaView: Merge Blocks; in pyvista: combine())";
+const CACHE: &str = "a cache has the positions without the faces: apply it to its mesh and export each frame as OBJ or \
+                     PLY (in Blender: the modifier Mesh Cache), or write positions and faces with numpy.savez";
+const ARRAYS: &str = "read its arrays in Python, and write positions and faces with numpy.savez";
+const HOUDINI: &str = "save each frame as .obj or .ply (in Houdini: the nodes File Cache or ROP Geometry)";
+const POINTS: &str = "a cloud of points has no faces: reconstruct the surface, and save it as .ply or .obj";
+const BONES: &str = "a motion of bones has no mesh: apply it to its mesh and export each frame as OBJ or PLY with the \
+                     same vertices";
 const CAD: &str = "mesh its surface, for example with Gmsh, and save it as .msh";
 const MESHIO: &str = "convert it with meshio: meshio convert IN OUT.vtu";
 
@@ -41,15 +48,41 @@ const FORMATS: &[(&[&str], Unsupported)] = &[
         Unsupported::new("a VTK file of several blocks", PIECES),
     ),
     (
-        &["vtkhdf", "hdf", "h5", "xdmf", "xmf", "med", "cgns", "e", "exo"],
-        Unsupported::new("HDF5", MESHIO),
+        &["vtkhdf", "xdmf", "xmf", "med", "cgns", "e", "exo"],
+        Unsupported::new("a mesh in HDF5 or NetCDF", MESHIO),
+    ),
+    (&["h5", "hdf5", "hdf", "he5"], Unsupported::new("HDF5", ARRAYS)),
+    (
+        &["pkl", "pickle", "joblib"],
+        Unsupported::new("a pickle of Python, which may run code when it is loaded", ARRAYS),
     ),
     (
-        &["inp", "bdf", "nas", "mesh"],
+        &["pt", "pth", "safetensors"],
+        Unsupported::new("tensors of PyTorch", ARRAYS),
+    ),
+    (&["mat"], Unsupported::new("data of MATLAB", ARRAYS)),
+    (
+        &["pc2", "mdd", "mcx", "mcc"],
+        Unsupported::new("a cache of positions", CACHE),
+    ),
+    (
+        &["bgeo", "sc", "bhclassic"],
+        Unsupported::new("Houdini's own format", HOUDINI),
+    ),
+    (
+        &["pcd", "las", "laz", "e57", "xyz", "pts"],
+        Unsupported::new("a cloud of points", POINTS),
+    ),
+    (
+        &["bvh", "c3d", "asf", "amc"],
+        Unsupported::new("a motion of bones", BONES),
+    ),
+    (
+        &["inp", "bdf", "nas", "mesh", "ele", "node"],
         Unsupported::new("this format", MESHIO),
     ),
     (
-        &["step", "stp", "iges", "igs", "brep"],
+        &["step", "stp", "iges", "igs", "brep", "geo"],
         Unsupported::new("a CAD model", CAD),
     ),
 ];

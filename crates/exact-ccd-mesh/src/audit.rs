@@ -2,7 +2,7 @@
 
 use exact_ccd::{Options, Point};
 
-use crate::at_rest::{Intersection, IntersectionOptions, intersections};
+use crate::at_rest::{Intersection, IntersectionOptions, Meeting, intersections};
 use crate::broad_phase::Bvh;
 use crate::mesh::{Frame, TriangleMesh};
 use crate::pairs::{CanCollide, MinDistance};
@@ -12,16 +12,17 @@ use crate::steps::{MotionError, StepError};
 /// Examines the frames of a mesh one after the other, between which vertices move in straight
 /// lines.
 ///
-/// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a
-/// face, two edges, or a vertex and a face, have a common point at any time up to the last frame, nor do a
-/// vertex and a loose edge.
-/// The first frame is examined at rest. A mesh that does not intersect itself there can come
-/// to do so only by a vertex that reaches a face or an edge that reaches another edge, and that is
-/// a contact of the step. A predicate of [`with_can_collide`](Self::with_can_collide) may leave out this
-/// pair, but not the edge and the face that come to meet. With one, every frame is examined at rest; an edge
-/// that passes through a face between two frames only is no violation then. Parts that share a vertex are
-/// neighbours and may touch. Edges and vertices without a face are primitives as all others, compared as
-/// defined by [`Pair`](crate::Pair), which lists what is never compared.
+/// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a face, two
+/// edges, or a vertex and a face, have a common point at any time up to the last frame, nor do a vertex and a
+/// loose edge. The first frame is examined at rest, for edges that pass through faces and for contacts. A
+/// mesh that does not touch itself there can come to do so only by a vertex that reaches a face or an edge
+/// that reaches another edge, and that is a contact of the step. A predicate of
+/// [`with_can_collide`](Self::with_can_collide) may leave out this pair, but not the edge and the face that
+/// come to meet. With one, every frame is examined at rest; an edge that passes through a face between two
+/// frames only is no violation then, nor is one that only touches a face if the pairs that touch there are
+/// left out. Parts that share a vertex are neighbours and may touch. Edges and vertices without a face are
+/// primitives as all others, compared as defined by [`Pair`](crate::Pair), which lists what is never
+/// compared.
 ///
 /// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either, but for a
 /// vertex and an edge that another edge connects. In the first frame, the least distance of primitives that
@@ -58,7 +59,9 @@ pub struct Audit {
 /// A place where a mesh touches itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Violation {
-    /// An edge meets a face at rest. [`Audit::examine`] returns the least such pair.
+    /// An edge passes through a face at rest. [`Audit::examine`] returns the least such pair. One that only
+    /// touches it is a [contact](Self::Contact) of a vertex and the face, or of two edges: see
+    /// [`Meeting::Crossing`].
     Intersection {
         /// The frame, from 0.
         frame: usize,
@@ -175,14 +178,15 @@ impl Audit {
     }
 }
 
-/// The edges and faces that meet in a frame of this number.
+/// The edges that pass through faces in a frame of this number.
 fn intersections_in(
     mesh: &TriangleMesh,
     positions: &[Point],
     frame: usize,
     can_collide: &CanCollide,
 ) -> Result<Vec<Violation>, StepError> {
-    let options = IntersectionOptions::default().with_can_collide(can_collide.clone());
+    let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+    let options = options.with_can_collide(can_collide.clone());
     let found = intersections(mesh, positions, &Bvh, &options)?.into_iter();
     let violation = |intersection| Violation::Intersection { frame, intersection };
     Ok(found.map(violation).collect())

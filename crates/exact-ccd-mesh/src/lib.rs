@@ -31,8 +31,9 @@
 //!   [`Pair`] has the kinds of pairs, and which distances they cover.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
 //! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
-//! - [`intersections`] finds the places where a mesh at rest meets itself, and an [`Audit`]
-//!   certifies a sequence of frames.
+//! - [`intersections`] finds the places where a mesh at rest meets itself, [`enclosed`] the components inside
+//!   of closed ones, and an [`Audit`] certifies a sequence of frames.
+//! - A [`RigidFit`] is the rotation of a body from one frame to another.
 //!
 //! No result depends on the number of threads, and no input causes a panic.
 
@@ -50,7 +51,8 @@ mod steps;
 pub mod vector;
 
 pub use at_rest::{
-    Intersection, IntersectionOptions, IntersectionsError, Meeting, has_intersections, intersections,
+    Enclosed, Intersection, IntersectionOptions, IntersectionsError, Meeting, enclosed, has_intersections,
+    intersections,
 };
 pub use audit::{Audit, Violation};
 pub use broad_phase::{
@@ -64,9 +66,11 @@ pub use mesh::{
     check_positions,
 };
 pub use overlaps::{BoxKind, CandidateError, CandidateOptions};
-pub use pairs::{CanCollide, MinDistance, Pair, PairCounts, PairKind, ThicknessCount};
+pub use pairs::{
+    CanCollide, GroupError, GroupMatrix, MinDistance, Pair, PairCounts, PairKind, ThicknessCount,
+};
 pub use search::{Candidates, Contact, Detector, FirstContacts, StepReport, contact_points, step};
-pub use steps::{Motion, MotionError, Step, StepError, Welding};
+pub use steps::{Motion, MotionError, RigidFit, Step, StepError, Welding};
 
 /// The examples in the README of this crate, as tests.
 #[cfg(doctest)]

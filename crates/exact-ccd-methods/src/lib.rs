@@ -4,7 +4,7 @@
 //! Each is implemented from the literature, as published and with its published parameters as the
 //! defaults. Its false negatives and false positives are part of it, and its documentation lists
 //! them. [`all`] adds [`Exact`](exact_ccd::Exact), which is the one to use, and
-//! [`RootParity`](parity::RootParity), of which [`parity`] has the count of contacts.
+//! [`RootParity`](parity::RootParity), whose count of contacts is in [`parity`].
 //!
 //! ```
 //! use exact_ccd::{Query, VertexFace};

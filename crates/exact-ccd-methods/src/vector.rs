@@ -1,6 +1,6 @@
 //! Vectors in space over the numbers of all methods.
 
-// Without closures: those of arrays are not always inlined.
+// Without closures: the closures of array methods are not always inlined.
 
 use crate::ring::Ring;
 

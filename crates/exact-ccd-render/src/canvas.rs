@@ -93,8 +93,8 @@ impl Canvas {
         }
     }
 
-    /// Draws a ball with a radius in pixels. `colour` is that of a point of its surface with a normal to the
-    /// right, upwards and towards the viewer.
+    /// Draws a ball with a radius in pixels. `colour` is the colour of a point of its surface, given the
+    /// components of the normal to the right, upwards and towards the viewer.
     pub(crate) fn ball(&mut self, [x, y, near]: Point, radius: f64, colour: &impl Fn(Point) -> Colour) {
         for row in self.pixels(1, y - radius, y + radius) {
             for column in self.pixels(0, x - radius, x + radius) {

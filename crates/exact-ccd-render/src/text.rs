@@ -31,7 +31,7 @@ impl Picture {
     }
 }
 
-/// A picture, of which each pixel of a letter covers a square.
+/// A picture on which each pixel of a letter covers a square.
 struct Letters<'a> {
     picture: &'a mut Picture,
     /// The side of the square.

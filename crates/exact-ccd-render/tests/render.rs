@@ -156,7 +156,7 @@ fn marks_of_a_pair_are_its_primitives() {
     );
 }
 
-/// The pictures in a file: one, or those of an animation.
+/// The pictures in a file: one, or all pictures of an animation.
 fn decode(file: Vec<u8>) -> Vec<Vec<u8>> {
     let mut reader = png::Decoder::new(Cursor::new(file)).read_info().unwrap();
     let count = reader

@@ -1,23 +1,17 @@
 //! The answers to a query: floating-point filters first, then the exact path.
 
 use crate::collision::Collision;
-use crate::distance::{DistanceBounds, TimeOutOfStep};
-use crate::environment;
 use crate::exact;
-use crate::filter::{self, Decision};
-use crate::impact::Impact;
-use crate::interval::Intervals;
 use crate::kind::Kind;
-use crate::options::Options;
 use crate::query::Query;
-use crate::stage::Stage;
+use crate::values::{DistanceBounds, Impact, Intervals, Options, Stage, TimeOutOfStep};
 
 impl<K: Kind> Query<K> {
     /// Returns true if the primitives touch at some time of the step.
     #[must_use]
     #[inline]
     pub fn collides(&self, options: impl Into<Options>) -> bool {
-        K::collides(self, options.into())
+        K::collides(self.points(), options.into())
     }
 
     /// The collision, if the primitives touch: [`collides`](Self::collides) with the intermediate
@@ -25,14 +19,14 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn collision(&self, options: impl Into<Options>) -> Option<Collision<'_, K>> {
-        K::decide(self, options.into()).ok()
+        self.decided(options.into()).ok()
     }
 
     /// [`collision`](Self::collision), and the stage that decided.
     #[must_use]
     #[inline]
     pub fn decide(&self, options: impl Into<Options>) -> (Option<Collision<'_, K>>, Stage) {
-        match K::decide(self, options.into()) {
+        match self.decided(options.into()) {
             Ok(collision) => {
                 let stage = collision.stage();
                 (Some(collision), stage)
@@ -48,7 +42,8 @@ impl<K: Kind> Query<K> {
             .map(|collision| collision.time_of_impact())
     }
 
-    /// The first time at which the primitives touch, if they do, with the closest points then.
+    /// The first time at which the primitives touch, if they do, with the closest points then. The last time
+    /// that counts changes no bit of it.
     #[must_use]
     pub fn impact(&self, options: impl Into<Options>) -> Option<Impact> {
         self.collision(options).map(|collision| collision.impact())
@@ -69,41 +64,11 @@ impl<K: Kind> Query<K> {
     /// [`TimeOutOfStep`], if `t` is not in [0, 1].
     pub fn distance_at(&self, t: f64) -> Result<DistanceBounds, TimeOutOfStep> {
         TimeOutOfStep::check(t)?;
-        Ok(exact::distance_at(self, t))
+        Ok(exact::distance_at::<K>(&self.four(), t))
     }
-}
 
-#[inline(always)]
-pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
-    if options.until >= 1.0 {
-        match filtered(query, options) {
-            Decision::Free(_) => false,
-            Decision::Collision(_) => true,
-            Decision::Unknown => exact::collides(query, *options),
-        }
-    } else {
-        // A part of the step, or none of it: NaN.
-        K::decide(query, *options).is_ok()
-    }
-}
-
-#[inline(always)]
-pub(crate) fn decide<'a, K: Kind>(query: &'a Query<K>, options: &Options) -> Result<Collision<'a, K>, Stage> {
-    let collision = match filtered(query, options) {
-        // Most queries, without a call.
-        Decision::Free(stage) => return Err(stage),
-        decision => Collision::from_decision(query, options.separation, decision)?,
-    };
-    let stage = collision.stage();
-    collision.until(options.until).ok_or(stage)
-}
-
-/// The decision of the filters, which need the default environment.
-#[inline(always)]
-fn filtered<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
-    if environment::is_default() {
-        filter::decide(query, options)
-    } else {
-        Decision::Unknown
+    #[inline]
+    fn decided(&self, options: Options) -> Result<Collision<'_, K>, Stage> {
+        K::decide(self.points(), options).map(|decided| Collision::new(self, decided))
     }
 }

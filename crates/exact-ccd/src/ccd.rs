@@ -1,9 +1,10 @@
 //! Methods of continuous collision detection behind one trait.
 
 use crate::batch::{Trajectories, VertexOutOfRange};
-use crate::kind::{EdgeEdge, Kind, VertexFace};
-use crate::options::CONTACT;
+use crate::kind::Kind;
 use crate::query::Query;
+use crate::tables::{EdgeEdge, VertexFace};
+use crate::values::CONTACT;
 
 /// A decision of queries of one kind, right or wrong: the part of a [`Ccd`] that depends on the kind.
 pub trait Decide<K: Kind>: Send + Sync {
@@ -13,7 +14,7 @@ pub trait Decide<K: Kind>: Send + Sync {
     /// The earliest contact time according to this method, in \[0, 1\]; `None` if the primitives do
     /// not touch.
     ///
-    /// The default is that of a method without times: 0 for each contact, which is conservative.
+    /// The default is for a method without times: 0 for each contact, which is conservative.
     fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
         self.collides(query).then_some(0.0)
     }
@@ -156,7 +157,7 @@ mod tests {
     use alloc::vec::Vec;
 
     use super::*;
-    use crate::kind::VertexVertex;
+    use crate::tables::VertexVertex;
 
     /// A method with the default functions.
     struct Defaults;

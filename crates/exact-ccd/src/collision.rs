@@ -1,15 +1,9 @@
 //! A query that collides, and the answers about its contacts.
 
-use crate::distance::{DistanceBounds, Separation};
-use crate::environment;
-use crate::exact::{self, First, FirstContact};
-use crate::filter::{self, Contact, Decision, Proved};
-use crate::impact::Impact;
-use crate::interval::Intervals;
+use crate::decided::Decided;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::stage::Stage;
-use crate::time::ContactTime;
+use crate::values::{ContactTime, DistanceBounds, Impact, Intervals, Separation, Stage};
 
 /// A query that [collides](Query::collides), with the intermediate results of that decision.
 ///
@@ -32,41 +26,13 @@ use crate::time::ContactTime;
 #[derive(Clone, Debug)]
 pub struct Collision<'a, K: Kind> {
     query: &'a Query<K>,
-    separation: Separation,
-    proof: Proof<K>,
-    /// The first time, once it is known.
-    first: Option<ContactTime>,
-}
-
-/// The proof that a query collides.
-#[derive(Clone, Debug)]
-enum Proof<K> {
-    Contact(Contact),
-    /// The first time within a separation above 0, and the stage that found it.
-    Within(ContactTime, Stage),
-    Exact(First<K>),
+    decided: Decided<K>,
 }
 
 impl<'a, K: Kind> Collision<'a, K> {
-    /// The collision that follows from the outcome of the filters; the stage if there is none.
     #[inline]
-    pub(crate) fn from_decision(
-        query: &'a Query<K>,
-        separation: Separation,
-        decision: Decision,
-    ) -> Result<Self, Stage> {
-        let proof = match decision {
-            Decision::Free(stage) => return Err(stage),
-            Decision::Collision(Proved::Contact(contact)) => Proof::Contact(contact),
-            Decision::Collision(Proved::Within(first, stage)) => Proof::Within(first, stage),
-            Decision::Unknown => Proof::Exact(First::of(query, separation).ok_or(Stage::Exact)?),
-        };
-        Ok(Self {
-            query,
-            separation,
-            proof,
-            first: None,
-        })
+    pub(crate) fn new(query: &'a Query<K>, decided: Decided<K>) -> Self {
+        Self { query, decided }
     }
 
     /// The query.
@@ -80,53 +46,27 @@ impl<'a, K: Kind> Collision<'a, K> {
     #[must_use]
     #[inline]
     pub fn separation(&self) -> Separation {
-        self.separation
+        self.decided.separation()
     }
 
     /// The stage that decided.
     #[must_use]
     #[inline]
     pub fn stage(&self) -> Stage {
-        match &self.proof {
-            Proof::Contact(contact) => contact.stage(),
-            Proof::Within(_, stage) => *stage,
-            Proof::Exact(_) => Stage::Exact,
-        }
+        self.decided.stage()
     }
 
     /// The first time at which the primitives touch.
     #[must_use]
     pub fn time(&self) -> ContactTime {
-        K::time(self)
-    }
-
-    /// The same collision if its first time, which it keeps then, is not after the last one that counts.
-    #[inline]
-    pub(crate) fn until(self, until: f64) -> Option<Self> {
-        if until >= 1.0 {
-            return Some(self);
-        }
-        if let Proof::Contact(contact) = &self.proof
-            && environment::is_default()
-            && contact.bracket().is_some_and(|[low, _]| low >= until)
-        {
-            return None;
-        }
-        let first = self.time();
-        first.is_at_most(until).then_some(Self {
-            first: Some(first),
-            ..self
-        })
+        K::time(&self.decided, self.query.points())
     }
 
     /// Returns true if the primitives first touch before a time. This takes less time than
     /// [`time`](Self::time) where an interval of the first time suffices.
     #[must_use]
     pub fn is_before(&self, time: f64) -> bool {
-        if let Proof::Contact(contact) = &self.proof
-            && environment::is_default()
-            && let Some([low, high]) = contact.bracket()
-        {
+        if let Some([low, high]) = self.decided.bracket() {
             if low >= time {
                 return false;
             }
@@ -135,13 +75,6 @@ impl<'a, K: Kind> Collision<'a, K> {
             }
         }
         self.time().is_before(time)
-    }
-
-    pub(crate) fn determine_time(&self) -> ContactTime {
-        self.first.unwrap_or_else(|| {
-            let by_filter = |contact: &Contact| contact.first(self.query);
-            self.answer(by_filter, Some, First::time)
-        })
     }
 
     /// The largest f64 not above the first time at which the primitives touch.
@@ -153,33 +86,13 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// All times of the step at which the primitives touch.
     #[must_use]
     pub fn intervals(&self) -> Intervals {
-        K::intervals(self)
-    }
-
-    pub(crate) fn determine_intervals(&self) -> Intervals {
-        self.answer(
-            |contact| contact.intervals(self.query),
-            |first| filter::intervals_within(self.query, self.separation, first),
-            First::intervals,
-        )
+        K::intervals(&self.decided, self.query.points())
     }
 
     /// The first time at which the primitives touch, with the closest points then.
     #[must_use]
     pub fn impact(&self) -> Impact {
-        K::impact(self)
-    }
-
-    pub(crate) fn determine_impact(&self) -> Impact {
-        self.answer(
-            |contact| {
-                let exactly = || FirstContact::impact_at_start(self.query);
-                let starts = || self.time().is_start();
-                contact.impact(self.query).or_else(|| starts().then(exactly))
-            },
-            |first| filter::impact_within(self.query, self.separation, first),
-            First::impact,
-        )
+        K::impact(&self.decided, self.query.points())
     }
 
     /// Bounds of the distance of the primitives at the first time at which they touch.
@@ -187,38 +100,6 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The distance is the separation, unless the primitives are closer than that at t = 0.
     #[must_use]
     pub fn distance(&self) -> DistanceBounds {
-        K::distance(self)
-    }
-
-    pub(crate) fn determine_distance(&self) -> DistanceBounds {
-        if !self.separation.is_zero() && self.time().is_start() {
-            return exact::distance_at(self.query, 0.0);
-        }
-        let d = self.separation.get();
-        DistanceBounds { lower: d, upper: d }
-    }
-
-    /// An answer: by the filters if they determine it, for contact or for a separation above 0, otherwise by
-    /// the exact path. The filters need the default environment of the thread that reads the answer: the
-    /// query may have been decided on another one.
-    fn answer<T>(
-        &self,
-        contact: impl FnOnce(&Contact) -> Option<T>,
-        within: impl FnOnce(ContactTime) -> Option<T>,
-        exact: impl FnOnce(&First<K>) -> T,
-    ) -> T {
-        let filtered = match &self.proof {
-            _ if !environment::is_default() => None,
-            Proof::Contact(proved) => contact(proved),
-            Proof::Within(first, _) => within(*first),
-            Proof::Exact(First::Within(first)) => within(first.time()),
-            Proof::Exact(First::Contact(_)) => None,
-        };
-        filtered.unwrap_or_else(|| match &self.proof {
-            Proof::Exact(first) => exact(first),
-            // Cannot panic: the filters prove contact, or nearness, only where the exact path, which defines
-            // it, finds it.
-            _ => exact(&First::of(self.query, self.separation).expect("a proved contact exists")),
-        })
+        K::distance(&self.decided, self.query.points())
     }
 }

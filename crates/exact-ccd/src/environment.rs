@@ -7,14 +7,14 @@
 //! start). No filter is used then. The exact path converts f64 to integers by their bit patterns, and
 //! does not depend on the environment.
 //!
-//! The environment is that of the thread that computes. So each entry to the filters tests it: a query, a
+//! The environment belongs to the thread that computes. So each entry to the filters tests it: a query, a
 //! batch, and each answer that continues from a [`Collision`](crate::Collision), which may have been
 //! decided on another thread.
 
 use core::hint::black_box;
 
-/// Returns true if the arithmetic of this thread is that of IEEE 754 by default: to nearest with ties to
-/// even, and with gradual underflow.
+/// Returns true if this thread has the default arithmetic of IEEE 754: rounding to nearest with ties to
+/// even, and gradual underflow.
 ///
 /// Code that proves a statement by floating-point error bounds calls it on the thread that computes, and
 /// decides in another way if it is false. It costs three additions.

@@ -2,13 +2,11 @@
 
 use core::array;
 
-use crate::distance::{Separation, TimeOutOfStep};
-use crate::filter::{cross, dot, minus};
-use crate::impact::Impact;
 use crate::kind::Kind;
-use crate::options::Options;
-use crate::point::Point;
+use crate::numbers::vector::{cross, dot, minus};
 use crate::query::Query;
+use crate::tables::Point;
+use crate::values::{Impact, Options, Separation, TimeOutOfStep};
 
 /// The derivatives of a value with respect to the coordinates of all points of a query.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +36,7 @@ pub enum NotDifferentiable {
         "the primitives are tangent: their distance does not fall through the value at the time of impact"
     )]
     Tangent,
-    /// The closest points pass from one feature to another, or are not unique, as those of parallel edges.
+    /// The closest points pass from one feature to another, or are not unique, as on parallel edges.
     #[error("the closest points are not unique, or on the boundary of a primitive in contact")]
     Features,
     /// The distance is 0 at this time, or so small that rounding determines the direction.
@@ -72,11 +70,12 @@ const NEAR_PARALLEL: f64 = 1.0 / (1u64 << 40) as f64;
 impl<K: Kind> Query<K> {
     /// The derivatives of the time of impact with respect to the points at both ends of the step.
     ///
-    /// Let F be the vector from the closest point of the second primitive to that of the first, the sum of
-    /// the points with weights wᵢ, and n the normal. At the first time t at which the gap n · F has the given
-    /// value, the derivatives of the gap with respect to the points at t = 0 and at t = 1 are wᵢ (1 − t) n
-    /// and wᵢ t n (the parameters need not be varied: the gap does not change with them, to first order). By
-    /// implicit differentiation, those of t are these times −1 / (n · Σ wᵢ vᵢ), vᵢ being the velocities.
+    /// Let F be the vector from the closest point of the second primitive to the closest point of the first,
+    /// the sum of the points with weights wᵢ, and n the normal. At the first time t at which the gap n · F
+    /// has the given value, the derivatives of the gap with respect to the points at t = 0 and at t = 1 are
+    /// wᵢ (1 − t) n and wᵢ t n (the parameters need not be varied: the gap does not change with them, to
+    /// first order). By implicit differentiation, the derivatives of t are these times −1 / (n · Σ wᵢ vᵢ),
+    /// vᵢ being the velocities.
     ///
     /// The factors are computed in f64, with the [errors](Impact) of parameters and normal.
     ///

@@ -1,107 +1,13 @@
-//! The kinds of query, as index tables.
-//!
-//! A query has four moving points x₀ … x₃. A vertex and a face, or two edges, meet only when the four
-//! points are coplanar, and the sides of lines on which vertices lie decide contact then. Hence all
-//! algorithms in this crate are written once, over these tables. A vertex against an edge or a vertex
-//! is a query of two edges, of which one or both have length zero: a point is repeated.
+//! The kinds of query, with the algorithms compiled for each.
 
 use core::fmt::Debug;
 use core::ops::Deref;
 
-use crate::answers;
-use crate::batch::{self, Batch, Instructions};
-use crate::collision::Collision;
-use crate::distance::DistanceBounds;
-use crate::impact::Impact;
-use crate::interval::Intervals;
-use crate::options::Options;
-use crate::point::Point;
-use crate::query::Query;
-use crate::stage::Stage;
-use crate::time::ContactTime;
-
-/// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
-pub(crate) type Difference = (usize, usize);
-
-/// A vertex against the line of an edge of the other primitive.
-#[derive(Clone, Copy, Debug)]
-pub struct Side {
-    /// The vertex q.
-    pub vertex: usize,
-    /// The edge from x to y.
-    pub edge: [usize; 2],
-    /// The corners of the domain of (u, v) at which F is q − x and q − y, or x − q and y − q.
-    pub corners: [usize; 2],
-    /// The direction of (x − q) × (y − q) when the primitives meet: along the normal if true,
-    /// against it if false.
-    pub along: bool,
-    /// The edge of the domain of (u, v) on which the vertex meets the edge: (u, v) where it meets
-    /// x, and where it meets y.
-    pub domain: [[f64; 2]; 2],
-}
-
-impl Side {
-    /// (u, v) where the vertex meets the point (1 − s) x + s y of the edge.
-    pub(crate) fn parameters(&self, s: f64) -> [f64; 2] {
-        let [start, end] = self.domain;
-        [0, 1].map(|i: usize| start[i] + s * (end[i] - start[i]))
-    }
-}
-
-/// The pairs of features, one of each primitive, whose closest points can be those of the primitives.
-#[derive(Clone, Copy)]
-pub struct Features {
-    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference.
-    /// They are the first of `CORNERS`.
-    pub vertices: &'static [(Difference, [f64; 2])],
-    /// A vertex and an edge each.
-    pub sides: &'static [Side],
-    /// The corners at which (u, v) is (1, 0) and (0, 1), if inner points of the face or of both edges
-    /// can be closest.
-    pub inner: Option<[usize; 2]>,
-}
-
-impl Features {
-    /// Returns true if the domain of (u, v) is a triangle, false if it is a square or a part of its boundary.
-    pub(crate) const fn are_of_triangle(&self) -> bool {
-        self.vertices.len() == 3
-    }
-}
-
-/// The tables of the kinds. The module is private, which seals [`Kind`].
-pub(crate) mod tables {
-    use super::{Difference, Features, Side, side};
-
-    /// The tables of a kind of query. By default, those of two edges.
-    ///
-    /// The segments cross if the ends of each lie on different sides of the line of the other: with n =
-    /// e₁ × e₂, a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four
-    /// sides are u ≥ 0, u ≤ 1, v ≥ 0 and v ≤ 1.
-    #[expect(unnameable_types, reason = "seals the public trait `Kind`")]
-    pub trait Tables {
-        /// F at the corners of the domain of (u, v). A face has only three; the last one is repeated.
-        const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
-        /// w, e₁, e₂, where w leads from the second primitive to the first. The primitives are
-        /// coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
-        const SPAN: [Difference; 3] = [(0, 2), (1, 0), (3, 2)];
-        /// If the normal of the common plane does not vanish, the primitives meet there if and only
-        /// if every vertex lies on the stated side of its line or on the line itself.
-        const SIDES: &'static [Side] = &[
-            side(0, [2, 3], [0, 1], true, [[0.0, 0.0], [0.0, 1.0]]),
-            side(1, [2, 3], [2, 3], false, [[1.0, 0.0], [1.0, 1.0]]),
-            side(2, [0, 1], [0, 2], false, [[0.0, 0.0], [1.0, 0.0]]),
-            side(3, [0, 1], [1, 3], true, [[0.0, 1.0], [1.0, 1.0]]),
-        ];
-        /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not
-        /// `along`.
-        const PARAMETERS: [usize; 2] = [0, 2];
-        /// For each of x₀ … x₃, its index among the points of the query.
-        const LAYOUT: [usize; 4] = [0, 1, 2, 3];
-        /// The pairs of features among whose distances the least is that of the primitives.
-        const FEATURES: Features;
-    }
-}
-pub(crate) use tables::Tables;
+use crate::decide;
+use crate::decided::Decided;
+use crate::tables::{EdgeEdge, Point, Points, Tables, VertexEdge, VertexFace, VertexVertex};
+use crate::values::{ContactTime, DistanceBounds, Impact, Intervals, Options, Stage};
+use crate::vectors::{self, Batch, Instructions};
 
 /// The kind of a [`Query`](crate::Query): [`VertexFace`], [`EdgeEdge`], [`VertexEdge`] or [`VertexVertex`].
 /// Sealed.
@@ -111,48 +17,37 @@ pub trait Kind: Tables + Copy {
     /// The indices of those points among the vertices of a mesh, in the same order.
     type Vertices: AsRef<[u32]> + AsMut<[u32]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The number of points of the first primitive, which come first.
-    const FIRST: usize;
+    const FIRST: usize = Self::SECOND;
+    /// This kind as a value.
+    const KIND: AnyKind;
 
     /// x₀ … x₃ at both ends of the step: the points themselves if they are four.
     #[doc(hidden)]
-    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]>;
+    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = Points<f64>>;
+    /// The points of the query of x₀ … x₃.
+    #[doc(hidden)]
+    fn of_four(four: &Points<f64>) -> [Self::Points; 2];
 
     // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
     // crates that call them do not compile it again.
     #[doc(hidden)]
-    fn run(batch: Batch<'_, Self>, instructions: Instructions);
+    fn run(batch: Batch<'_, Self, Self::Vertices>, instructions: Instructions);
     #[doc(hidden)]
-    fn collides(query: &Query<Self>, options: Options) -> bool;
+    fn collides(points: &[Self::Points; 2], options: Options) -> bool;
     #[doc(hidden)]
-    fn decide(query: &Query<Self>, options: Options) -> Result<Collision<'_, Self>, Stage>;
+    fn decide(points: &[Self::Points; 2], options: Options) -> Result<Decided<Self>, Stage>;
     #[doc(hidden)]
-    fn time(collision: &Collision<'_, Self>) -> ContactTime;
+    fn time(decided: &Decided<Self>, points: &[Self::Points; 2]) -> ContactTime;
     #[doc(hidden)]
-    fn intervals(collision: &Collision<'_, Self>) -> Intervals;
+    fn intervals(decided: &Decided<Self>, points: &[Self::Points; 2]) -> Intervals;
     #[doc(hidden)]
-    fn impact(collision: &Collision<'_, Self>) -> Impact;
+    fn impact(decided: &Decided<Self>, points: &[Self::Points; 2]) -> Impact;
     #[doc(hidden)]
-    fn distance(collision: &Collision<'_, Self>) -> DistanceBounds;
+    fn distance(decided: &Decided<Self>, points: &[Self::Points; 2]) -> DistanceBounds;
 }
 
-/// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct VertexFace;
-
-/// Marks a query of an edge a₀ a₁ = x₀ x₁ against an edge b₀ b₁ = x₂ x₃.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct EdgeEdge;
-
-/// Marks a query of a vertex p against an edge a b, as points p, a, b: x₀ = x₁ = p, x₂ = a, x₃ = b.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct VertexEdge;
-
-/// Marks a query of a vertex p against a vertex q, as points p, q: x₀ = x₁ = p, x₂ = x₃ = q.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct VertexVertex;
-
 /// Four points of a query that has fewer: some occur twice.
-struct Repeated([[Point; 4]; 2]);
+struct Repeated(Points<f64>);
 
 impl Repeated {
     #[inline(always)]
@@ -162,7 +57,7 @@ impl Repeated {
 }
 
 impl Deref for Repeated {
-    type Target = [[Point; 4]; 2];
+    type Target = Points<f64>;
 
     #[inline(always)]
     fn deref(&self) -> &Self::Target {
@@ -170,125 +65,149 @@ impl Deref for Repeated {
     }
 }
 
-/// A kind with numbers of points, of a query and of its first primitive, and x₀ … x₃ among them.
-macro_rules! kind {
-    ($kind:ident, $count:literal, $first:literal, |$points:ident| $four:expr) => {
-        impl Kind for $kind {
-            type Points = [Point; $count];
-            type Vertices = [u32; $count];
-            const FIRST: usize = $first;
+/// A computation for a kind that is known at run time: see [`AnyKind::with`].
+pub trait WithKind {
+    /// The result.
+    type Output;
+
+    /// Computes it for a kind.
+    fn with<K: Kind>(self) -> Self::Output;
+}
+
+/// The list of the kinds: documentation, the type, its name, its short name, the names of its points, x₀ … x₃
+/// of its points, and the reverse.
+macro_rules! kinds {
+    ($(
+        $(#[$doc:meta])*
+        $kind:ident, $name:literal, $short:literal, [$($point:literal),+],
+        |$points:ident| $four:expr, |$of_four:ident| $points_of_four:expr;
+    )+) => {
+        /// A kind of query as a value: one that is known at run time, as from a file or an option.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        pub enum AnyKind {
+            $($(#[$doc])* $kind,)+
+        }
+
+        impl AnyKind {
+            /// All kinds.
+            pub const ALL: &'static [Self] = &[$(Self::$kind),+];
+
+            /// The name, such as `vertex-face`.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $name,)+
+                }
+            }
+
+            /// The short name, such as `vf`.
+            #[must_use]
+            pub const fn short(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $short,)+
+                }
+            }
+
+            /// The names of the points of a query, in their order.
+            #[must_use]
+            pub const fn point_names(self) -> &'static [&'static str] {
+                match self {
+                    $(Self::$kind => &[$($point),+],)+
+                }
+            }
+
+            /// Calls a generic function for this kind.
+            ///
+            /// ```
+            /// use exact_ccd::{AnyKind, Kind, WithKind};
+            ///
+            /// struct Count;
+            ///
+            /// impl WithKind for Count {
+            ///     type Output = usize;
+            ///
+            ///     fn with<K: Kind>(self) -> usize {
+            ///         K::Points::default().as_ref().len()
+            ///     }
+            /// }
+            ///
+            /// assert_eq!(AnyKind::VertexEdge.with(Count), 3);
+            /// ```
+            pub fn with<W: WithKind>(self, computation: W) -> W::Output {
+                match self {
+                    $(Self::$kind => computation.with::<$kind>(),)+
+                }
+            }
+        }
+
+        $(impl Kind for $kind {
+            type Points = [Point; <Self as Tables>::COUNT];
+            type Vertices = [u32; <Self as Tables>::COUNT];
+            const KIND: AnyKind = AnyKind::$kind;
 
             #[inline(always)]
-            fn four($points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]> {
+            fn four($points: &[Self::Points; 2]) -> impl Deref<Target = Points<f64>> {
                 $four
             }
 
-            #[inline(never)]
-            fn run(batch: Batch<'_, Self>, instructions: Instructions) {
-                batch::run(batch, instructions);
+            #[inline(always)]
+            fn of_four($of_four: &Points<f64>) -> [Self::Points; 2] {
+                $points_of_four
             }
 
             #[inline(never)]
-            fn collides(query: &Query<Self>, options: Options) -> bool {
-                answers::collides(query, &options)
+            fn run(batch: Batch<'_, Self, Self::Vertices>, instructions: Instructions) {
+                vectors::run(batch, instructions);
             }
 
             #[inline(never)]
-            fn decide(query: &Query<Self>, options: Options) -> Result<Collision<'_, Self>, Stage> {
-                answers::decide(query, &options)
+            fn collides(points: &[Self::Points; 2], options: Options) -> bool {
+                if options.until >= 1.0 {
+                    decide::collides::<Self>(&Self::four(points), &options)
+                } else {
+                    // A part of the step, or none of it: NaN.
+                    Self::decide(points, options).is_ok()
+                }
             }
 
             #[inline(never)]
-            fn time(collision: &Collision<'_, Self>) -> ContactTime {
-                collision.determine_time()
+            fn decide(points: &[Self::Points; 2], options: Options) -> Result<Decided<Self>, Stage> {
+                decide::decide(&Self::four(points), &options)
             }
 
             #[inline(never)]
-            fn intervals(collision: &Collision<'_, Self>) -> Intervals {
-                collision.determine_intervals()
+            fn time(decided: &Decided<Self>, points: &[Self::Points; 2]) -> ContactTime {
+                decided.time(&Self::four(points))
             }
 
             #[inline(never)]
-            fn impact(collision: &Collision<'_, Self>) -> Impact {
-                collision.determine_impact()
+            fn intervals(decided: &Decided<Self>, points: &[Self::Points; 2]) -> Intervals {
+                decided.intervals(&Self::four(points))
             }
 
             #[inline(never)]
-            fn distance(collision: &Collision<'_, Self>) -> DistanceBounds {
-                collision.determine_distance()
+            fn impact(decided: &Decided<Self>, points: &[Self::Points; 2]) -> Impact {
+                decided.impact(&Self::four(points))
             }
-        }
+
+            #[inline(never)]
+            fn distance(decided: &Decided<Self>, points: &[Self::Points; 2]) -> DistanceBounds {
+                decided.distance(&Self::four(points))
+            }
+        })+
     };
 }
 
-kind!(VertexFace, 4, 1, |points| points);
-kind!(EdgeEdge, 4, 2, |points| points);
-kind!(VertexEdge, 3, 1, |points| Repeated::of::<Self>(points));
-kind!(VertexVertex, 2, 1, |points| Repeated::of::<Self>(points));
-
-const fn side(
-    vertex: usize,
-    edge: [usize; 2],
-    corners: [usize; 2],
-    along: bool,
-    domain: [[f64; 2]; 2],
-) -> Side {
-    Side {
-        vertex,
-        edge,
-        corners,
-        along,
-        domain,
-    }
-}
-
-/// p lies in the triangle if it lies to the left of its three edges; their areas with p are its
-/// barycentric coordinates.
-impl Tables for VertexFace {
-    const CORNERS: [Difference; 4] = [(0, 1), (0, 2), (0, 3), (0, 3)];
-    const SPAN: [Difference; 3] = [(0, 1), (2, 1), (3, 1)];
-    const SIDES: &'static [Side] = &[
-        side(0, [1, 2], [0, 1], true, [[0.0, 0.0], [1.0, 0.0]]),
-        side(0, [2, 3], [1, 2], true, [[1.0, 0.0], [0.0, 1.0]]),
-        side(0, [3, 1], [2, 0], true, [[0.0, 1.0], [0.0, 0.0]]),
-    ];
-    const PARAMETERS: [usize; 2] = [2, 0];
-    const FEATURES: Features = Features {
-        vertices: &[((0, 1), [0.0, 0.0]), ((0, 2), [1.0, 0.0]), ((0, 3), [0.0, 1.0])],
-        sides: Self::SIDES,
-        inner: Some([1, 2]),
-    };
-}
-
-impl Tables for EdgeEdge {
-    const FEATURES: Features = Features {
-        vertices: &[
-            ((0, 2), [0.0, 0.0]),
-            ((0, 3), [0.0, 1.0]),
-            ((1, 2), [1.0, 0.0]),
-            ((1, 3), [1.0, 1.0]),
-        ],
-        sides: Self::SIDES,
-        inner: Some([2, 1]),
-    };
-}
-
-/// Two edges, of which the first has length zero.
-impl Tables for VertexEdge {
-    const LAYOUT: [usize; 4] = [0, 0, 1, 2];
-    const FEATURES: Features = Features {
-        vertices: &[((0, 2), [0.0, 0.0]), ((0, 3), [0.0, 1.0])],
-        sides: EdgeEdge::SIDES.split_at(1).0,
-        inner: None,
-    };
-}
-
-/// Two edges of length zero.
-impl Tables for VertexVertex {
-    const LAYOUT: [usize; 4] = [0, 0, 1, 1];
-    const FEATURES: Features = Features {
-        vertices: &[((0, 2), [0.0, 0.0])],
-        sides: &[],
-        inner: None,
-    };
+kinds! {
+    /// [`VertexFace`](crate::VertexFace).
+    VertexFace, "vertex-face", "vf", ["p", "v1", "v2", "v3"], |points| points, |four| *four;
+    /// [`EdgeEdge`](crate::EdgeEdge).
+    EdgeEdge, "edge-edge", "ee", ["a0", "a1", "b0", "b1"], |points| points, |four| *four;
+    /// [`VertexEdge`](crate::VertexEdge).
+    VertexEdge, "vertex-edge", "ve", ["p", "a", "b"],
+    |points| Repeated::of::<Self>(points), |four| four.map(|[p, _, a, b]| [p, a, b]);
+    /// [`VertexVertex`](crate::VertexVertex).
+    VertexVertex, "vertex-vertex", "vv", ["p", "q"],
+    |points| Repeated::of::<Self>(points), |four| four.map(|[p, _, q, _]| [p, q]);
 }

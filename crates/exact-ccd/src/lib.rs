@@ -31,7 +31,7 @@
 //! ```
 //!
 //! *Contact* is a common point of the closed primitives at a time of the closed step: touching
-//! counts, at t = 0 and t = 1 too. The integers of [`exact`] define every answer; floating-point
+//! counts, at t = 0 and t = 1 too. Integers define every answer; floating-point
 //! filters answer first where their error bounds prove the same.
 //!
 //! | item | contents |
@@ -39,10 +39,12 @@
 //! | [`Query`] | one query and its answers |
 //! | [`Options`] | the distance at which primitives touch, and the last time that counts |
 //! | [`Collision`] | a query that collides; times and impact continue from the decision |
+//! | [`motion`] | queries of points on curves and of rigid bodies, decided in integers |
 //! | [`batch`] | many queries at a time, by vector instructions |
 //! | [`predicates`] | orientation and intersection of points at rest |
+//! | [`AnyKind`] | the list of the kinds, for one that is known at run time |
 //! | [`Ccd`] | the trait of collision detection methods, and the exact one |
-//! | [`exact`] | the definition in integers, without filters |
+//! | [`Exactly`] | the definition in integers, without filters |
 //!
 //! # Features
 //!
@@ -56,8 +58,8 @@
 //! subnormal numbers to zero (FTZ, DAZ), as in a program linked with `-ffast-math`, gets the same decisions,
 //! counts and times: this is [detected](environment::is_default) on the thread that computes, for each query
 //! or batch and each answer of a [`Collision`], and the exact path decides then, which is much slower. The
-//! parameters of an impact are those of the exact path, rounded down, and the components of a normal are
-//! rounded as the thread rounds.
+//! exact path gives the parameters of an impact too, rounded down; the components of a normal are rounded as
+//! the thread rounds.
 //!
 //! # Panics
 //!
@@ -72,38 +74,35 @@ extern crate alloc;
 extern crate std;
 
 mod answers;
-mod axis;
 pub mod batch;
 mod ccd;
 mod collision;
-mod distance;
+mod decide;
+mod decided;
 pub mod environment;
-pub mod exact;
+mod exact;
+mod exactly;
 mod filter;
+mod fixed;
 mod gradient;
-mod impact;
-mod interval;
 mod kind;
-mod non_negative;
-mod options;
-mod point;
+pub mod motion;
+mod numbers;
 pub mod predicates;
 mod query;
-mod stage;
-mod thickness;
-mod time;
+mod tables;
+mod values;
+mod vectors;
+mod weights;
 
-pub use axis::Axis;
 pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
 pub use collision::Collision;
-pub use distance::{DistanceBounds, InvalidSeparation, Separation, TimeOutOfStep};
+pub use exactly::Exactly;
 pub use gradient::{Gradient, NotDifferentiable};
-pub use impact::Impact;
-pub use interval::{Interval, Intervals};
-pub use kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
-pub use options::{CONTACT, Options};
-pub use point::Point;
+pub use kind::{AnyKind, Kind, WithKind};
 pub use query::{NonFinite, Query};
-pub use stage::Stage;
-pub use thickness::{InvalidThickness, Separations, Thickness};
-pub use time::ContactTime;
+pub use tables::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+pub use values::{
+    Axis, CONTACT, ContactTime, DistanceBounds, Impact, Interval, Intervals, InvalidSeparation,
+    InvalidThickness, Options, Separation, Separations, Stage, Thickness, TimeOutOfStep,
+};

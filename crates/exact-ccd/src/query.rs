@@ -3,9 +3,9 @@
 use core::fmt;
 use core::ops::Deref;
 
-use crate::axis::Axis;
 use crate::kind::Kind;
-use crate::point::Point;
+use crate::tables::Point;
+use crate::values::Axis;
 
 /// Two primitives of a moving mesh over one time step; see [`VertexFace`](crate::VertexFace) and
 /// [`EdgeEdge`](crate::EdgeEdge).
@@ -33,7 +33,7 @@ pub struct NonFinite {
 }
 
 /// The end of a time step, in a message.
-struct At(Option<usize>);
+pub(crate) struct At(pub(crate) Option<usize>);
 
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -105,9 +105,8 @@ impl<K: Kind> Query<K> {
 }
 
 impl<K: Kind<Points = [Point; 4]>> Query<K> {
-    /// [`new`](Self::new) for points of another library: those of `glam` (`DVec3`), `nalgebra`
-    /// (`Point3<f64>`, `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) convert into
-    /// `[f64; 3]`.
+    /// [`new`](Self::new) for points of another library: the points of `glam` (`DVec3`), `nalgebra`
+    /// (`Point3<f64>`, `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) convert into `[f64; 3]`.
     ///
     /// # Errors
     /// [`NonFinite`], as [`new`](Self::new).

@@ -3,7 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use exact_ccd::{EdgeEdge, Impact, Kind, Point, Query, Separation, Stage, VertexFace, exact};
+use exact_ccd::{EdgeEdge, Impact, Kind, Point, Query, Separation, Stage, VertexFace};
 
 /// A generator of pseudorandom numbers: Marsaglia's xorshift.
 struct Random(u64);
@@ -68,15 +68,15 @@ fn compare<K: Kind<Points = Four>>(query: &Query<K>, d: Separation) -> Stage {
         collision
             .map(|collision| collision.intervals())
             .unwrap_or_default(),
-        exact::intervals(query, d),
+        query.exactly().intervals(d),
         "{d:?}: {query:?}"
     );
     assert_eq!(
         query.time_of_impact(d),
-        exact::time_of_impact(query, d),
+        query.exactly().time_of_impact(d),
         "{d:?}: {query:?}"
     );
-    let impacts = [query.impact(d), exact::impact(query, d)];
+    let impacts = [query.impact(d), query.exactly().impact(d)];
     match impacts {
         [Some(one), Some(other)] => assert_near(&one, &other, &format!("{d:?}: {query:?}")),
         _ => assert_eq!(impacts, [None; 2], "{d:?}: {query:?}"),

@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Point, Query, Separation, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Point, Query, Separation, VertexFace};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -135,7 +135,7 @@ const VERTEX_FACE: Weights = |[u, v]| [1.0, u + v - 1.0, -u, -v];
 const EDGE_EDGE: Weights = |[u, v]| [1.0 - u, u, v - 1.0, -v];
 
 fn check<K: Kind<Points = [Point; 4]>>(query: &Query<K>, weights: Weights) -> Result<(), TestCaseError> {
-    let (impact, reference) = (query.impact(CONTACT), exact::impact(query, CONTACT));
+    let (impact, reference) = (query.impact(CONTACT), query.exactly().impact(CONTACT));
     let first = query.intervals(CONTACT).first_time();
     prop_assert_eq!(impact.map(|impact| impact.time), first);
     prop_assert_eq!(reference.map(|impact| impact.time), first);
@@ -404,7 +404,7 @@ fn no_contact_no_impact() {
     let [a, b, c] = FACE;
     let query = Query::<VertexFace>::new([[1.0, 1.0, 1.0], a, b, c], [[1.0, 1.0, 0.5], a, b, c]).unwrap();
     assert_eq!(query.impact(CONTACT), None);
-    assert_eq!(exact::impact(&query, CONTACT), None);
+    assert_eq!(query.exactly().impact(CONTACT), None);
 }
 
 /// The end b0 of one edge meets the other edge, at v = 0: by itself and in a batch, for each reflection and
@@ -481,7 +481,7 @@ fn within_a_distance_at_a_time_that_is_a_number() {
     let [a, b, c] = FACE;
     let query = Query::<VertexFace>::new([[1.0, 1.0, 1.0], a, b, c], [[1.0, 1.0, -0.5], a, b, c]).unwrap();
     let quarter = Separation::new(0.25).unwrap();
-    for impact in [query.impact(quarter), exact::impact(&query, quarter)].map(Option::unwrap) {
+    for impact in [query.impact(quarter), query.exactly().impact(quarter)].map(Option::unwrap) {
         assert_eq!((impact.time.lower(), impact.time.is_exact()), (0.5, true));
         assert!(close(&impact.parameters, &[0.25, 0.25]), "{impact:?}");
         assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));

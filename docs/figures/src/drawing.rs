@@ -5,8 +5,7 @@ use std::fmt::Write;
 /// A place in a drawing, in pixels from its upper left corner.
 pub(crate) type Pixel = [f64; 2];
 
-/// The styles of the classes. The colours are those of Okabe and Ito, which colour-blind readers
-/// can distinguish.
+/// The styles of the classes. The colours are by Okabe and Ito; colour-blind readers can distinguish them.
 const STYLE: &str = "\
 text{font:13px sans-serif;fill:#222}
 .bold{font-weight:bold}.middle{text-anchor:middle}.small{font-size:11.5px}

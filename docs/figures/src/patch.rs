@@ -30,8 +30,8 @@ impl Patch {
         (0..n).flat_map(|i| (0..n).map(move |j| cell(i, j))).collect()
     }
 
-    /// The crossings of the positive x axis with the patch: the roots of y = a + b s + c r + d s r
-    /// and z = …, of which r is eliminated.
+    /// The crossings of the positive x axis with the patch: the roots of y = a + b s + c r + d s r and z =
+    /// …, after r is eliminated.
     pub(crate) fn crossings(&self) -> Vec<f64> {
         let [q0, q1, q2, q3] = self.0;
         let coefficients = |axis: usize| {

@@ -21,7 +21,7 @@ class ExactCcdAudit(bpy.types.Operator):
 
     min_distance: FloatProperty(
         name="Distance",
-        description="Primitives at most this far apart count as touching, those of one mesh too",
+        description="Primitives at most this far apart count as touching, also within one mesh",
         min=0.0,
         default=0.0,
         subtype="DISTANCE",

@@ -41,7 +41,7 @@ def frames(scene: bpy.types.Scene, objects: list[bpy.types.Object]) -> Iterator[
 
 
 def select(objects: list[bpy.types.Object], vertices: list[int]) -> None:
-    """Selects these vertices among those of all objects, and nothing else."""
+    """Selects these vertices, counted over all objects, and nothing else."""
     first = 0
     for item in objects:
         data, count = item.data, len(item.data.vertices)

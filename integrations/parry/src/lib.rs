@@ -29,15 +29,15 @@
 //!
 //! # Positions
 //!
-//! The positions of the second shape at the start are those that parry computes: pose times vertex, rounded
-//! to its numbers. The ends are these plus velocity times duration, rounded to f64. Each vertex moves in a
-//! straight line from its start to its end, and the answer is exact for that motion.
+//! parry computes the positions of the second shape at the start: pose times vertex, rounded to its numbers.
+//! The ends are these plus velocity times duration, rounded to f64. Each vertex moves in a straight line
+//! from its start to its end, and the answer is exact for that motion.
 //!
 //! # Surfaces
 //!
 //! A mesh inside another one does not meet it. A hit at time 0 has the status
-//! `PenetratingOrWithinTargetDist`. The normals of surfaces that pass through each other at the start, of
-//! those that rest on each other, and of edges that slide along each other, are zero.
+//! `PenetratingOrWithinTargetDist`. The normals are zero if surfaces pass through each other at the start or
+//! rest on each other, and if edges slide along each other.
 //!
 //! `stop_at_penetration: false` is `Unsupported`: a surface has no inside, from which to tell the motion that
 //! leaves a contact from the motion that passes through.

@@ -1,4 +1,4 @@
-//! Two surfaces as one mesh, of which only pairs between the two can collide.
+//! Two surfaces as one mesh. Only pairs between the two surfaces can collide.
 
 use std::error::Error;
 

@@ -228,8 +228,8 @@ fn everything_else_is_for_the_next_dispatcher() {
     );
 }
 
-/// The times agree with those of parry up to its tolerance, for convex shapes as meshes and as solids. In
-/// single precision, the time is at most that of double precision, up to the rounding of the positions.
+/// The times agree with parry's up to its tolerance, for convex shapes as meshes and as solids. The time in
+/// single precision is at most the time in double precision, up to the rounding of the positions.
 #[test]
 fn random_casts_agree_with_those_of_solids() {
     let mut random = fastrand::Rng::with_seed(11);

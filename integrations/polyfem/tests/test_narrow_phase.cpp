@@ -12,7 +12,7 @@ using polyfem::solver::make_narrow_phase;
 
 TEST_CASE("narrow phases by name", "[contact][ccd]")
 {
-	// Two edges of which one moves through the other at t = 1/2, and one that stays away.
+	// An edge that moves through another at t = 1/2, and one that stays away.
 	const Eigen::Vector3d a0(-1, 0, 0), a1(1, 0, 0), b0(0, -1, 1), b1(0, 1, 1);
 	const Eigen::Vector3d down(0, 0, -2), sideways(4, 0, 0);
 

@@ -59,7 +59,7 @@ export class Marks {
       if (own.length > 1) this.lines(own.flatMap((vertex, i) => [vertex, own[(i + 1) % own.length]]), sides[side], 4);
       this.points(own, sides[side], 15);
     });
-    // The normal of a half space begins at its boundary, and that of another contact at the contact point.
+    // The normal of a half space begins at its boundary, and the normal of another contact at the contact point.
     const foot = corners[1].length === 0 && closest !== null ? local(closest[1]) : ([0, 0, 0] as const);
     if (normal !== null && size > 0) this.arrow(foot, times(0.45 * size, normal), colours.normal);
     if (closest !== null) {
@@ -85,7 +85,7 @@ export class Marks {
     this.group.add(new Mesh(geometryOf(corners), material));
   }
 
-  /** Discs of a size in pixels. Those of a higher order are in front of all others. */
+  /** Discs of a size in pixels. Discs of a higher order are in front of all others. */
   private points(at: Point[], color: string, size: number, order = size): void {
     const material = this.material(`points ${color} ${size}`, () => {
       const depthTest = order < 12;

@@ -21,7 +21,7 @@ type Positions = Float32Array<ArrayBuffer>;
 /** The least radius of a particle, in pixels. */
 const SMALL = 4;
 
-/** The radius of a joint of rods, in those of the rods: it fills the gap in a bend, and is hidden in a straight rod. */
+/** The radius of a joint of rods, as a part of the rods' radius: it fills the gap in a bend, and is hidden in a straight rod. */
 const JOINT = 0.85;
 
 const NONE = { faces: new Uint32Array(), edges: new Uint32Array(), points: new Uint32Array(), radii: new Float32Array() };

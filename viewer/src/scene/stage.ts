@@ -40,11 +40,11 @@ export class Stage {
   private shown: Shown | null = null;
   private middle: Point = [0, 0, 0];
   private radius = 1;
-  /** The direction upwards: that of the first data, until a key changes it. */
+  /** The direction upwards: the first data determine it, until a key changes it. */
   private up: Point = [0, 0, 1];
   private ends: Ends = [new Float32Array(), new Float32Array()];
   private frame = -1;
-  /** The number of changes, and that of the last one that is drawn. */
+  /** The number of changes, and the number of the last one that is drawn. */
   private changes = 0;
   private drawn = 0;
   /** The number of times that the camera was aimed. */

@@ -10,7 +10,7 @@ const BACK_SIDES = `#include <color_fragment>
     diffuseColor.rgb = 0.42 * mix(diffuseColor.rgb, vec3(grey), 0.5);
   }`;
 
-/** The opacity of what is behind other faces, of that of the nearest ones. */
+/** The opacity of faces behind others, as a part of the opacity of the nearest faces. */
 const BEHIND = 0.5;
 
 /**

@@ -101,7 +101,7 @@ export class View {
     this.request();
   }
 
-  /** Moves the camera at once to a pose that depends on the present one, or on that of a movement under way. */
+  /** Moves the camera at once to a pose that depends on the present one, or on the last pose of a movement under way. */
   move(to: (pose: Pose, up: Point) => Pose): void {
     this.go(to(this.travel?.to ?? this.pose, this.camera.up.toArray()), true);
   }

@@ -12,7 +12,7 @@ export interface Entry {
   tolerance: number;
 }
 
-/** The names of the points of a kind, those of the first primitive first. */
+/** The names of the points of a kind, by primitive. */
 export const POINTS: Record<Kind, { first: string[]; second: string[] }> = {
   "vertex-face": { first: ["p"], second: ["v₁", "v₂", "v₃"] },
   "edge-edge": { first: ["a₀", "a₁"], second: ["b₀", "b₁"] },

@@ -84,7 +84,7 @@ export class Handles {
     });
   }
 
-  /** The handle at a place of the picture; that of t = 1 if both ends are there. */
+  /** The handle at a place of the picture; the handle at t = 1 if both ends are there. */
   private at(event: PointerEvent): number | null {
     if (this.entry === null || event.target !== this.canvas) return null;
     let nearest: number | null = null;

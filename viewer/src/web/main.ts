@@ -19,7 +19,7 @@ declare global {
   interface Window {
     /** The kernel, for the console and for tests. */
     exactCcd: Kernel;
-    /** The places of the handles in the window, those of t = 0 first. */
+    /** The places of the handles in the window, first the handles at t = 0. */
     exactCcdHandles: () => [x: number, y: number][];
   }
 }

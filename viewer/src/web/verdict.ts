@@ -1,4 +1,4 @@
-/** The exact answer beside that of the root finder. */
+/** The exact answer beside the root finder's. */
 
 import { type Verdict } from "./protocol";
 

@@ -55,7 +55,7 @@ Counts compare(Theirs theirs, Exact exact, double min_separation)
 
 void print(const char* name, const Counts& counts)
 {
-    std::printf("%s: %d contacts, of which DART hits %d; %d queries without an answer of DART; %d hits without contact\n",
+    std::printf("%s: %d contacts, DART hits %d of them; %d queries without an answer of DART; %d hits without contact\n",
                 name, counts.contact, counts.hit, counts.no_answer, counts.false_hit);
     CHECK(counts.contact > 0 && counts.hit > 0);
 }

@@ -12,7 +12,7 @@ foreach(target IN ITEMS Eigen3::Eigen spdlog::spdlog TBB::tbb absl::hash nlohman
     set_target_properties(${target} PROPERTIES IMPORTED_GLOBAL TRUE)
 endforeach()
 
-# The toolkit includes a header of the fmt that is bundled with spdlog; that of Debian has its own place.
+# The toolkit includes a header of the fmt that is bundled with spdlog; Debian's fmt is in another place.
 file(WRITE "${CMAKE_BINARY_DIR}/bundled/spdlog/fmt/bundled/ranges.h" "#include <fmt/ranges.h>\n")
 include_directories(SYSTEM "${CMAKE_BINARY_DIR}/bundled")
 

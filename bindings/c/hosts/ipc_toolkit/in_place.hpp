@@ -10,7 +10,7 @@
 
 namespace ipc {
 
-// The rescaling of Tight Inclusion is that of a distance, of 10⁻⁴ at most: the time is not rescaled.
+// Tight Inclusion rescales a distance of 10⁻⁴ at most. Here nothing is rescaled.
 struct ExactAsTightInclusion : exact_ccd::ExactCCD {
     static constexpr double DEFAULT_TOLERANCE = TightInclusionCCD::DEFAULT_TOLERANCE;
     static constexpr long DEFAULT_MAX_ITERATIONS = TightInclusionCCD::DEFAULT_MAX_ITERATIONS;

@@ -2,8 +2,8 @@
 //
 //   step_size DATA/scenes [ROUNDS]
 //
-// Prints the median time of each contestant, the median time of the processor in all its threads, which
-// other programs disturb less, and the quotients of both by those of the batch adapter. All use all cores.
+// Prints, for each contestant, the median time, the median processor time of all its threads, which other
+// programs disturb less, and the quotients of both by the times of the batch adapter. All use all cores.
 // Making the mesh and the detector is not counted, for none of them.
 
 #include <chrono>

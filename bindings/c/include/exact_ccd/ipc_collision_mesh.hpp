@@ -24,8 +24,9 @@ namespace exact_ccd {
 /// Both phases for the steps of an ipc::CollisionMesh, with its codimensional vertices and edges and its
 /// `can_collide`. A mesh with planes, and positions that do not fit the mesh, throw std::invalid_argument.
 ///
-/// In two dimensions, the pairs are those of the toolkit: each edge and each vertex that is no end of it, and
-/// two vertices without edges. In three, they are those of exact_ccd::Detector, which contain the toolkit's.
+/// In two dimensions, it finds the toolkit's pairs: each edge and each vertex that is no end of it, and two
+/// vertices without edges. In three dimensions, it finds the pairs of exact_ccd::Detector, which contain the
+/// toolkit's.
 ///
 /// It keeps memory from step to step: make it once, not in each step. The mesh stays where it is as long as
 /// the detector exists; its `can_collide` may be replaced between two calls. It is called from several threads,

@@ -33,10 +33,10 @@ using Array3 = Eigen::Array<Scalar, 3, 1>;
 
 enum class CCDRootFindingMethod { DEPTH_FIRST_SEARCH, BREADTH_FIRST_SEARCH };
 
-/// The contact of two primitives of a kind, given by their points p to s at t = 0 and at t = 1: `edgeEdgeCCD` of
-/// the ends of edge a, then those of edge b; `vertexFaceCCD` of the vertex, then the corners of the face. Returns
-/// true if their distance is at most `ms` at a time until `t_max`, exactly. `toi` is the first such time, rounded
-/// down, or infinite.
+/// The contact of two primitives of a kind, given by their points p to s at t = 0 and at t = 1.
+/// `edgeEdgeCCD` takes the two ends of edge a, then of edge b; `vertexFaceCCD` takes the vertex, then the
+/// corners of the face. Returns true if their distance is at most `ms` at a time until `t_max`, exactly.
+/// `toi` is the first such time, rounded down, or infinite.
 template <Kind kind>
 struct Function {
     bool operator()(const Vector3& p_t0,

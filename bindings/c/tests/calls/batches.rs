@@ -1,4 +1,4 @@
-//! Batches: the times are those of single queries.
+//! Batches: the times are the same as for single queries.
 
 use arbitrary::{Result, Unstructured};
 use exact_ccd_c::{

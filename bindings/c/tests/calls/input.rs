@@ -17,7 +17,7 @@ pub(super) fn points(bytes: &mut Unstructured<'_>, count: usize) -> Result<Vec<f
     (0..3 * count).map(|_| number(bytes)).collect()
 }
 
-/// Indices of vertices, of which one in 64 is out of range.
+/// Indices of vertices. One in 64 is out of range.
 pub(super) fn indices(bytes: &mut Unstructured<'_>, count: usize, vertices: usize) -> Result<Vec<u32>> {
     let index = |_| {
         let byte: u8 = bytes.arbitrary()?;

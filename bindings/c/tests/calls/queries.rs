@@ -30,7 +30,7 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<bool> {
         end: UNWRITTEN,
     }; 3];
     let mut interval_count = 99;
-    // SAFETY: pointers are null, or those of arrays of the kind's size.
+    // SAFETY: pointers are null, or point to arrays of the kind's size.
     let statuses = unsafe {
         [
             exact_ccd_collides(kind, t0, t1, d, 1.0, &raw mut collides),

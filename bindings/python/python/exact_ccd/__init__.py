@@ -10,13 +10,15 @@
 """
 
 from ._native import CrossingError, UncertifiedError, __version__
-from .audits import AuditReport, Violation, audit
+from .audits import audit
 from .contacts import CONTACT, PAIR, Contact
 from .detectors import Detector, Progress
+from .groups import CanCollide, Place
 from .meshes import Mesh, MeshFile, read_mesh
 from .queries import IMPACT, Intervals, Kind, Queries
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
+from .violations import AuditReport, Violation
 from .worlds import Contacts, StepReports, WorldFreeSteps, Worlds
 
 __all__ = [
@@ -25,6 +27,7 @@ __all__ = [
     "PAIR",
     "Answer",
     "AuditReport",
+    "CanCollide",
     "Contact",
     "Contacts",
     "CrossingError",
@@ -37,6 +40,7 @@ __all__ = [
     "Mesh",
     "MeshFile",
     "PairCounts",
+    "Place",
     "Progress",
     "Queries",
     "StepReport",

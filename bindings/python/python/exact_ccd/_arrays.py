@@ -147,6 +147,24 @@ def indices(name: str, values: ArrayLike, shape: Shape) -> Indices:
     return np.require(array, np.uint32, ["C", "A"])
 
 
+def booleans(name: str, values: ArrayLike) -> NDArray[np.bool_]:
+    """A contiguous square matrix of booleans, which is not empty.
+
+    Raises
+    ------
+    TypeError
+        If the values are not booleans.
+    ValueError
+        If the shape differs.
+    """
+    array = as_array(name, values)
+    if array.ndim != 2 or array.shape[0] != array.shape[1] or array.size == 0:
+        raise ValueError(f"{name} has the shape {array.shape}, expected (G, G), for G groups")
+    if array.dtype != np.bool_:
+        raise TypeError(f"{name} has the dtype {array.dtype}, expected booleans: {name} != 0 has them")
+    return np.require(array, np.bool_, ["C", "A"])
+
+
 def number(name: str, value: ArrayLike) -> float:
     """The same number as a float, with the exceptions of :func:`floats`."""
     return value if type(value) is float else float(floats(name, value, ()))

@@ -2,65 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, count
 from os import PathLike
 from pathlib import Path
-from typing import Any, NamedTuple, Optional, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import as_array
-from ._native import UncertifiedError
-from .contacts import Contact
-from .frames import FileFrames, FilePath, Rules, files_in
+from .frames import ArrayFrames, FileFrames, FilePath, Rules, files_in
+from .groups import CanCollide
 from .half_spaces import HalfSpaces
 from .detectors import Detector, Progress
 from .meshes import Mesh
 from .pages import Page, line
-
-
-class Violation(NamedTuple):
-    """A place where a mesh touches itself, see :func:`audit`.
-
-    Attributes
-    ----------
-    frame : int
-        The frame at which the step begins, from 0.
-    contact : Contact or None
-        The earliest contact after that frame; its time is 0 at that frame and 1 at the next.
-    intersection : tuple of int, or None
-        In place of a contact: the indices of an edge and a face that meet in the frame.
-    half_space : tuple of int, or None
-        In place of both: the number of a half space and the index of a vertex that is not apart from it in
-        that frame. It reaches the half space in the step that leads there, if there is one.
-    """
-
-    frame: int
-    contact: Optional[Contact]
-    intersection: Optional[tuple[int, int]]
-    half_space: Optional[tuple[int, int]] = None
-
-
-class AuditReport(NamedTuple):
-    """The result of :func:`audit`.
-
-    Attributes
-    ----------
-    frames : int
-        The number of frames examined, up to the first violation.
-    violation : Violation or None
-        The first violation; None if all frames are free of contact, and the motion between them.
-    """
-
-    frames: int
-    violation: Optional[Violation]
-
-    @property
-    def is_free(self) -> bool:
-        """True if there is no violation."""
-        return self.violation is None
+from .violations import AuditReport, Violation, examine
+from .welding import PerVertex, Weld, per_vertex, remaining, style_of
 
 
 def audit(
@@ -69,7 +28,9 @@ def audit(
     *,
     edges: Optional[ArrayLike] = None,
     groups: Optional[ArrayLike] = None,
-    can_collide: Optional[Callable[[int, int], object]] = None,
+    can_collide: Optional[CanCollide] = None,
+    names: Optional[Sequence[str]] = None,
+    weld: Weld = None,
     half_spaces: Optional[ArrayLike] = None,
     min_distance: Union[float, ArrayLike] = 0.0,
     progress: Optional[Progress] = None,
@@ -94,13 +55,18 @@ def audit(
         The positions in the order of time; or mesh files, or a folder of mesh files of one format, which
         are taken in the order of the numbers in their names. A file is a mesh of any format of
         :func:`read_mesh`, a collection of ParaView (.pvd, .series), or arrays of numpy (.npz). Frames are
-        read one at a time. Vertices of STL files are one if they coincide in all frames.
+        read one at a time.
     faces : int array of shape (F, 3)
         The faces, if the frames are positions.
     edges : int array of shape (E, 2), optional
         Loose edges, if the frames are positions.
-    groups, can_collide : int array of shape (V,) and callable, optional
-        The pairs that can collide, see :class:`Mesh`. Of STL files, the vertices are those that remain.
+    groups, can_collide, names : int array of shape (V,), bool array of shape (G, G) or callable, list of str, optional
+        The pairs that can collide, and the names of the bodies, see :class:`Mesh`.
+    weld : bool, optional
+        Make one vertex of several that coincide in all frames, as the option ``--weld`` of the program does; by default
+        in STL files only, see :func:`read_mesh`. Vertices of several groups or thicknesses stay apart. The numbers
+        of vertices in results are those among :attr:`AuditReport.vertices`; the faces keep their numbers. Frames
+        that are positions have to be an array.
     half_spaces : array of shape (H, 2, 3), optional
         Half spaces that no vertex may touch, nor come within the minimum distance of: for each, a point of
         its boundary, and the outward normal, of any length.
@@ -116,7 +82,7 @@ def audit(
     certificate : path, optional
         A file to write: the proof of the report, for the program exact-ccd-check and PLY files of the same
         frames (docs/certificates.md). It is about all pairs and one distance: without `groups`,
-        `can_collide`, `half_spaces` and thicknesses.
+        `can_collide`, `weld`, `half_spaces` and thicknesses.
 
     Returns
     -------
@@ -143,19 +109,21 @@ def audit(
     >>> report.violation.frame, report.violation.contact.time
     (1, 0.25)
     """
-    mesh, positions = _begin(frames, faces, edges, Rules(groups, can_collide))
+    apart = per_vertex(groups, min_distance)
+    mesh, positions, kept = _begin(frames, faces, edges, Rules(groups, can_collide, names), weld, apart)
+    min_distance = remaining(min_distance, kept)
     detector = Detector(mesh, min_distance=min_distance, threads=threads)
     planes = None if half_spaces is None else HalfSpaces(half_spaces, min_distance)
-    parts = parts_of(certificate, min_distance, half_spaces, groups, can_collide)
+    parts = parts_of(certificate, min_distance, half_spaces, groups, can_collide, weld or None)
     page = None if view is None else Page("Audit", mesh)
-    names = positions.names() if isinstance(positions, FileFrames) else map("frame {}".format, count())
+    titles = positions.names() if isinstance(positions, FileFrames) else map("frame {}".format, count())
 
     def show(frame: Any) -> None:
         if page is not None:
-            page.add_frame(next(names), frame)
+            page.add_frame(next(titles), frame)
 
     examined = examine(detector, positions, progress=progress, half_spaces=planes, examined=show, parts=parts)
-    report = AuditReport(*examined)
+    report = AuditReport(*examined, kept)
     if page is not None and view is not None:
         _write(page, view, detector, report)
     if certificate is not None and parts is not None:
@@ -169,7 +137,8 @@ def parts_of(certificate: Optional[FilePath], min_distance: Any, *others: object
         return None
     if np.ndim(min_distance) > 0 or any(other is not None for other in others):
         raise ValueError(
-            "a certificate is about all pairs and one distance: leave out half spaces, groups, can_collide and thicknesses"
+            "a certificate is about all pairs and one distance of the vertices in the files: "
+            "leave out half spaces, groups, can_collide, weld and thicknesses"
         )
     return []
 
@@ -196,107 +165,58 @@ def _write(page: Page, file: FilePath, detector: Detector, report: AuditReport) 
         lines.insert(0, f"{place} {violation.frame}: {line(violation.contact)}")
     elif violation.intersection is not None:
         page.add_intersections(detector._native)
-        edge, face = violation.intersection
-        lines.insert(0, f"frame {violation.frame}: edge {edge} meets face {face}")
+        edge, face = _words(violation, ("edge", "face"), violation.intersection)
+        lines.insert(0, f"frame {violation.frame}: {edge} meets {face}")
     elif violation.half_space is not None:
-        number, vertex = violation.half_space
-        lines.insert(0, f"frame {violation.frame}: vertex {vertex} is not apart from half space {number}")
+        number, index = violation.half_space
+        (vertex,) = _words(violation, ("vertex",), (index,))
+        lines.insert(0, f"frame {violation.frame}: {vertex} is not apart from half space {number}")
     page.write(file, lines)
 
 
-def examine(
-    detector: Detector,
-    frames: Iterable[Any],
-    first: int = 0,
-    progress: Optional[Progress] = None,
-    half_spaces: Optional[HalfSpaces] = None,
-    examined: Optional[Callable[[Any], None]] = None,
-    parts: Optional[list[bytes]] = None,
-) -> tuple[int, Optional[Violation]]:
-    """The number of the last frame examined, plus 1, and the first violation in frames from `first` on.
-
-    Frame 0 is examined at rest; with groups or a rule, every frame. `examined` is called with each frame that is examined. The certificates of
-    steps are added to `parts`: put together, those of all frames from 0 on are one certificate.
-    """
-    last: Optional[NDArray[np.float64]] = None
-    done = first
-    for number, frame in enumerate(frames, first):
-        try:
-            violation = _examine(detector, half_spaces, last, frame, number)
-            if parts is not None and last is not None:
-                parts.append(detector._certificate(last, frame, number == 1, number > 1))
-        except ValueError as error:
-            raise ValueError(f"frame {number}: {error}") from error
-        except UncertifiedError as error:
-            error.args = (f"frame {number}: {error}",)
-            raise
-        done = number + 1
-        if examined is not None:
-            examined(frame)
-        if progress is not None:
-            progress(1)
-        if violation is not None:
-            return done, violation
-        # A copy: the iterator may reuse its array.
-        last = np.array(as_array("frame", frame), np.float64)
-    return done, None
-
-
-def _examine(
-    detector: Detector,
-    half_spaces: Optional[HalfSpaces],
-    last: Optional[ArrayLike],
-    frame: ArrayLike,
-    number: int,
-) -> Optional[Violation]:
-    """The violation in frame 0, or in the step that leads to another frame and in that frame."""
-    if last is None and number > 0:
-        return None
-    if last is not None:
-        contact = detector.collision(last, frame)
-        if contact is not None:
-            return Violation(number - 1, contact, None)
-    # A rule or groups can leave out the contact by which an edge comes to pass through a face.
-    mesh = detector.mesh
-    if last is None or mesh.can_collide is not None or mesh.groups is not None:
-        found = detector.intersections(frame)
-        if len(found):
-            return Violation(number, None, (int(found[0, 0]), int(found[0, 1])))
-    if last is None:
-        contact = detector.collision(frame, frame)
-        if contact is not None:
-            return Violation(0, contact, None)
-    touching = None if half_spaces is None else half_spaces.touching(frame)
-    return None if touching is None else Violation(number, None, None, touching)
+def _words(violation: Violation, kinds: Iterable[str], ids: Iterable[int]) -> list[str]:
+    """The primitives of a violation in words: by their bodies, if these have names."""
+    named = zip(kinds, ids, violation.places)
+    return [f"{kind} {index}" if place is None else str(place) for kind, index, place in named]
 
 
 def _begin(
-    frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike], rules: Rules
-) -> tuple[Mesh, Iterable[Any]]:
-    """The mesh, and the positions of its frames."""
-    files = in_files(frames, faces, edges)
+    frames: Any,
+    faces: Optional[ArrayLike],
+    edges: Optional[ArrayLike],
+    rules: Rules,
+    weld: Weld,
+    apart: PerVertex,
+) -> tuple[Mesh, Iterable[Any], Optional[NDArray[np.int64]]]:
+    """The mesh, the positions of its frames, and the vertices that remain, if some are welded."""
+    files = in_files(frames, faces, edges, weld, apart)
     if files is not None:
-        return files.mesh(rules), files
+        return files.mesh(rules), files, files.kept
+    if style_of(weld, False) is not None and faces is not None:
+        array = ArrayFrames.of(frames, faces, edges, weld, apart)
+        return array.mesh(rules), array, array.kept
     if hasattr(frames, "__dlpack__"):
         # A tensor need not be iterable.
         frames = as_array("frames", frames)
     if isinstance(frames, np.ndarray) and frames.ndim != 3:
         raise ValueError(f"frames has the shape {frames.shape}, expected (T, V, 3)")
-    remaining: Iterator[Any] = iter(frames)
+    following: Iterator[Any] = iter(frames)
     try:
-        start = next(remaining)
+        start = next(following)
     except StopIteration:
         raise ValueError("there are no frames") from None
     if isinstance(start, (str, PathLike)):
-        return _begin([start, *remaining], faces, edges, rules)
+        return _begin([start, *following], faces, edges, rules, weld, apart)
     if faces is None:
         raise TypeError("expected the faces of the mesh")
     if isinstance(faces, Mesh):
         raise TypeError("faces is a Mesh, expected an array: mesh.faces")
-    return Mesh(len(as_array("frames", start)), faces, edges, *rules), chain([start], remaining)
+    return Mesh(len(as_array("frames", start)), faces, edges, *rules), chain([start], following), None
 
 
-def in_files(frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike]) -> Optional[FileFrames]:
+def in_files(
+    frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike], weld: Weld, apart: PerVertex
+) -> Optional[FileFrames]:
     """The frames, if they are in files: the path of a file or folder, or a list of files."""
     if isinstance(frames, (str, PathLike)):
         files = files_in(frames)
@@ -306,4 +226,4 @@ def in_files(frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike]
         return None
     if faces is not None or edges is not None:
         raise TypeError("the faces and edges are those of the files")
-    return FileFrames(files)
+    return FileFrames(files, None, weld, apart)

@@ -2,22 +2,31 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional
+from typing import TYPE_CHECKING, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._records import by_value
+from .groups import Place, Primitive
 from .queries import IMPACT, POINTS, Kind
+
+if TYPE_CHECKING:
+    from .meshes import Mesh
 
 PAIR = np.dtype([("kind", "U2"), ("first", np.uint32), ("second", np.uint32), ("vertices", np.int64, (4,))])
 """The fields of a pair of primitives of a mesh, the first ones of :class:`Contact`."""
 
 CONTACT = np.dtype([*PAIR.descr, *IMPACT.descr, ("distance", np.float64, (2,))])
-"""The fields of a contact of a mesh, those of :class:`Contact`."""
+"""The fields of a contact of a mesh, those of :class:`Contact` but for its places."""
 
 PairColumns = tuple[NDArray[np.uint8], NDArray[np.uint32], NDArray[np.int64]]
 """The columns of pairs: kinds, indices of both primitives, vertices."""
+
+Places = tuple[Optional[Place], Optional[Place]]
+"""The places of both primitives of a pair; None for those without names."""
+
+_PRIMITIVES: dict[str, Primitive] = {"v": "vertex", "e": "edge", "f": "face"}
 
 Columns = tuple[NDArray[np.int64], PairColumns, NDArray[np.float64], NDArray[np.float64]]
 """The index of the first contact of each world, and the columns of the contacts: pairs, impacts, distances."""
@@ -48,6 +57,8 @@ class Contact(NamedTuple):
     distance : float64 array of shape (2,)
         Bounds of the distance of the primitives at that time: 0 for contact, otherwise the minimum
         distance, or less if the pair starts nearer.
+    places : tuple of two Place or None
+        The bodies of both primitives, and the indices there, if the mesh has names of groups.
     """
 
     kind: Kind
@@ -60,6 +71,13 @@ class Contact(NamedTuple):
     normal: NDArray[np.float64]
     points: NDArray[np.float64]
     distance: NDArray[np.float64]
+    places: Places = (None, None)
+
+
+def primitives(kind: Kind) -> tuple[Primitive, Primitive]:
+    """The kinds of the primitives of a pair."""
+    first, second = kind
+    return _PRIMITIVES[first], _PRIMITIVES[second]
 
 
 def pairs(columns: PairColumns, dtype: np.dtype[np.void] = PAIR) -> NDArray[np.void]:
@@ -83,10 +101,12 @@ def table(columns: Columns) -> NDArray[np.void]:
     return contacts
 
 
-def first(columns: Columns) -> Optional[Contact]:
+def first(columns: Columns, mesh: Mesh) -> Optional[Contact]:
     """The only contact in the columns of one world, if there is one."""
     for row in table(columns):
-        return Contact(*(row[name] if row[name].ndim else row[name].item() for name in Contact._fields))
+        contact = Contact(*(row[name] if row[name].ndim else row[name].item() for name in CONTACT.names or ()))
+        a, b = primitives(contact.kind)
+        return contact._replace(places=(mesh.place(a, contact.first), mesh.place(b, contact.second)))
     return None
 
 

@@ -193,7 +193,7 @@ class Detector(Searcher):
         Contact or None
             None if the step is free.
         """
-        return first(self._native.collision(*self._ends(x0, x1), number("until", until)))
+        return first(self._native.collision(*self._ends(x0, x1), number("until", until)), self._mesh)
 
     def collisions(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> NDArray[np.void]:
         """Find all contacts of the step.
@@ -299,7 +299,7 @@ class Detector(Searcher):
             the size is reduced by units in its last place until it is, or is 0.
         """
         size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep))
-        return FreeStep(size.item(), end[0], first(contact), PairCounts(*touching[0].tolist()))
+        return FreeStep(size.item(), end[0], first(contact, self._mesh), PairCounts(*touching[0].tolist()))
 
     def free_steps(
         self,
@@ -385,7 +385,7 @@ class Detector(Searcher):
         start, end = self._ends(x0, x1)
         counts, contact = self._native.step(start, end, progress)
         candidates, colliding, touching = (PairCounts(*count[0].tolist()) for count in counts)
-        report = StepReport(candidates, colliding, touching, first(contact))
+        report = StepReport(candidates, colliding, touching, first(contact, self._mesh))
         if view is not None:
             page = Page("Step", self._mesh)
             page.add_frame("t = 0", start[0])

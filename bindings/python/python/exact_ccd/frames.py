@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from os import PathLike, fspath
@@ -13,16 +13,24 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._arrays import as_array
+from .groups import CanCollide
 from .meshes import Mesh, MeshFile
+from .welding import PerVertex, Weld, remaining, style_of, welded
 
 FilePath = Union[str, PathLike[str]]
 
 
 class Rules(NamedTuple):
-    """The pairs of a mesh that can collide, see :class:`Mesh`."""
+    """The pairs of a mesh that can collide, and the names of its groups, see :class:`Mesh`."""
 
     groups: Optional[ArrayLike]
-    can_collide: Optional[Callable[[int, int], object]]
+    can_collide: Optional[CanCollide]
+    names: Optional[Sequence[str]] = None
+
+    def of(self, kept: Optional[NDArray[np.int64]]) -> Rules:
+        """The rules of the vertices that remain."""
+        return self._replace(groups=remaining(self.groups, kept))
 
 
 class FileSystem(Protocol):
@@ -33,6 +41,11 @@ class FileSystem(Protocol):
 
 class Frames(Protocol):
     """Frames of one mesh, which can be read in any order, and sent to another process."""
+
+    @property
+    def kept(self) -> Optional[NDArray[np.int64]]:
+        """The vertices that remain, if some are welded."""
+        ...
 
     def __len__(self) -> int: ...
 
@@ -56,18 +69,35 @@ class ArrayFrames:
     positions: NDArray[Any]
     faces: ArrayLike
     edges: Optional[ArrayLike]
+    kept: Optional[NDArray[np.int64]] = None
+    """The vertices that remain, if some are welded."""
+
+    @staticmethod
+    def of(
+        frames: Any, faces: ArrayLike, edges: Optional[ArrayLike], weld: Weld, apart: PerVertex = ()
+    ) -> ArrayFrames:
+        """The frames in an array, with vertices welded that coincide in all of them and have the same values."""
+        positions = as_array("frames", frames)
+        style = style_of(weld, False)
+        if style is None:
+            return ArrayFrames(positions, faces, edges)
+        if positions.ndim != 3 or positions.dtype == object:
+            raise TypeError("weld=True needs all frames before the first is examined: give an array of shape (T, V, 3)")
+        mesh = Mesh(positions.shape[1], faces, edges)
+        return ArrayFrames(positions, *welded(mesh._native, positions, style, apart))
 
     def __len__(self) -> int:
         return len(self.positions)
 
     def __iter__(self) -> Iterator[NDArray[Any]]:
-        return iter(self.positions)
+        return iter(self.positions) if self.kept is None else (frame[self.kept] for frame in self.positions)
 
     def mesh(self, rules: Rules) -> Mesh:
         """The mesh of all frames, with the pairs that can collide."""
         if self.positions.ndim != 3:
             raise ValueError(f"frames has the shape {self.positions.shape}, expected (T, V, 3)")
-        return Mesh(self.positions.shape[1], self.faces, self.edges, *rules)
+        count = self.positions.shape[1] if self.kept is None else len(self.kept)
+        return Mesh(count, self.faces, self.edges, *rules.of(self.kept))
 
     def part(self, first: int, last: int) -> ArrayFrames:
         """The frames from `first` to `last`, both included."""
@@ -77,19 +107,28 @@ class ArrayFrames:
 class FileFrames:
     """Frames in mesh files, of this machine or of a file system of pyarrow.
 
-    STL files have no shared vertices: vertices that coincide in all frames become one.
+    Vertices that coincide in all frames and have the same values become one in STL files, which have no shared
+    vertices, and with `weld`.
     """
 
-    def __init__(self, files: Iterable[FilePath], filesystem: Optional[FileSystem] = None) -> None:
+    def __init__(
+        self,
+        files: Iterable[FilePath],
+        filesystem: Optional[FileSystem] = None,
+        weld: Weld = None,
+        apart: PerVertex = (),
+    ) -> None:
         self._filesystem = filesystem
         self._places = [place for file in files for place in self._within(fspath(file))]
         if not self._places:
             raise ValueError("there are no frames")
         self._first = next(self._read())
         self._faces, self._edges = self._first.faces, self._first.edges
-        self._kept: Optional[NDArray[np.int64]] = None
-        if all(_native.mesh_format(file) == "Stl" for file, _ in self._places):
-            self._weld()
+        self.kept: Optional[NDArray[np.int64]] = None
+        style = style_of(weld, all(_native.mesh_format(file) == "Stl" for file, _ in self._places))
+        if style is not None:
+            first = Mesh(self._first.vertices, self._first.faces, self._first.edges)
+            self._faces, self._edges, self.kept = welded(first._native, self, style, apart)
 
     def _within(self, file: str) -> Iterator[tuple[str, int]]:
         """The frames of a file: that of a mesh, those in arrays, or the files of a collection."""
@@ -101,15 +140,6 @@ class FileFrames:
             place = sequence.file(frame)
             yield fspath(place), frame if Path(place) == Path(file) else 0
 
-    def _weld(self) -> None:
-        """One vertex in place of all that coincide in every frame."""
-        welding = _native.Welding()
-        for vertices in self:
-            welding.restrict(vertices)
-        first = self._first
-        self._faces, self._edges = welding.primitives(Mesh(first.vertices, first.faces, first.edges)._native)
-        self._kept = welding.positions(np.indices(first.vertices.shape, float)[0])[:, 0].astype(np.int64)
-
     def __len__(self) -> int:
         return len(self._places)
 
@@ -118,7 +148,7 @@ class FileFrames:
             same = np.array_equal(frame.faces, self._first.faces)
             if not same or not np.array_equal(frame.edges, self._first.edges):
                 raise ValueError(f"{file} has other faces or edges than the first frame")
-            yield frame.vertices if self._kept is None else frame.vertices[self._kept]
+            yield frame.vertices if self.kept is None else frame.vertices[self.kept]
 
     def _read(self) -> Iterator[MeshFile]:
         """The meshes in the files."""
@@ -134,8 +164,8 @@ class FileFrames:
 
     def mesh(self, rules: Rules) -> Mesh:
         """The mesh of all frames, with the pairs that can collide."""
-        count = len(self._first.vertices) if self._kept is None else len(self._kept)
-        return Mesh(count, self._faces, self._edges, *rules)
+        count = len(self._first.vertices) if self.kept is None else len(self.kept)
+        return Mesh(count, self._faces, self._edges, *rules.of(self.kept))
 
     def names(self) -> Iterator[str]:
         """The names of the frames, for titles: the files, and the numbers in those that have several."""

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _native
 from ._arrays import Floats, floats
-from .contacts import Contact
+from .contacts import Contact, primitives
 
 if TYPE_CHECKING:
     from .meshes import Mesh
@@ -53,6 +53,6 @@ class Page:
 
 def line(contact: Contact) -> str:
     """A contact in words."""
-    names = {"v": "vertex", "f": "face", "e": "edge"}
-    first, second = (names[letter] for letter in contact.kind)
-    return f"contact at t = {contact.time}: {first} {contact.first} and {second} {contact.second}"
+    ids = zip(primitives(contact.kind), (contact.first, contact.second), contact.places)
+    first, second = (f"{kind} {index}" if place is None else str(place) for kind, index, place in ids)
+    return f"contact at t = {contact.time}: {first} and {second}"

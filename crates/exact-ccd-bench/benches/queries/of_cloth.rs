@@ -13,7 +13,7 @@ pub(crate) fn edge_edge(step: Step<'_>) -> Vec<[u32; 4]> {
     queries::<EdgeEdge>(step, candidates(step).edge_edge())
 }
 
-/// The pairs whose boxes around the path meet: most of them are easy, as those of other broad phases are.
+/// The pairs whose boxes around the path meet. Most of them are easy, as with other broad phases.
 fn candidates(step: Step<'_>) -> Candidates {
     let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
     Candidates::with_options(step, &Bvh, &options).expect("the default distances are 0")

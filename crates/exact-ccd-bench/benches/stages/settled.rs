@@ -5,7 +5,7 @@ use fastrand::Rng;
 
 /// The largest number of different queries.
 const DIFFERENT: usize = 64;
-/// The number of random queries from which those of a stage are selected.
+/// The number of random queries from which the queries of a stage are selected.
 const TRIES: usize = 20_000;
 
 /// Queries whose contact is decided at `stage`.
@@ -38,8 +38,8 @@ fn found<K: Kind<Points = [Point; 4]>>(is_wanted: impl Fn(&Query<K>) -> bool) ->
 
 type Points = [[Point; 4]; 2];
 
-/// Families of random queries. Late stages settle only few of the queries at arbitrary positions, but
-/// more of those in special ones.
+/// Families of random queries. Late stages settle few queries at arbitrary positions, but more at special
+/// ones.
 const FAMILIES: [fn(&mut Rng) -> Points; 4] = [anywhere, near, planar, integers];
 
 fn query<K: Kind<Points = [Point; 4]>>(random: &mut Rng, family: fn(&mut Rng) -> Points) -> Query<K> {

@@ -3,7 +3,7 @@
 //! `cargo run --release -p exact-ccd-bench --example hard_cases -- OUT.parquet [COUNT]`
 //!
 //! COUNT queries of each family and kind are about contact, and as many about a distance; 40 is the
-//! default. The integers of `exact_ccd::exact` compute the answers. Before a row is written, an independent
+//! default. The integers of `Query::exactly` compute the answers. Before a row is written, an independent
 //! implementation of the definition, in rational arithmetic, has to find the same. docs/hard-cases.md
 //! describes the columns.
 
@@ -23,7 +23,7 @@ use std::error::Error;
 use std::fs::File;
 use std::io::BufWriter;
 
-use exact_ccd::{ContactTime, EdgeEdge, Intervals, Point, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{ContactTime, EdgeEdge, Intervals, Point, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
 use definition::Primitives;
@@ -66,7 +66,7 @@ fn row<K: Hard>(case: &Case<K>, primitives: Primitives) -> Result<Row, String> {
         distance,
     } = case;
     let [start, end]: [Vec<Point>; 2] = query.points().map(|now| now.as_ref().to_vec());
-    let times = exact::intervals(query, *distance);
+    let times = query.exactly().intervals(*distance);
     let defined = definition::intervals(primitives, [&start, &end], distance.get());
     if as_defined(&times) != defined {
         return Err(format!(

@@ -64,7 +64,7 @@ impl Measurement {
         }
     }
 
-    /// Measures in a separate process, so that the peak memory is that of this question.
+    /// Measures in a separate process, so that no other question contributes to the peak memory.
     pub(crate) fn apart(question: Question, side: usize) -> Result<Self, Box<dyn Error>> {
         let output = Command::new(env::current_exe()?)
             .args([MEASURE, question.word(), &side.to_string()])

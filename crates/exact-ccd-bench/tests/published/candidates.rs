@@ -5,7 +5,7 @@ use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion};
 
 use crate::scenes;
 
-/// The candidates by boxes around the paths, as those that were published.
+/// The candidates by boxes around the paths, as the published ones were found.
 fn swept(motion: &Motion) -> Candidates {
     let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
     Candidates::with_options(motion.step().unwrap(), &Bvh, &options).unwrap()

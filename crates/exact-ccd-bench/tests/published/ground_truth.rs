@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Intervals, Query, VertexFace, exact};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Intervals, Query, VertexFace};
 use exact_ccd_data::{DataKind, QueryReader, Roots, Rounding, Sample, Scene, read_roots};
 use exact_ccd_mesh::Step;
 
@@ -32,7 +32,7 @@ fn handcrafted<K: DataKind>(queries: usize) {
             file.display()
         );
         assert_eq!(
-            mismatches(&samples, |query| exact::collides(query, CONTACT)),
+            mismatches(&samples, |query| query.exactly().collides(CONTACT)),
             [0; 0],
             "exactly, {}",
             file.display()
@@ -117,7 +117,7 @@ fn contact_times_equal_the_symbolic_roots_bit_for_bit() {
             let place = format!("query {} of {}", root.query, file.display());
             assert_same_times(&query.intervals(CONTACT), root, &place);
             assert_same_times(
-                &exact::intervals(query, CONTACT),
+                &query.exactly().intervals(CONTACT),
                 root,
                 &format!("exactly, {place}"),
             );

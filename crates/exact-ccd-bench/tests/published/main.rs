@@ -10,6 +10,7 @@ mod columns;
 mod frames;
 mod ground_truth;
 mod meshes;
+mod nonlinear;
 mod parity;
 mod separation;
 mod steps;

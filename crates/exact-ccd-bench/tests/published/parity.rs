@@ -13,7 +13,7 @@ fn rounded<K: DataKind>(query: &Query<K>) -> Rounded<K> {
     Rounded::shift(query).unwrap()
 }
 
-/// The rounded queries whose parity differs from that in integers or from that of the exact contacts.
+/// The rounded queries whose parity differs from the parity in integers or of the exact contacts.
 fn exceptions<K: DataKind + Rim>(samples: &[Sample<K>]) -> Vec<usize> {
     let is_exception = |index: &usize| {
         let rounded = rounded(&samples[*index].query);
@@ -102,8 +102,8 @@ fn misses_two_contacts() {
     assert_eq!(found.collect::<Vec<_>>(), expected);
 }
 
-/// Rounding changes the parity of degenerate queries. The two counts of each kind are those that
-/// collide only after the shift and only before it.
+/// Rounding changes the parity of degenerate queries. The two counts of each kind are the queries
+/// that collide only after the shift, and only before it.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn depends_on_rounding_where_queries_are_degenerate() {

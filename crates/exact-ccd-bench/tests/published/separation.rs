@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use exact_ccd::{EdgeEdge, Intervals, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{EdgeEdge, Intervals, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{QueryKind, QueryReader, Rounding, Sample, TimesWithin};
 
 use crate::data;
@@ -34,12 +34,12 @@ fn check<K: QueryKind>(expected: usize) {
             let comes_within = within.unwrap();
             let place = format!("query {index} of {}", file.queries.display());
             assert_eq!(truth.contains_key(&index), comes_within, "{place}");
-            let decisions = [query.collides(d), exact::collides(&query, d)];
+            let decisions = [query.collides(d), query.exactly().collides(d)];
             assert_eq!(decisions, [comes_within; 2], "{place}");
             let first = query.collision(d).map(|collision| collision.time());
-            let lower = exact::time_of_impact(&query, d);
+            let lower = query.exactly().time_of_impact(d);
             let intervals = query.intervals(d);
-            let exact_intervals = exact::intervals(&query, d);
+            let exact_intervals = query.exactly().intervals(d);
             match truth.get(&index) {
                 Some(truth) => {
                     assert_same(&intervals, truth, &place);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::{CONTACT, EdgeEdge, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, VertexFace};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{
     Bvh, Candidates, Detector, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step,
@@ -139,7 +139,7 @@ fn difference(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// All candidates of the small scene, and a fraction of those of the others.
+/// All candidates of the small scene, and a fraction of the candidates of the other scenes.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn candidates_have_the_contact_times_of_the_exact_path() {
@@ -149,7 +149,7 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
             let query = step.query::<K>(ids).expect("a pair of the mesh");
             assert_eq!(
                 query.intervals(CONTACT),
-                exact::intervals(&query, CONTACT),
+                query.exactly().intervals(CONTACT),
                 "{query:?}"
             );
         }

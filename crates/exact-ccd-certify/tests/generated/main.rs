@@ -32,7 +32,8 @@ impl Random {
     }
 }
 
-/// Triangles, a rod of two edges and points, of which each moves along, with a part of its own.
+/// Triangles, a rod of two edges, and points. Each moves as a whole; its vertices deviate a little from
+/// that motion.
 fn scene(random: &mut Random, is_lattice: bool, is_flat: bool) -> Scene {
     let faces = [[0, 1, 2], [1, 2, 3], [4, 5, 6]];
     let edges = [[7, 8], [8, 9], [10, 11]];

@@ -92,7 +92,7 @@ impl ContactList {
         for row in self.0.iter().map(row) {
             for ((_, column), (_, cell)) in columns.iter_mut().zip(row) {
                 match (column, cell) {
-                    (TableColumn::Text(values), Cell::Text(text)) => values.push(Some(text)),
+                    (TableColumn::Text(values), Cell::Text(text)) => values.push(text),
                     (TableColumn::Integers(values), Cell::Integer(value)) => values.push(value),
                     (TableColumn::Reals(values), Cell::Real(value)) => values.push(value),
                     _ => {}

@@ -6,4 +6,4 @@ mod places;
 mod record;
 
 pub(crate) use list::{ContactList, ListFile};
-pub(crate) use record::{Bounds, ContactRecord, RecordKind, unsigned_zero};
+pub(crate) use record::{Bounds, ContactRecord, Owners, RecordKind, unsigned_zero};

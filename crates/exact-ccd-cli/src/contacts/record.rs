@@ -32,6 +32,18 @@ pub(crate) struct ContactRecord {
     pub(crate) parameters: Option<[f64; 2]>,
     /// The distance of the pair then.
     pub(crate) distance: Bounds,
+    /// The bodies of the primitives, if there are several in the scene.
+    #[serde(flatten)]
+    pub(crate) owners: Option<Owners>,
+}
+
+/// The names of the bodies of two primitives, and their ids in the files of their parts.
+#[derive(Clone, Serialize)]
+pub(crate) struct Owners {
+    /// None for a half space.
+    pub(crate) parts: [Option<String>; 2],
+    pub(crate) part_ids: [Option<u32>; 2],
+    pub(crate) part_vertices: [Vec<u32>; 2],
 }
 
 /// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex and a
@@ -114,6 +126,7 @@ impl ContactRecord {
             },
             vertices: [first.to_vec(), second.to_vec()],
             mesh_vertices: [first.to_vec(), second.to_vec()],
+            owners: None,
         }
     }
 
@@ -205,7 +218,12 @@ impl ContactRecord {
         if let Some(parameters) = self.parameters {
             text += &format!(", parameters {}", list(&parameters));
         }
-        text + "; ids count from 0"
+        let of_parts = if self.owners.is_some() {
+            ", in the file of each part"
+        } else {
+            ""
+        };
+        text + "; ids count from 0" + of_parts
     }
 }
 
@@ -223,16 +241,24 @@ fn first_common_point([start, end]: [Point; 2], [a, b, c]: [Point; 3]) -> Option
     points.map(|[point, _]| point)
 }
 
-/// The two primitives, with their vertices, and their distance if it is not 0.
+/// The two primitives with their bodies and vertices, and their distance if it is not 0.
 impl fmt::Display for ContactRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (side, name) in self.kind.names().into_iter().enumerate() {
             let and = if side == 0 { "" } else { " and " };
-            write!(f, "{and}{name}")?;
-            if let Some(id) = self.ids[side] {
+            let part = self
+                .owners
+                .as_ref()
+                .and_then(|owners| owners.parts[side].as_ref());
+            let part = part.map(|part| format!("{part}: ")).unwrap_or_default();
+            write!(f, "{and}{part}{name}")?;
+            let owned = |owners: &Owners| (owners.part_ids[side], owners.part_vertices[side].clone());
+            let in_scene = || (self.ids[side], self.vertices[side].clone());
+            let (id, vertices) = self.owners.as_ref().map_or_else(in_scene, owned);
+            if let Some(id) = id {
                 write!(f, " {id}")?;
             }
-            if let vertices @ [_, _, ..] = &self.vertices[side][..] {
+            if let vertices @ [_, _, ..] = &vertices[..] {
                 let vertices: Vec<_> = vertices.iter().map(ToString::to_string).collect();
                 write!(f, " (vertices {})", vertices.join(", "))?;
             }

@@ -15,23 +15,61 @@ pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
 
 impl Frames {
     /// All frames in a file: of a mesh, of arrays, or of a list of files.
-    pub(super) fn of_file(file: &Path, options: ReadOptions) -> Result<Self, Failure> {
+    pub(super) fn of_file(file: &Path, options: &ReadOptions) -> Result<Self, Failure> {
+        let mut parts = Self::parts_of_file(file, options)?;
+        match (parts.pop(), parts.len()) {
+            (Some((_, frames)), 0) => Ok(frames),
+            (_, others) => Err(Failure::of(
+                file,
+                format_args!(
+                    "{} parts, expected one; give the file alone, or a list for each part",
+                    others + 1
+                ),
+            )),
+        }
+    }
+
+    /// All frames of each part in a file, and the names of the parts if there are several, as in a
+    /// collection of ParaView.
+    pub(super) fn parts_of_file(
+        file: &Path,
+        options: &ReadOptions,
+    ) -> Result<Vec<(Option<String>, Self)>, Failure> {
         check_path(file, "a mesh file")?;
         if file.is_dir() {
             let reason =
                 "this is a folder, expected a mesh file; `exact-ccd audit` examines the frames in a folder";
             return Err(Failure::of(file, reason));
         }
-        let sequence = Arc::new(FrameSequence::open(file, options)?);
-        if sequence.is_empty() {
-            return Err(Failure::of(file, "no frame, expected at least one"));
+        let mut parts = Vec::new();
+        for sequence in FrameSequence::open_parts(file, options)? {
+            if sequence.is_empty() {
+                return Err(Failure::of(file, "no frame, expected at least one"));
+            }
+            let name = sequence.part().map(str::to_owned);
+            let sequence = Arc::new(sequence);
+            let frames = (0..sequence.len()).map(|frame| (sequence.clone(), frame));
+            parts.push((name, Self(frames.collect())));
         }
-        let frames = (0..sequence.len()).map(|frame| (sequence.clone(), frame));
-        Ok(Self(frames.collect()))
+        Ok(parts)
+    }
+
+    /// The frames in files, folders and lists of files, as [`Frames::of_paths`]; of one file, those of each
+    /// part.
+    pub(super) fn parts_of_paths(
+        paths: &[PathBuf],
+        as_given: bool,
+        options: &ReadOptions,
+        notes: &mut Notes,
+    ) -> Result<Vec<(Option<String>, Self)>, Failure> {
+        match paths {
+            [file] if file.is_file() => Self::parts_of_file(file, options),
+            _ => Ok(vec![(None, Self::of_paths(paths, as_given, options, notes)?)]),
+        }
     }
 
     /// The start and the end of a step, each the only frame in a file.
-    pub(super) fn of_pair(start: &Path, end: &Path, options: ReadOptions) -> Result<Self, Failure> {
+    pub(super) fn of_pair(start: &Path, end: &Path, options: &ReadOptions) -> Result<Self, Failure> {
         let mut frames = Vec::new();
         for file in [start, end] {
             let Self(found) = Self::of_file(file, options)?;
@@ -48,7 +86,7 @@ impl Frames {
     pub(super) fn of_paths(
         paths: &[PathBuf],
         as_given: bool,
-        options: ReadOptions,
+        options: &ReadOptions,
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
         for path in paths {
@@ -98,6 +136,18 @@ impl Frames {
     pub(super) fn name(&self, index: usize) -> String {
         let (sequence, frame) = &self.0[index];
         sequence.name(*frame)
+    }
+
+    /// The file of a frame.
+    pub(super) fn file(&self, index: usize) -> &Path {
+        let (sequence, frame) = &self.0[index];
+        sequence.file(*frame)
+    }
+
+    /// The time of a frame, if its list of files has times.
+    pub(super) fn time(&self, index: usize) -> Option<f64> {
+        let (sequence, frame) = self.0.get(index)?;
+        sequence.time(*frame)
     }
 
     pub(super) fn read(&self, index: usize) -> Result<MeshFile, ReadError> {

@@ -1,27 +1,36 @@
 //! The meshes of a command, as one scene: parts that move or rest, read and joined frame by frame.
 
 mod frames;
+mod names;
+mod nesting;
 mod options;
 mod part;
+mod points;
 mod rules;
+mod seams;
+mod shape;
 mod split;
 mod summary;
+mod turns;
 mod vertex_set;
 
 use std::ops::Range;
 use std::path::PathBuf;
 
-use exact_ccd_files::{Contents, FileIds, Polygons, ReadOptions};
+use exact_ccd_files::{Contents, FileIds};
 use exact_ccd_mesh::{CanCollide, Frame, MotionError, TriangleMesh};
 use exact_ccd_view::Body;
 
+use crate::contacts::ContactRecord;
 use crate::failure::Failure;
 use crate::notes::Notes;
 pub(crate) use frames::Frames;
+use names::Names;
 pub(crate) use options::SceneOptions;
-use part::{Part, named};
+use part::{Part, named, part_name};
 use rules::Rules;
 pub(crate) use summary::Summary;
+pub(crate) use turns::Turns;
 
 /// Parts with the same number of frames, or with one frame, which rest.
 pub(crate) struct Scene {
@@ -32,6 +41,7 @@ pub(crate) struct Scene {
     contents: Contents,
     rules: Rules,
     ids: FileIds,
+    names: Names,
     can_collide: CanCollide,
     frame_count: usize,
 }
@@ -43,41 +53,56 @@ impl Scene {
         options: &SceneOptions,
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
-        let weld = options.weld;
         let frame_count = moving.iter().map(|(_, frames)| frames.count()).max().unwrap_or(0);
         let mut parts = Vec::new();
         for (name, frames) in moving {
-            parts.push(Part::open(name, frames, false, weld)?);
+            let name = part::unique_name(&parts, name);
+            parts.push(Part::open(name, frames, false, options)?);
         }
         for path in &options.others {
             let (name, file) = named(path);
-            let frames = Frames::of_paths(std::slice::from_ref(&file), false, options.read_options(), notes)?;
-            let count = frames.count();
-            let rests = count == 1;
-            if !rests && count != frame_count {
-                let first = parts.first().map_or("", |part| part.name.as_str());
-                return Err(Failure::of(
-                    &file,
-                    format_args!(
-                        "{count} frames, expected {frame_count} as of {first}, or 1 of a mesh at rest"
-                    ),
-                ));
+            let found =
+                Frames::parts_of_paths(std::slice::from_ref(&file), false, &options.of_others(), notes)?;
+            for (part, frames) in found {
+                let count = frames.count();
+                let rests = count == 1;
+                if !rests && count != frame_count {
+                    let first = parts.first().map_or("", |part| part.name.as_str());
+                    return Err(Failure::of(
+                        &file,
+                        format_args!(
+                            "{count} frames, expected {frame_count} as of {first}, or 1 of a mesh at rest"
+                        ),
+                    ));
+                }
+                let name = part::unique_name(&parts, part_name(&name, part));
+                parts.push(Part::open(name, frames, rests, options)?);
             }
-            parts.push(Part::open(name, frames, rests, weld)?);
         }
-        part::make_names_unique(&mut parts);
+        parts.iter().for_each(|part| part.add_file_notes(notes));
+        if let Some(tolerance) = options.weld {
+            parts.iter().for_each(|part| part.note_joined(tolerance, notes));
+        }
         let frame = joined(&mut parts, None, 0)?;
         let contents = part::contents(&parts, &frame);
+        points::check(&parts, options, notes)?;
+        if options.weld.is_none() {
+            for part in &parts {
+                let Range { start, end } = part.vertices;
+                part.note_near_vertices(&frame.positions[start as usize..end as usize], notes);
+            }
+        }
         let mut ids = FileIds::default();
         parts.iter().for_each(|part| ids.append(&part.ids));
         let can_collide = rules::can_collide(&parts, &options.rules)?;
         let (mesh, first) = (frame.mesh.clone(), Some(frame));
         Ok(Self {
-            parts,
             mesh,
             first,
             contents,
             rules: options.rules.clone(),
+            names: Names::new(&parts),
+            parts,
             ids,
             can_collide,
             frame_count,
@@ -94,11 +119,12 @@ impl Scene {
         let mut moving = Vec::new();
         if let [file] = files {
             let (name, file) = named(file);
-            let frames = Frames::of_file(&file, read_options)?;
-            if frames.count() != 2 {
-                return Err(frames::frame_count(&file, frames.count(), 2));
+            for (part, frames) in Frames::parts_of_file(&file, &read_options)? {
+                if frames.count() != 2 {
+                    return Err(frames::frame_count(&file, frames.count(), 2));
+                }
+                moving.push((part_name(&name, part), frames));
             }
-            moving.push((name, frames));
         } else {
             let (pairs, rest) = files.as_chunks::<2>();
             if let [file] = rest {
@@ -109,7 +135,7 @@ impl Scene {
             }
             for [start, end] in pairs {
                 let ((name, start), (_, end)) = (named(start), named(end));
-                moving.push((name, Frames::of_pair(&start, &end, read_options)?));
+                moving.push((name, Frames::of_pair(&start, &end, &read_options)?));
             }
         }
         Self::open(moving, options, notes)
@@ -123,9 +149,11 @@ impl Scene {
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
         let (names, files): (Vec<_>, Vec<_>) = paths.iter().map(|path| named(path)).unzip();
-        let frames = Frames::of_paths(&files, as_given, options.read_options(), notes)?;
+        let parts = Frames::parts_of_paths(&files, as_given, &options.read_options(), notes)?;
         let name = names.into_iter().next().unwrap_or_default();
-        Self::open(vec![(name, frames)], options, notes)
+        let parts = parts.into_iter();
+        let moving = parts.map(|(part, frames)| (part_name(&name, part), frames));
+        Self::open(moving.collect(), options, notes)
     }
 
     pub(crate) fn frame_count(&self) -> usize {
@@ -135,6 +163,11 @@ impl Scene {
     /// The name of a frame: that of the first part.
     pub(crate) fn frame_name(&self, index: usize) -> String {
         self.parts[0].frame_name(index)
+    }
+
+    /// The time of a frame, if the list of the files of the first part has times.
+    pub(crate) fn time(&self, index: usize) -> Option<f64> {
+        self.parts[0].time(index)
     }
 
     /// The frame of all parts.
@@ -172,6 +205,27 @@ impl Scene {
         &self.ids
     }
 
+    /// The id of a vertex in the file of its part.
+    fn file_vertex(&self, vertex: u32) -> u32 {
+        let part = self.parts.iter().find(|part| part.vertices.contains(&vertex));
+        let id = part.and_then(|part| part.ids.vertices.get((vertex - part.vertices.start) as usize));
+        id.copied().unwrap_or(vertex)
+    }
+
+    /// The ids of all vertices and faces, each in the file of its part.
+    pub(crate) fn ids_in_parts(&self) -> (Vec<u32>, Vec<Option<u32>>) {
+        let of_vertices = self.parts.iter().flat_map(|part| &part.ids.vertices);
+        let of_faces = self.parts.iter().flat_map(|part| &part.ids.faces);
+        (of_vertices.copied().collect(), of_faces.copied().collect())
+    }
+
+    /// The record with the ids of the files, and with the names of its bodies if there are several.
+    pub(crate) fn in_file(&self, record: ContactRecord) -> ContactRecord {
+        let record = record.in_file(&self.ids);
+        let owners = self.names.owners(&self.parts, &record);
+        ContactRecord { owners, ..record }
+    }
+
     /// The error for a frame that does not belong to the frames before it.
     pub(crate) fn mismatch(&self, index: usize, source: MotionError) -> Failure {
         self.parts[0].mismatch(index, source)
@@ -202,15 +256,4 @@ fn joined(parts: &mut [Part], mesh: Option<&TriangleMesh>, index: usize) -> Resu
             .map_err(|error| Failure::new(format_args!("the parts together: {error}")))?,
     };
     Ok(Frame { mesh, positions })
-}
-
-impl SceneOptions {
-    fn read_options(&self) -> ReadOptions {
-        let polygons = if self.triangles_only {
-            Polygons::Refuse
-        } else {
-            Polygons::Triangulate
-        };
-        ReadOptions::from(polygons).with_max_size(self.max_size.unwrap_or(u64::MAX))
-    }
 }

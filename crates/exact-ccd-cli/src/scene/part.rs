@@ -3,12 +3,15 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Contents, FileIds, Group, MeshFile, ReadMotionError};
+use exact_ccd_files::{Contents, FileIds, Group, MeshFile, Note, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, Point, TriangleMesh, Welding};
 use exact_ccd_view::Body;
 
 use super::Frames;
+use super::options::SceneOptions;
+use super::shape::{LeftOut, Shape};
 use crate::failure::Failure;
+use crate::notes::Notes;
 
 /// A mesh in motion, or at rest if it has one frame.
 pub(super) struct Part {
@@ -25,16 +28,25 @@ pub(super) struct Part {
     pub(super) ids: FileIds,
     /// The names of the arrays of the file.
     pub(super) arrays: Option<String>,
+    /// Facts about the file of the first frame.
+    file_notes: Vec<Note>,
     /// The mesh of all frames in their files.
-    mesh: TriangleMesh,
-    welded: Option<(Welding, TriangleMesh)>,
+    in_file: TriangleMesh,
+    shape: Shape,
+    /// The numbers of edges and points that are left out of the mesh.
+    pub(super) left_out: LeftOut,
     /// The named groups of the first frame, by their vertices in the part.
     pub(super) groups: Vec<Group>,
 }
 
 impl Part {
     /// Reads the first two frames, and all frames to find the vertices to weld.
-    pub(super) fn open(name: String, frames: Frames, is_obstacle: bool, weld: bool) -> Result<Self, Failure> {
+    pub(super) fn open(
+        name: String,
+        frames: Frames,
+        is_obstacle: bool,
+        options: &SceneOptions,
+    ) -> Result<Self, Failure> {
         let (first, second) = rayon::join(
             || frames.read(0),
             || (frames.count() > 1).then(|| frames.read(1)).transpose(),
@@ -45,72 +57,136 @@ impl Part {
             groups,
             ids,
             arrays,
+            notes: file_notes,
             ..
         } = first?;
-        let mesh = frame.mesh.clone();
-        let vertices = 0..mesh.vertex_count() as u32;
+        let in_file = frame.mesh.clone();
+        let (shape, left_out) = if options.has_faces_only(&name) {
+            Shape::of_faces(&in_file)
+        } else {
+            (Shape::of(in_file.clone()), LeftOut::default())
+        };
         let second = second?.map(|file| file.frame);
         let mut part = Self {
             name,
             is_obstacle,
-            vertices,
+            vertices: 0..0,
             frames,
             loaded: [Some(frame), second].to_vec(),
             contents,
             ids,
             arrays,
-            mesh,
-            welded: None,
+            file_notes,
+            in_file,
+            shape,
+            left_out,
             groups,
         };
-        let is_stl = part.frames.are_stl();
-        if weld || is_stl {
-            let (welding, mesh) = part.weld(is_stl)?;
-            for vertex in part.groups.iter_mut().flat_map(|group| &mut group.vertices) {
-                *vertex = welding.vertex_of(*vertex).unwrap_or(*vertex);
-            }
-            let kept = welding.first_vertices().iter();
-            part.ids.vertices = kept.map(|&vertex| part.ids.vertices[vertex]).collect();
-            part.vertices = 0..mesh.vertex_count() as u32;
-            part.welded = Some((welding, mesh));
+        if options.weld.is_some() || part.frames.are_stl() {
+            let (welding, mesh) = part.weld(options.weld.unwrap_or(0.0))?;
+            part.shape = part.shape.welded(welding, mesh);
         }
+        for group in &mut part.groups {
+            group.vertices = part.shape.vertices(&group.vertices);
+        }
+        part.ids.vertices = part.shape.of_vertices(&part.ids.vertices);
+        part.vertices = 0..part.mesh().vertex_count() as u32;
         Ok(part)
     }
 
-    fn weld(&self, is_stl: bool) -> Result<(Welding, TriangleMesh), Failure> {
-        let mut welding = Welding::default();
-        for index in 0..self.frames.count() {
-            if let Some(Some(frame)) = self.loaded.get(index) {
-                self.check(index, frame)?;
-                welding.restrict(&frame.positions);
+    /// Adds the notes about the file of the first frame.
+    pub(super) fn add_file_notes(&self, notes: &mut Notes) {
+        let file = self.frames.file(0).display();
+        for note in &self.file_notes {
+            let text = format!("{file}: {note}");
+            if note.fact.is_warning() {
+                notes.warn(text);
             } else {
-                let frame = self.frames.read(index)?.frame;
-                self.check(index, &frame)?;
-                welding.restrict(&frame.positions);
+                notes.note(text);
             }
         }
-        if !is_stl {
-            welding = welding.along_edges(&self.mesh);
+    }
+
+    /// The vertices in one place, or within a tolerance, in all frames: at seams, or all of STL.
+    fn weld(&self, tolerance: f64) -> Result<(Welding, TriangleMesh), Failure> {
+        let mut welding = Welding::default();
+        let mut restrict = |index: usize, frame: &Frame| {
+            self.check(index, frame)?;
+            let positions = self.shape.of_vertices(&frame.positions);
+            if tolerance > 0.0 {
+                self.check_tolerance(tolerance, &positions)?;
+                welding.restrict_within(&positions, tolerance);
+            } else {
+                welding.restrict(&positions);
+            }
+            Ok::<_, Failure>(())
+        };
+        for index in 0..self.frames.count() {
+            match self.loaded.get(index) {
+                Some(Some(frame)) => restrict(index, frame)?,
+                _ => restrict(index, &self.frames.read(index)?.frame)?,
+            }
+        }
+        if !self.frames.are_stl() {
+            welding = welding.along_edges(self.mesh());
         }
         let mesh = welding
-            .mesh(&self.mesh)
+            .mesh(self.mesh())
             .map_err(|error| self.mismatch(0, error))?;
         Ok((welding, mesh))
     }
 
-    /// Returns true if `--weld` makes one vertex of these two of the scene, where all frames are like these.
-    pub(super) fn would_weld(&self, vertices: [u32; 2], frames: &[&[Point]]) -> bool {
-        if self.welded.is_some() {
-            return false;
+    /// Refuses a tolerance that is too near to the rounding of the positions, see
+    /// [`Welding::restrict_within`].
+    fn check_tolerance(&self, tolerance: f64, positions: &[Point]) -> Result<(), Failure> {
+        let most = positions
+            .as_flattened()
+            .iter()
+            .fold(0.0, |most: f64, x| most.max(x.abs()));
+        let least = most * 2.0_f64.powi(-50);
+        if tolerance >= least {
+            return Ok(());
         }
-        let mut welding = Welding::default();
-        for positions in frames {
-            let Range { start, end } = self.vertices;
-            welding.restrict(&positions[start as usize..end as usize]);
+        Err(Failure::new(format_args!(
+            "--weld={tolerance:e} is below {least:e}, the rounding of the positions of the part {}: name a greater \
+             tolerance, or none to join vertices in the same place",
+            self.name
+        )))
+    }
+
+    /// The vertices that a tolerance has joined in the first frame, as [`Shape::joined`] has them. It is
+    /// known until that frame is read.
+    pub(super) fn joined(&self) -> (usize, f64) {
+        let first = self.loaded.first().and_then(Option::as_ref);
+        first.map_or((0, 0.0), |frame| self.shape.joined(&frame.positions))
+    }
+
+    /// The mesh of the part in the scene.
+    pub(super) fn mesh(&self) -> &TriangleMesh {
+        self.shape.mesh()
+    }
+
+    pub(super) fn is_welded(&self) -> bool {
+        self.shape.is_welded()
+    }
+
+    /// Returns true if there is neither a face nor an edge.
+    pub(super) fn is_of_points(&self) -> bool {
+        self.mesh().edges().is_empty() && self.mesh().faces().is_empty()
+    }
+
+    /// The group of each vertex, if each is in one of several; `None` otherwise.
+    pub(super) fn group_of_vertices(&self) -> Option<Vec<u32>> {
+        let mut of_vertex = vec![None; self.mesh().vertex_count()];
+        for (number, group) in (0..).zip(&self.groups) {
+            for &vertex in &group.vertices {
+                let group = of_vertex.get_mut(vertex as usize)?.get_or_insert(number);
+                if *group != number {
+                    return None;
+                }
+            }
         }
-        let welding = welding.along_edges(&self.mesh);
-        let [v, w] = vertices.map(|vertex| welding.vertex_of(vertex - self.vertices.start));
-        v == w
+        of_vertex.into_iter().collect()
     }
 
     /// The frame, welded. A part at rest has the same one at all times.
@@ -127,22 +203,21 @@ impl Part {
             None => self.frames.read(index)?.frame,
         };
         self.check(index, &frame)?;
-        Ok(match &self.welded {
-            None => frame,
-            Some((welding, mesh)) => Frame {
-                mesh: mesh.clone(),
-                positions: welding.positions(&frame.positions),
-            },
-        })
+        Ok(self.shape.frame(frame))
     }
 
     fn check(&self, index: usize, frame: &Frame) -> Result<(), Failure> {
-        let same = self.mesh.check_same(&frame.mesh);
+        let same = self.in_file.check_same(&frame.mesh);
         same.map_err(|error| self.mismatch(index, error))
     }
 
     pub(super) fn frame_name(&self, index: usize) -> String {
         self.frames.name(index.min(self.frames.count() - 1))
+    }
+
+    /// The time of a frame, if its file has it.
+    pub(super) fn time(&self, index: usize) -> Option<f64> {
+        self.frames.time(index)
     }
 
     /// The error for a frame that does not belong to the frames before it.
@@ -186,7 +261,7 @@ impl Part {
 /// The contents of the scene: what the files have, after welding.
 pub(super) fn contents(parts: &[Part], frame: &Frame) -> Contents {
     if let [part] = parts
-        && part.welded.is_none()
+        && !part.shape.is_changed()
     {
         return part.contents;
     }
@@ -211,16 +286,17 @@ pub(super) fn named(path: &Path) -> (String, PathBuf) {
     (stem.to_owned(), path.to_owned())
 }
 
-/// Appends a number to the names that an earlier part has.
-pub(super) fn make_names_unique(parts: &mut [Part]) {
-    for index in 1..parts.len() {
-        let (before, rest) = parts.split_at_mut(index);
-        let is_taken = |name: &str| before.iter().any(|part| part.name == name);
-        if is_taken(&rest[0].name) {
-            let numbered = (2..).map(|number| format!("{}-{number}", rest[0].name));
-            if let Some(name) = numbered.into_iter().find(|name| !is_taken(name)) {
-                rest[0].name = name;
-            }
-        }
+/// The name of a part of a file: that of the file, and its own, if it has one.
+pub(super) fn part_name(file: &str, part: Option<String>) -> String {
+    part.map_or(file.to_owned(), |part| format!("{file}-{part}"))
+}
+
+/// The name, with a number if a part has it.
+pub(super) fn unique_name(parts: &[Part], name: String) -> String {
+    let is_taken = |name: &str| parts.iter().any(|part| part.name == name);
+    if !is_taken(&name) {
+        return name;
     }
+    let mut numbered = (2..).map(|number: u64| format!("{name}-{number}"));
+    numbered.find(|name| !is_taken(name)).unwrap_or(name)
 }

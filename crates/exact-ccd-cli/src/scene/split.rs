@@ -3,6 +3,7 @@
 use exact_ccd_mesh::Point;
 
 use super::Scene;
+use super::seams::Coincidence;
 use crate::contacts::ContactRecord;
 use crate::notes::Notes;
 
@@ -29,10 +30,19 @@ impl Scene {
                     "of the parts {a} and {b}, which --weld does not join; write them to one file, or leave their \
                      pairs out with --ignore {a}:{b}"
                 )
-            } else if first.would_weld([v, w], frames) {
-                "as exporters split them at seams; --weld makes one vertex of such vertices".to_owned()
             } else {
-                continue;
+                match first.coincidence([v, w], frames) {
+                    Coincidence::Seam => {
+                        "as exporters split them at seams; --weld makes one vertex of such vertices"
+                            .to_owned()
+                    }
+                    Coincidence::Layers => format!(
+                        "and faces of the part {} lie on each other there: it has no thickness, or has faces twice; \
+                         move the layers apart, or keep one of them",
+                        first.name
+                    ),
+                    Coincidence::Other => continue,
+                }
             };
             notes.note(format!(
                 "the first pair that touches at the start has vertices in the same place, {remedy}"

@@ -7,12 +7,19 @@ use serde::Serialize;
 
 use super::part::Part;
 use super::rules::{PartPair, Rules};
+use super::shape::LeftOut;
 use crate::failure::listed;
 
 /// The contents of a scene, as a part of a JSON object.
 #[derive(Serialize)]
 pub(crate) struct Summary {
     read: Contents,
+    /// True if there is neither a face nor an edge.
+    #[serde(skip_serializing_if = "is_false")]
+    points_only: bool,
+    /// The edges and points that are left out, if there are some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left_out: Option<LeftOut>,
     /// The parts, if there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     parts: Vec<PartSummary>,
@@ -48,6 +55,11 @@ struct PartSummary {
 }
 
 impl Summary {
+    /// Returns true if there is neither a face nor an edge.
+    pub(crate) fn is_of_points(&self) -> bool {
+        self.points_only
+    }
+
     pub(super) fn new(contents: Contents, parts: &[Part], rules: &Rules) -> Self {
         let of_part = |part: &Part| {
             let group = |group: &Group| GroupSummary {
@@ -70,9 +82,15 @@ impl Summary {
                 is_obstacle: part.is_obstacle,
             }
         };
+        let left_out = LeftOut {
+            loose_edges: parts.iter().map(|part| part.left_out.loose_edges).sum(),
+            points: parts.iter().map(|part| part.left_out.points).sum(),
+        };
         let with_arrays = |part: &Part| Some(format!("{}: {}", part.name, part.arrays.as_ref()?));
         Self {
             read: contents,
+            points_only: parts.iter().all(Part::is_of_points),
+            left_out: Some(left_out).filter(|left_out| *left_out != LeftOut::default()),
             parts: several.iter().map(part).collect(),
             groups: if groups.len() > 1 { groups } else { Vec::new() },
             only: rules.only.iter().map(PartPair::to_string).collect(),
@@ -82,10 +100,26 @@ impl Summary {
     }
 }
 
+fn is_false(value: &bool) -> bool {
+    !value
+}
+
 /// The first lines of a text.
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.points_only {
+            writeln!(
+                f,
+                "points alone: there is neither a face nor an edge, so the answer is about points"
+            )?;
+        }
         writeln!(f, "read: {}", self.read)?;
+        if let Some(LeftOut { loose_edges, points }) = self.left_out {
+            writeln!(
+                f,
+                "left out by --faces-only: loose edges: {loose_edges}, points: {points}"
+            )?;
+        }
         for arrays in &self.arrays {
             writeln!(f, "read of {arrays}")?;
         }

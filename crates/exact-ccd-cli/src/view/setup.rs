@@ -1,6 +1,5 @@
 //! The contents of a page before its first frame.
 
-use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Aabb, HalfSpace, Point, TriangleMesh};
 use exact_ccd_view::{Body, Page};
 
@@ -9,8 +8,8 @@ use crate::scene::Scene;
 /// All that a page has beside its frames and contacts.
 #[derive(Default)]
 pub(super) struct Setup {
-    /// The ids of vertices and faces in their files, if the frames are from files.
-    pub(super) ids: Option<FileIds>,
+    /// The ids of vertices and faces in the files of their parts, if the frames are from files.
+    pub(super) ids: Option<(Vec<u32>, Vec<Option<u32>>)>,
     pub(super) bodies: Vec<Body>,
     pub(super) half_spaces: Vec<HalfSpace>,
     /// The radii of rods and particles.
@@ -22,7 +21,7 @@ impl Setup {
     /// The setup of meshes from files.
     pub(super) fn of_scene(scene: &Scene, half_spaces: Vec<HalfSpace>) -> Self {
         Self {
-            ids: Some(scene.ids().clone()),
+            ids: Some(scene.ids_in_parts()),
             bodies: scene.bodies(),
             half_spaces,
             ..Self::default()
@@ -45,7 +44,7 @@ impl Setup {
             page = page.with_up(up);
         }
         match self.ids {
-            Some(ids) => page.with_ids(ids.vertices, ids.faces),
+            Some((vertices, faces)) => page.with_ids(vertices, faces),
             None => page,
         }
     }

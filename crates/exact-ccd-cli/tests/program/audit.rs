@@ -61,8 +61,8 @@ fn a_single_frame_is_examined_at_rest() {
         "free of contact at rest: one frame has no motion\nframes: 1 of 1 examined\n",
     );
     let run = folder.run(&["audit", "1.ply"]);
-    // The tip lies in the face. It is also the end of an edge.
-    let report = "intersection in frame 0 (1.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3)\n\
+    // The tip touches the face, and no edge passes through it.
+    let report = "contact in frame 0 (1.ply): vertex 4 and face 1 (vertices 2, 1, 3)\n\
                   frames: 1 of 1 examined\n";
     assert_report(&run, 1, report);
 }
@@ -279,7 +279,8 @@ fn a_collection_is_taken_in_the_order_of_its_times() {
     list("frames/all.pvd", [-1.0, 0.25, 0.5]);
     let run = folder.run(&["audit", "frames/all.pvd"]);
     let report = format!(
-        "contact between frame 1 (frames/a.vtu) and frame 2 (frames/c.vtu) {CONTACT}\nframes: 3 of 3 examined\n"
+        "contact between frame 1 (frames/a.vtu) and frame 2 (frames/c.vtu) {CONTACT}\n\
+         frames: 3 of 3 examined, from time -1 to 0.5\n"
     );
     assert_report(&run, 1, &report);
 
@@ -341,7 +342,7 @@ fn half_spaces_are_not_entered() {
     assert_eq!(square.status, 1);
     assert!(
         square.stdout.contains(
-            "\ncontact in frame 0 (0.ply): vertex 0 and half space 0\n  at (0, 0, 0), normal (0, 0, 1);"
+            "\ncontact in frame 0 (0.ply): 0: vertex 0 and half space 0\n  at (0, 0, 0), normal (0, 0, 1);"
         ),
         "{square:?}"
     );

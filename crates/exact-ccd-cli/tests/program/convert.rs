@@ -248,3 +248,18 @@ fn rounded_queries_have_their_number_of_roots_on_request() {
             .all(|record| record.sample.truth.is_none())
     );
 }
+
+#[test]
+fn a_mesh_is_refused_with_the_commands_that_read_it() {
+    let folder = Folder::new();
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for kind in [&[][..], &["--kind", "vf"]] {
+        let run = folder.run(&[&["convert", "a.obj", "-o", "a.parquet"], kind].concat());
+        let error = run.error();
+        assert!(
+            error.starts_with("a.obj: this is a mesh, and `convert` converts files of queries"),
+            "{error}"
+        );
+        assert!(error.contains("`exact-ccd step`"), "{error}");
+    }
+}

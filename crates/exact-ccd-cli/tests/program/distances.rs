@@ -153,7 +153,7 @@ fn loose_vertices_and_edges_have_pairs_of_their_own() {
     let report = |start: String, end: String| {
         folder.write("start.obj", start);
         folder.write("end.obj", end);
-        let run = folder.run(&["step", "start.obj", "end.obj", "--min-distance", "1"]);
+        let run = folder.run(&["step", "start.obj", "end.obj", "--min-distance", "1", "--points"]);
         answer(&run)
     };
     let text = report(rods(3.0, 9.0), rods(-1.0, 9.0));
@@ -165,7 +165,8 @@ fn loose_vertices_and_edges_have_pairs_of_their_own() {
     let points = |z: f64| format!("v 0 0 0\nv 0 0 {z}\np 1\np 2\n");
     assert_eq!(
         report(points(3.0), points(-1.0)),
-        "minimum distance: 1\n\
+        "points alone: there is neither a face nor an edge, so the answer is about points\n\
+         minimum distance: 1\n\
          contact at t = 0.5: vertex 0 and vertex 1, 1 apart\n\
          candidate pairs: 0 vertex-face, 0 edge-edge, 0 vertex-edge, 1 vertex-vertex\n\
          pairs in contact: 0 vertex-face, 0 edge-edge, 0 vertex-edge, 1 vertex-vertex\n\

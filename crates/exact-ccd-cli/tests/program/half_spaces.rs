@@ -192,7 +192,14 @@ fn points_alone_have_half_spaces() {
         folder.write(name, format!("v 0 0 {height}\n"));
     }
     for command in ["step", "audit"] {
-        let run = folder.run(&[command, "start.obj", "end.obj", "--half-space", "0,0,0,0,0,1"]);
+        let run = folder.run(&[
+            command,
+            "start.obj",
+            "end.obj",
+            "--points",
+            "--half-space",
+            "0,0,0,0,0,1",
+        ]);
         assert_eq!(run.status, 1, "{run:?}");
         assert!(run.stdout.contains("vertex 0 and half space 0"), "{run:?}");
     }

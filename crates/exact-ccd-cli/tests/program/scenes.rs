@@ -324,7 +324,7 @@ fn points_alone_touch_where_they_coincide() {
     folder.write("swapped.obj", "v 2 0 0\nv 0 0 0\n");
     for command in ["step", "audit"] {
         let run = |end: &str, options: &[&str]| {
-            let run = folder.run(&[&[command, "start.obj", end, "--json"], options].concat());
+            let run = folder.run(&[&[command, "start.obj", end, "--json", "--points"], options].concat());
             (run.status, json_of(&run)["contact"].clone())
         };
         let (status, contact) = run("swapped.obj", &[]);

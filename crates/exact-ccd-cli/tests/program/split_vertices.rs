@@ -137,6 +137,7 @@ fn the_note_names_weld_only_where_it_joins() {
         "--min-distance",
         "0.5",
         "--no-seconds",
+        "--points",
     ];
     let run = folder.run(&points);
     assert_eq!((run.status, run.stderr.as_str()), (1, ""), "{run:?}");

@@ -1,4 +1,4 @@
-//! The numbers at the marks of an axis: all of an axis are written in the same way.
+//! The numbers at the marks of an axis, all written in the same way.
 
 /// Prefixes of units with their powers of ten.
 const PREFIXES: [(i32, &str); 7] = [
@@ -11,7 +11,7 @@ const PREFIXES: [(i32, &str); 7] = [
     (9, "G"),
 ];
 
-/// The least power of ten by which numbers are divided: that of the smallest normal numbers is out of range.
+/// The least power of ten by which numbers are divided: the unit of the smallest numbers is out of range.
 const LEAST: i32 = -300;
 
 /// The unit of a linear axis: a power of a thousand, so that its numbers are below a thousand.

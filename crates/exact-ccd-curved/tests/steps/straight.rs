@@ -1,4 +1,4 @@
-//! Straight motion: the answer is that of the exact step.
+//! Straight motion: the answer is the same as the exact step's.
 
 use exact_ccd::Point;
 use exact_ccd_curved::{CurvedStepOptions, End, Polynomial, curved_step};

@@ -9,7 +9,7 @@ use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::ColumnChunkMetaData;
 use parquet::file::reader::{ChunkReader, Length};
 
-/// A file of which all bytes that are read, and the pages that they expand to, are counted.
+/// A file that counts all bytes that are read, and the bytes of the pages that they expand to.
 #[derive(Clone)]
 pub(super) struct CountedFile {
     file: Arc<File>,

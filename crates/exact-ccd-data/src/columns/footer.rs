@@ -1,7 +1,8 @@
 //! A check of the metadata at the end of a file, before the library reads them.
 //!
 //! The library builds the tree of columns by recursion, and reserves memory for as many children as a group
-//! announces. Here, the elements are the nodes of one tree of small depth, and everything lies in the file.
+//! announces. Metadata pass this check only if their elements are the nodes of one tree of small depth, and
+//! all that they name lies in the file.
 //!
 //! Apache Parquet, *File Format* and `parquet.thrift`.
 

@@ -1,8 +1,8 @@
 //! Checks of a file before the library allocates memory for its contents.
 //!
 //! A damaged or forged file of a few bytes can announce pages of gigabytes. The size of every page is
-//! checked against the size of the file, and the metadata and the headers of pages are refused in a form that
-//! the library may read otherwise than the check.
+//! checked against the size of the file. Metadata and headers of pages are refused if the library may read
+//! them otherwise than the check does.
 
 use std::panic::{self, AssertUnwindSafe};
 
@@ -41,7 +41,7 @@ pub(super) fn check_size(file: &CountedFile, metadata: &ParquetMetaData, coordin
 /// Calls the library. A panic becomes an error.
 ///
 /// The hook of the process stays as it is: it belongs to the program, which may print or log the panic. The
-/// checks before are there so that none happens in files that are known to cause one.
+/// checks before this call refuse the files that are known to cause a panic.
 pub(super) fn catch<T>(call: impl FnOnce() -> Result<T>) -> Result<T> {
     let answer = panic::catch_unwind(AssertUnwindSafe(call));
     answer.unwrap_or_else(|_| Err(ParquetError::General("its metadata contradict each other".into())))

@@ -11,9 +11,9 @@ use super::counted_file::CountedFile;
 use super::format::PAGE_HEADER;
 use super::thrift::{STRUCT, Thrift};
 
-/// The bytes in which a header is expected, as powers of two. Usual headers have less than a hundred bytes,
-/// and more with the least and the greatest of long strings. Eight times as many each time keep the work
-/// linear.
+/// The numbers of bytes in which a header is searched, one after the other, as powers of two. Usual headers
+/// have less than a hundred bytes; the least and the greatest of long strings make them longer. Each attempt
+/// has eight times as many bytes as the one before, so that the work stays linear.
 const LENGTHS: [u32; 5] = [9, 12, 15, 18, 21];
 
 /// The bytes of the header of a page.

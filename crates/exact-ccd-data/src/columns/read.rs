@@ -25,9 +25,8 @@ const BATCH: usize = 1024;
 /// Reads the queries of a Parquet file one after the other, with all data that the file has about them. It
 /// ends after the first error.
 ///
-/// The columns are those of [`ColumnWriter`](crate::ColumnWriter), found by name, in any order.
-/// Other software may have written them. Further columns are skipped. Columns are plain or
-/// compressed with gzip or snappy.
+/// The columns of [`ColumnWriter`](crate::ColumnWriter) are found by name, in any order. Other software may
+/// have written them. Further columns are skipped. Columns are plain or compressed with gzip or snappy.
 pub struct ColumnReader<K: QueryKind> {
     path: PathBuf,
     file: Arc<CountedFile>,

@@ -1,13 +1,13 @@
 //! Values in Thrift's compact protocol.
 //!
-//! The library takes a value by the number of its field, whatever type the file states, and the first or the
-//! last value of a number. Only files are accepted in which this makes no difference: the numbers of fields
-//! rise, known fields have their types, and no list has truth values, which the library skips as if they took
-//! no byte.
+//! The library takes a value by the number of its field, whatever type the file states; if a number occurs
+//! twice, it takes the first or the last value. Only files are accepted in which this makes no difference:
+//! the numbers of fields rise, known fields have their types, and no list has truth values, which the
+//! library skips as if they took no byte.
 //!
 //! Apache Thrift, *Compact Protocol Encoding*.
 
-/// The most values within values, where their types are not known.
+/// The greatest depth of nested values whose types are not known.
 const DEPTH: usize = 32;
 
 /// Types of values.
@@ -26,7 +26,7 @@ pub(super) const STRUCT: u8 = 12;
 
 /// The type of a known value.
 pub(super) enum Kind {
-    /// A value without values within.
+    /// A value that contains no others.
     Plain(u8),
     /// A truth value of a structure, which is the type itself.
     Truth,
@@ -126,7 +126,7 @@ impl Thrift<'_> {
         }
     }
 
-    /// The number of elements of a list, each of which takes a byte at least, and their type.
+    /// The number of elements of a list, and their type. Each element takes a byte at least.
     pub(super) fn list(&mut self) -> Option<(usize, u8)> {
         let header = self.byte()?;
         let count = match header >> 4 {

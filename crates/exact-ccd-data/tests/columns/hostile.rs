@@ -62,7 +62,7 @@ fn assert_damaged(file: &[u8]) {
     );
 }
 
-/// A file of many columns, each of which states in this way that it has one child.
+/// A file of many columns. Each states in this way that it has one child.
 fn hidden_levels(child: &[u8]) -> Vec<u8> {
     // 32,000, which is 16,000 as a signed number.
     let root = [0x48, 0x01, b'a', 0x15, 0x80, 0xfa, 0x01, 0];

@@ -64,7 +64,7 @@ proptest! {
     }
 }
 
-/// Queries with their truth and count, of which the file has the seventh column only.
+/// Queries with their truth and count. The file has the seventh column only.
 fn assert_rows_come_back<K: QueryKind>(queries: &[([[Point; 4]; 2], bool, i64)], seventh: Option<Seventh>) {
     let meaning = seventh.unwrap_or_default();
     let mut rows = QueryWriter::new(Vec::new(), meaning);

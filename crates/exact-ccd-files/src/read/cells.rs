@@ -2,14 +2,16 @@
 
 use std::fmt;
 
-use exact_ccd_mesh::{Frame, Point, TetFaces, TetMesh, TetMeshError};
+use exact_ccd_mesh::{Frame, Point, TetMesh};
 
 use super::budget::Budget;
 use super::group::{Group, by_name};
 use super::polygons::Faces;
 use super::solids::{self, Solid, increasing};
+use super::volumes;
 use crate::error::{Fault, ParseError, Place};
 use crate::file_ids::FileIds;
+use crate::note::Note;
 
 /// The contents of a mesh file. Readers have checked all indices.
 #[derive(Default)]
@@ -24,6 +26,8 @@ pub(super) struct Cells {
     pub(super) groups: Vec<Group>,
     /// The names of the arrays that were read, in a file of several arrays.
     pub(super) arrays: Option<String>,
+    /// Facts that could change an answer.
+    pub(super) notes: Vec<Note>,
 }
 
 /// The frame of a file, and the facts about the file that a frame does not have.
@@ -37,6 +41,7 @@ pub(super) struct Assembled {
     pub(super) groups: Vec<Group>,
     pub(super) ids: FileIds,
     pub(super) arrays: Option<String>,
+    pub(super) notes: Vec<Note>,
 }
 
 /// The numbers of elements in the file, for the error of a file without any mesh.
@@ -59,10 +64,18 @@ impl Cells {
         budget.hold::<[u32; 2]>(self.lines.len());
         budget.hold::<[u32; 4]>(self.faces.triangles.len());
         budget.hold::<Solid>(self.solids.len());
+        budget.hold::<Note>(self.notes.len());
         for group in &self.groups {
             budget.hold::<Group>(1);
             budget.hold::<u8>(group.name.len());
             budget.hold::<u32>(group.vertices.len() + group.cells.len());
+        }
+    }
+
+    /// Adds a note, unless there is one of the same fact.
+    pub(super) fn note(&mut self, note: Note) {
+        if self.notes.iter().all(|other| other.fact != note.fact) {
+            self.notes.push(note);
         }
     }
 
@@ -98,6 +111,7 @@ impl Cells {
             groups: by_name(self.groups),
             ids,
             arrays: self.arrays,
+            notes: self.notes,
         })
     }
 
@@ -110,44 +124,29 @@ impl Cells {
         if self.solids.is_empty() {
             return self.into_frame();
         }
-        let sheet = self.first_sheet();
+        if let Some(face) = self.first_sheet() {
+            return Err(Fault::Sheet { face }.at(Place::File));
+        }
         // Sides of cells have no ids, but count for the ids of the files after this one.
         self.faces = self.faces.without_triangles();
         self.points = Vec::new();
-        let surface = match self.tetrahedra() {
-            // Oriented by the positions.
-            Some(tetrahedra) => {
-                let mesh = TetMesh::new(self.positions.clone(), tetrahedra);
-                Faces::of(mesh.map_err(at_file(Fault::TetMesh))?.surface().to_vec())
-            }
-            None => solids::surface(&self.solids)?,
-        };
-        match sheet {
-            None => self.with_surface(surface),
-            Some(face) => Err(Fault::Sheet { face }.at(Place::File)),
-        }
+        self.into_scene()
     }
 
     /// The surface of the cells with volume, and all other faces, lines and points: shells, rods
     /// and points beside solids.
     ///
-    /// Cells count as positive in the order of their corners, so that the surface of a body stays
-    /// the same under any deformation, even where cells turn inside out.
-    pub(super) fn into_scene(self) -> Result<Assembled, ParseError> {
+    /// A side is on the surface if it belongs to one cell only. It has the orientation of its cell, of which
+    /// the volume counts as positive in the order of the corners: the surface of a body stays the same under
+    /// any deformation, even where cells turn inside out.
+    pub(super) fn into_scene(mut self) -> Result<Assembled, ParseError> {
         if self.solids.is_empty() {
             return self.into_frame();
         }
-        let surface = match self.tetrahedra() {
-            Some(tetrahedra) => {
-                if let Some(tetrahedron) = tetrahedra.iter().position(|corners| !are_distinct(corners)) {
-                    return Err(at_file(Fault::TetMesh)(TetMeshError::Flat { tetrahedron }));
-                }
-                let faces = TetFaces::of(tetrahedra);
-                faces.check().map_err(at_file(Fault::TetMesh))?;
-                Faces::of(faces.boundary())
-            }
-            None => solids::surface(&self.solids)?,
-        };
+        let surface = solids::surface(&self.solids)?;
+        exact_ccd_mesh::check_positions(self.positions.len(), &self.positions)
+            .map_err(|error| at_file(Fault::Frame)(error.into()))?;
+        self.notes.extend(volumes::notes(&self.solids, &self.positions));
         self.with_surface(surface)
     }
 
@@ -192,6 +191,7 @@ impl Cells {
                 face_count: self.faces.count,
             },
             arrays: self.arrays,
+            notes: self.notes,
         })
     }
 
@@ -232,16 +232,12 @@ impl Cells {
 
 /// The frame of these faces, lines and points without all other vertices, in the same order, and the
 /// vertices that it has.
-///
-/// All positions must be finite, also those that are left out.
 fn frame(
     positions: &[Point],
     faces: Vec<[u32; 3]>,
     lines: &[[u32; 2]],
     points: &[u32],
 ) -> Result<(Frame, Vec<u32>), ParseError> {
-    exact_ccd_mesh::check_positions(positions.len(), positions)
-        .map_err(|error| at_file(Fault::Frame)(error.into()))?;
     let corners = faces.as_flattened().iter().chain(lines.as_flattened());
     let vertices = sorted(corners.chain(points).copied());
     let index = |vertex: u32| vertices.partition_point(|&kept| kept < vertex) as u32;
@@ -265,10 +261,6 @@ fn loose_lines(solids: &[Solid], mut lines: Vec<[u32; 2]>) -> Vec<[u32; 2]> {
     let edges = sorted(edges.into_iter());
     lines.retain(|&line| line[0] != line[1] && edges.binary_search(&increasing(line)).is_err());
     lines
-}
-
-fn are_distinct(corners: &[u32; 4]) -> bool {
-    (1..4).all(|k| !corners[..k].contains(&corners[k]))
 }
 
 /// The elements in increasing order, each once.

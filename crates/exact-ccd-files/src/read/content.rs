@@ -48,6 +48,8 @@ const BEGINNINGS: &[(&[u8], Known)] = {
         (b"OFF ", Mesh("OFF", Format::Off)),
         (b"# vtk DataFile", Mesh("legacy VTK", Format::Vtk)),
         (b"$MeshFormat", Mesh("Gmsh MSH", Format::Msh)),
+        (b"$NOD\n", Mesh("Gmsh MSH", Format::Msh)),
+        (b"$NOD\r", Mesh("Gmsh MSH", Format::Msh)),
         (b"glTF\x01", Mesh("binary glTF", Format::Gltf)),
         (b"glTF\x02", Mesh("binary glTF", Format::Gltf)),
         (b"\x93NUMPY", Mesh("a numpy array", Format::Npy)),

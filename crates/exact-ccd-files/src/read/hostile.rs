@@ -101,6 +101,29 @@ const PLAIN: &[(&str, Format, Make)] = &[
     ("OBJ, a line of many lines", Format::Obj, |count| {
         format!("v 0 0 0\nf 1{}", "\\\n".repeat(count)).into()
     }),
+    ("OBJ, faces of two corners", Format::Obj, |count| {
+        format!("v 0 0\n{}", "f 1 1\n".repeat(count)).into()
+    }),
+    ("OBJ, statements that are not read", Format::Obj, |count| {
+        format!("v 0 0 0\n{}", "surf\n".repeat(count)).into()
+    }),
+    ("PLY, a strip of many pieces", Format::Ply, |count| {
+        let vertex = "element vertex 1\nproperty int x\nproperty int y\nproperty int z\n";
+        let strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+        let file = ply("", &format!("{vertex}{strips}"));
+        let row = format!("0 0 0\n{count}{}\n", " -1".repeat(count));
+        [file, row.into_bytes()].concat()
+    }),
+    ("PLY, rows longer than declared", Format::Ply, |count| {
+        let file = ply(
+            "",
+            &format!("element vertex {count}\nproperty int x\nproperty int y\nproperty int z\n"),
+        );
+        [file, "0 0 0 0\n".repeat(count).into_bytes()].concat()
+    }),
+    ("OFF, a face of many lines", Format::Off, |count| {
+        format!("OFF\n1 1 0\n0 0 0\n{count}{}", "\n0".repeat(count)).into()
+    }),
     ("STL, solids", Format::Stl, |count| {
         "solid\nendsolid\n".repeat(count).into()
     }),
@@ -123,6 +146,18 @@ const PLAIN: &[(&str, Format, Make)] = &[
             "4.1 0",
             &format!("$Entities\n{count} 0 0 0\n{entities}$EndEntities\n"),
         )
+    }),
+    ("Gmsh 1, elements", Format::Msh, |count| {
+        let elements: String = (0..count).map(|k| format!("{k:06} 15 1 1 1 1\n")).collect();
+        format!("$NOD\n1\n1 0 0 0\n$ENDNOD\n$ELM\n{count}\n{elements}$ENDELM\n").into()
+    }),
+    ("Gmsh 4.0, blocks", Format::Msh, |count| {
+        let blocks = "1 1 1 0\n".repeat(count);
+        msh("4 0", &format!("$Nodes\n{count} 0\n{blocks}$EndNodes\n"))
+    }),
+    ("Gmsh, data of nodes", Format::Msh, |count| {
+        let data = "$NodeData\n$EndNodeData\n".repeat(count);
+        msh("2.2 0", &data)
     }),
     ("Gmsh, nodes", Format::Msh, |count| {
         let nodes: String = (0..count).map(|k| format!("{k:06} 0 0 0\n")).collect();
@@ -176,6 +211,21 @@ const PLAIN: &[(&str, Format, Make)] = &[
         let nodes = vec!["{}"; count].join(",");
         gltf(&format!("\"nodes\":[{nodes}]"))
     }),
+    ("glTF, nodes of the scene", Format::Gltf, |count| {
+        let nodes = vec!["{}"; count].join(",");
+        let roots: Vec<String> = (0..count).map(|k| format!("{k:6}")).collect();
+        gltf(&format!(
+            "\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{nodes}]",
+            roots.join(",")
+        ))
+    }),
+    ("glTF, channels", Format::Gltf, |count| {
+        let channel = "{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"\"}}";
+        let channels = vec![channel; count].join(",");
+        gltf(&format!(
+            "\"animations\":[{{\"channels\":[{channels}],\"samplers\":[]}}]"
+        ))
+    }),
     ("glTF, a list within a list", Format::Gltf, |count| {
         gltf(&format!("\"extras\":{}{}", "[".repeat(count), "]".repeat(count)))
     }),
@@ -211,6 +261,24 @@ const EXPANDING: &[(&str, Format, Make)] = &[
         gltf(&format!(
             "\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{nodes}],\"meshes\":[{{\"primitives\":[{primitives}]}}]",
             roots.join(",")
+        ))
+    }),
+    ("glTF, instances of one mesh", Format::Gltf, |count| {
+        // Each instance has its translation in the same place, and a primitive without positions.
+        let instancing = "{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"TRANSLATION\":0}}}";
+        let node = format!("{{\"mesh\":0,\"extensions\":{instancing}}}");
+        let nodes = vec![&*node; count].join(",");
+        let roots: Vec<String> = (0..count).map(|k| format!("{k:6}")).collect();
+        let zeros = "A".repeat(48 * count);
+        gltf(&format!(
+            "\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{nodes}],\"meshes\":[{{\"primitives\":[{{\"attributes\":{{}}\
+             }}]}}],\"accessors\":[{{\"bufferView\":0,\"componentType\":5126,\"count\":{},\"type\":\"VEC3\"}}],\
+             \"bufferViews\":[{{\"buffer\":0,\"byteLength\":{}}}],\"buffers\":[{{\"byteLength\":{},\"uri\":\
+             \"data:;base64,{zeros}\"}}]",
+            roots.join(","),
+            3 * count,
+            36 * count,
+            36 * count
         ))
     }),
     ("Gmsh, an element in many groups", Format::Msh, |count| {

@@ -14,6 +14,7 @@ use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::file_ids::FileIds;
 use crate::format::Format;
+use crate::note::Note;
 
 /// A mesh file that was read: its frame, and its contents in numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,8 @@ pub struct MeshFile {
     /// The names of the arrays that were read, and of those that were not, of a file of several arrays of
     /// numpy.
     pub arrays: Option<String>,
+    /// Facts about the file that could change an answer, such as parts of it that are not read.
+    pub notes: Vec<Note>,
 }
 
 impl MeshFile {
@@ -46,8 +49,8 @@ impl MeshFile {
     ///
     /// Files of cells with volume (tetrahedra, hexahedra, wedges, pyramids) read as the surface:
     /// the sides that belong to one cell only. A .msh file reads as the surface and the loose
-    /// edges alone. A VTK file reads as the surface, and other faces, lines and points beside it;
-    /// its cells count as positive in the order of their corners.
+    /// edges alone. A VTK file reads as the surface, and other faces, lines and points beside it.
+    /// Cells count as positive in the order of their corners.
     ///
     /// # Errors
     /// [`ReadError`] names the file, the place in it, and what was expected there. A file without a
@@ -87,6 +90,7 @@ impl MeshFile {
             groups: assembled.groups,
             ids: assembled.ids,
             arrays: assembled.arrays,
+            notes: assembled.notes,
         })
     }
 }

@@ -27,6 +27,7 @@ mod solids;
 mod stl;
 mod tet_mesh;
 mod tokens;
+mod volumes;
 mod vtk;
 mod zip;
 
@@ -64,6 +65,6 @@ fn read_cells(
         Format::Vtk => vtk::read_legacy(bytes, budget),
         Format::Gltf => gltf::read(bytes, folder, budget),
         Format::Npy => numpy::read_npy(bytes, budget)?.into_single(),
-        Format::Npz => numpy::read_npz(bytes, budget)?.into_single(),
+        Format::Npz => numpy::read_npz(bytes, &numpy::Names::default(), budget)?.into_single(),
     }
 }

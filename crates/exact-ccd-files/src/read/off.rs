@@ -1,4 +1,4 @@
-//! The Object File Format: a header, counts, vertices and faces, each on its own line.
+//! The Object File Format: a header, counts, vertices and faces, each beginning on its own line.
 
 use super::budget::Budget;
 use super::cells::{Cells, vertex_index};
@@ -23,6 +23,10 @@ pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
         tokens.expect_line(|| format!("face {face} of {face_count}"))?;
         corners.clear();
         for _ in 0..tokens.count("the number of corners")? {
+            // The corners may be on several lines.
+            if tokens.is_line_empty() {
+                tokens.expect_line(|| "the index of a vertex".to_owned())?;
+            }
             let index = tokens.parse("the index of a vertex")?;
             let of = ("face", cells.faces.count);
             corners.push(vertex_index(of, index, vertex_count, tokens.place())?);

@@ -103,9 +103,13 @@ pub(super) fn fan(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> {
 }
 
 /// The triangles of a strip: every three consecutive corners, every other triangle the other way round.
+///
+/// A triangle with a corner twice is left out: such ones join strips, and an edge of theirs may be no edge of
+/// the surface.
 pub(super) fn strip(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> {
     let triangles = corners.windows(3).enumerate();
-    triangles.map(|(k, corners)| [corners[0], corners[1 + k % 2], corners[2 - k % 2]])
+    let triangles = triangles.map(|(k, corners)| [corners[0], corners[1 + k % 2], corners[2 - k % 2]]);
+    triangles.filter(|[a, b, c]| a != b && b != c && c != a)
 }
 
 /// The start of the rotation of a sequence that is first in lexicographic order, in linear time.
@@ -143,6 +147,12 @@ mod tests {
     fn a_pentagon_is_a_fan_from_its_lowest_vertex() {
         let triangles: Vec<_> = fan(&[7, 4, 9, 2, 5]).collect();
         assert_eq!(triangles, [[2, 5, 7], [2, 7, 4], [2, 4, 9]]);
+    }
+
+    #[test]
+    fn triangles_that_join_strips_are_left_out() {
+        let triangles: Vec<_> = strip(&[0, 1, 2, 2, 5, 5, 6, 7]).collect();
+        assert_eq!(triangles, [[0, 1, 2], [5, 7, 6]]);
     }
 
     proptest! {

@@ -2,17 +2,21 @@
 
 use std::path::{Path, PathBuf};
 
+use exact_ccd_mesh::Point;
+
+use super::cells::Cells;
 use super::file::parse_file;
+use super::gltf::Scene;
 use super::mesh_file::{MeshFile, assemble_cells};
-use super::numpy::Arrays;
+use super::numpy::{Arrays, Names};
 use super::options::{Polygons, ReadOptions};
-use super::series::{read_pvd_within, read_series_within};
-use super::{content, numpy};
+use super::series::{read_pvd_parts, read_pvd_within, read_series_within};
+use super::{content, gltf, numpy};
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::{Format, extension};
 
 /// The frames in one file: of a ParaView collection (`.pvd`) or series (`.series`), of numpy arrays
-/// (`.npz`, `.npy`), or the single frame of a mesh file.
+/// (`.npz`, `.npy`), of a glTF file with an animation of translations, or the single frame of a mesh file.
 ///
 /// Frames are read one at a time, in any order.
 ///
@@ -29,6 +33,7 @@ use crate::format::{Format, extension};
 #[derive(Debug)]
 pub struct FrameSequence {
     path: PathBuf,
+    part: Option<String>,
     options: ReadOptions,
     source: Source,
 }
@@ -36,46 +41,110 @@ pub struct FrameSequence {
 #[derive(Debug)]
 enum Source {
     Files(Vec<(Option<f64>, PathBuf)>),
-    Arrays(Box<Recording>),
+    Recording(Box<Recording>),
 }
 
 /// Positions of all frames, and the first frame, with the mesh that all share.
 #[derive(Debug)]
 struct Recording {
-    arrays: Arrays,
+    positions: Positions,
     first: MeshFile,
 }
 
+/// Positions of all frames.
+#[derive(Debug)]
+enum Positions {
+    Arrays(Arrays),
+    Scene(Scene),
+}
+
+impl Positions {
+    fn frame_count(&self) -> usize {
+        match self {
+            Self::Arrays(arrays) => arrays.frame_count,
+            Self::Scene(scene) => scene.frame_count(),
+        }
+    }
+
+    fn of_frame(&self, frame: usize) -> Result<Vec<Point>, Fault> {
+        match self {
+            Self::Arrays(arrays) => Ok(arrays.positions(frame)),
+            Self::Scene(scene) => scene.positions(frame),
+        }
+    }
+
+    fn time(&self, frame: usize) -> Option<f64> {
+        match self {
+            Self::Arrays(_) => None,
+            Self::Scene(scene) => scene.time(frame),
+        }
+    }
+}
+
 impl FrameSequence {
+    /// Opens the sequences of all parts of a file: of a collection of ParaView, one for each part that it
+    /// lists; of any other file, one.
+    ///
+    /// # Errors
+    /// As [`FrameSequence::open`]; also if the parts of a collection have different times.
+    pub fn open_parts(
+        path: impl AsRef<Path>,
+        options: impl Into<ReadOptions>,
+    ) -> Result<Vec<Self>, ReadError> {
+        let (path, options) = (path.as_ref(), options.into());
+        if extension(path).as_deref() != Some("pvd") {
+            return Ok(vec![Self::open(path, options)?]);
+        }
+        let parts = read_pvd_parts(path, options.max_size)?;
+        let is_one = parts.len() == 1;
+        let sequence = |(part, files)| Self {
+            path: path.to_owned(),
+            part: (!is_one).then_some(part),
+            options: options.clone(),
+            source: timed(files),
+        };
+        Ok(parts.into_iter().map(sequence).collect())
+    }
+
+    /// The part of a collection of several parts.
+    #[must_use]
+    pub fn part(&self) -> Option<&str> {
+        self.part.as_deref()
+    }
+
     /// Opens a sequence. Arrays are read now, listed files later.
     ///
     /// # Errors
-    /// [`ReadError`] names the file, the place in it, and what was expected there.
+    /// [`ReadError`] names the file, the place in it, and what was expected there. A collection of several
+    /// parts is an error.
     pub fn open(path: impl AsRef<Path>, options: impl Into<ReadOptions>) -> Result<Self, ReadError> {
         let (path, options) = (path.as_ref(), options.into());
-        let ReadOptions { polygons, max_size } = options;
-        let timed = |files: Vec<(f64, PathBuf)>| {
-            let files = files.into_iter();
-            Source::Files(files.map(|(time, file)| (Some(time), file)).collect())
-        };
+        let ReadOptions {
+            polygons, max_size, ..
+        } = options;
         let source = match (extension(path).as_deref(), Format::of_path(path)) {
             (Some("pvd"), _) => timed(read_pvd_within(path, max_size)?),
             (Some("series"), _) => timed(read_series_within(path, max_size)?),
-            (_, Some(format @ (Format::Npz | Format::Npy))) => {
-                parse_file(path, max_size, |bytes, budget| {
-                    content::check(bytes, format)?;
-                    let arrays = match format {
-                        Format::Npz => numpy::read_npz(bytes, budget),
-                        _ => numpy::read_npy(bytes, budget),
-                    };
-                    with_mesh(arrays?, polygons)
-                })?
+            (_, Some(format @ (Format::Npz | Format::Npy))) => read_arrays(path, format, &options)?,
+            (_, Some(Format::Gltf)) => {
+                let folder = path.parent();
+                let recording = parse_file(path, max_size, |bytes, budget| {
+                    if !gltf::has_animations(bytes, budget)? {
+                        return Ok(None);
+                    }
+                    content::check(bytes, Format::Gltf)?;
+                    let (scene, cells) = gltf::read_moving(bytes, folder, budget)?;
+                    cells.charge(budget);
+                    with_mesh(Positions::Scene(scene), cells, polygons).map(Some)
+                })?;
+                recording.unwrap_or_else(|| Source::Files(vec![(None, path.to_owned())]))
             }
             _ => Source::Files(vec![(None, path.to_owned())]),
         };
         let path = path.to_owned();
         Ok(Self {
             path,
+            part: None,
             options,
             source,
         })
@@ -86,7 +155,7 @@ impl FrameSequence {
     pub fn len(&self) -> usize {
         match &self.source {
             Source::Files(files) => files.len(),
-            Source::Arrays(recording) => recording.arrays.frame_count,
+            Source::Recording(recording) => recording.positions.frame_count(),
         }
     }
 
@@ -101,7 +170,7 @@ impl FrameSequence {
     pub fn file(&self, frame: usize) -> &Path {
         match &self.source {
             Source::Files(files) => files.get(frame).map_or(&self.path, |(_, file)| file),
-            Source::Arrays(_) => &self.path,
+            Source::Recording(_) => &self.path,
         }
     }
 
@@ -112,7 +181,7 @@ impl FrameSequence {
         let file = self.file(frame).display();
         match &self.source {
             Source::Files(_) => file.to_string(),
-            Source::Arrays(_) => format!("{file}, frame {frame}"),
+            Source::Recording(_) => format!("{file}, frame {frame}"),
         }
     }
 
@@ -121,7 +190,7 @@ impl FrameSequence {
     pub fn time(&self, frame: usize) -> Option<f64> {
         match &self.source {
             Source::Files(files) => files.get(frame)?.0,
-            Source::Arrays(_) => None,
+            Source::Recording(recording) => recording.positions.time(frame),
         }
     }
 
@@ -142,10 +211,11 @@ impl FrameSequence {
             ));
         }
         match &self.source {
-            Source::Files(_) => MeshFile::read(self.file(frame), self.options),
-            Source::Arrays(recording) => {
+            Source::Files(_) => MeshFile::read(self.file(frame), &self.options),
+            Source::Recording(recording) => {
                 let mut file = recording.first.clone();
-                let all = recording.arrays.positions(frame);
+                let all = recording.positions.of_frame(frame);
+                let all = all.map_err(|fault| at_path(fault.at(Place::Frame(frame))))?;
                 let checked = exact_ccd_mesh::check_positions(all.len(), &all);
                 checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::Frame(frame))))?;
                 let kept = file.ids.vertices.iter();
@@ -161,8 +231,47 @@ impl FrameSequence {
     }
 }
 
-/// Arrays with the mesh of their first frame, which is that of all.
-fn with_mesh(arrays: Arrays, polygons: Polygons) -> Result<Source, ParseError> {
-    let first = MeshFile::assembled(assemble_cells(arrays.cells()?, Format::Npz)?, polygons)?;
-    Ok(Source::Arrays(Box::new(Recording { arrays, first })))
+/// The files of a list with times.
+fn timed(files: Vec<(f64, PathBuf)>) -> Source {
+    let files = files.into_iter();
+    Source::Files(files.map(|(time, file)| (Some(time), file)).collect())
+}
+
+/// The recording in a file of arrays, with the faces of another file if the options name one.
+fn read_arrays(path: &Path, format: Format, options: &ReadOptions) -> Result<Source, ReadError> {
+    let is_file = |name: &&str| name.ends_with(".npy");
+    let faces_file = options.faces.as_deref().filter(is_file);
+    let names = Names {
+        positions: options.positions.as_deref(),
+        faces: options.faces.as_deref().filter(|name| !is_file(name)),
+        has_faces_file: faces_file.is_some(),
+    };
+    if format == Format::Npy && (names.positions.is_some() || names.faces.is_some()) {
+        let expected = "a file .npy for --faces and no name for --positions: this file has one array";
+        let source = Fault::expected(expected, "the name of an array").at(Place::File);
+        return Err(ReadError::Parse {
+            path: path.to_owned(),
+            source,
+        });
+    }
+    let read_faces = |file| parse_file(Path::new(file), options.max_size, numpy::read_faces);
+    let faces = faces_file.map(read_faces).transpose()?;
+    parse_file(path, options.max_size, |bytes, budget| {
+        content::check(bytes, format)?;
+        let mut arrays = match format {
+            Format::Npz => numpy::read_npz(bytes, &names, budget)?,
+            _ => numpy::read_npy(bytes, budget)?,
+        };
+        if let Some(faces) = faces {
+            arrays = arrays.with_faces(faces)?;
+        }
+        let cells = arrays.cells()?;
+        with_mesh(Positions::Arrays(arrays), cells, options.polygons)
+    })
+}
+
+/// Positions of all frames with the mesh of the first one, which is that of all.
+fn with_mesh(positions: Positions, first: Cells, polygons: Polygons) -> Result<Source, ParseError> {
+    let first = MeshFile::assembled(assemble_cells(first, Format::Npz)?, polygons)?;
+    Ok(Source::Recording(Box::new(Recording { positions, first })))
 }

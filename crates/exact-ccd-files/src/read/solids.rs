@@ -1,6 +1,7 @@
 //! Cells with volume, and the surface of all of them.
 
 use arrayvec::ArrayVec;
+use exact_ccd_mesh::TetMeshError;
 
 use super::polygons::{Faces, fan};
 use crate::error::{Fault, ParseError, Place};
@@ -96,10 +97,15 @@ struct Side {
 /// Their orientation is that of the cells and does not depend on positions.
 ///
 /// # Errors
-/// If more than two cells share a side.
+/// If more than two cells share a side, or a tetrahedron has a corner twice.
 pub(super) fn surface(cells: &[Solid]) -> Result<Faces, ParseError> {
     let mut sides = Vec::new();
     for (cell, solid) in cells.iter().enumerate() {
+        if let Solid::Tetrahedron(corners) = solid
+            && (1..4).any(|k| corners[..k].contains(&corners[k]))
+        {
+            return Err(Fault::TetMesh(TetMeshError::Flat { tetrahedron: cell }).at(Place::File));
+        }
         for (number, side) in solid.sides().enumerate() {
             let vertices = vertex_set(side);
             sides.push(Side {
@@ -124,7 +130,10 @@ pub(super) fn surface(cells: &[Solid]) -> Result<Faces, ParseError> {
     outer.sort_unstable();
     let mut faces = Faces::default();
     for (cell, number) in outer {
-        if let Some(side) = cells[cell].sides().nth(number) {
+        if let Some(mut side) = cells[cell].sides().nth(number) {
+            // As the fan of a side with more corners.
+            let least = (0..side.len()).min_by_key(|&k| side[k]);
+            side.rotate_left(least.unwrap_or(0));
             faces.add(&side, || Place::File)?;
         }
     }

@@ -92,15 +92,25 @@ fn read_facet(tokens: &mut Tokens, positions: &mut Vec<Point>) -> Result<(), Par
         let found = corners.to_string();
         return Err(Fault::expected(format!("3 corners of face {face}"), found).at(tokens.place()));
     }
-    tokens.keyword("endfacet")
+    match tokens.word() {
+        Some(word) if is_end(tokens, word, "endfacet") => Ok(()),
+        Some(word) => Err(tokens.unexpected("`endfacet`", word)),
+        None => Err(tokens.ends("`endfacet`")),
+    }
 }
 
-/// Reads the next word, which must be one of two keywords. Returns true for the first one.
-fn is_first(tokens: &mut Tokens, [first, second]: [&str; 2]) -> Result<bool, ParseError> {
-    let expected = || format!("`{first}` or `{second}`");
+/// Returns true if a word is this keyword, which begins with `end`, or if the next one is the rest of it:
+/// `end facet`. That one is read, then.
+fn is_end(tokens: &mut Tokens, word: &[u8], keyword: &str) -> bool {
+    is(word, keyword) || is(word, "end") && tokens.next_is(&keyword["end".len()..])
+}
+
+/// Reads the next word, which must be a keyword, or the end of a block. Returns true for the first one.
+fn is_first(tokens: &mut Tokens, [first, end]: [&str; 2]) -> Result<bool, ParseError> {
+    let expected = || format!("`{first}` or `{end}`");
     match tokens.word() {
         Some(word) if is(word, first) => Ok(true),
-        Some(word) if is(word, second) => Ok(false),
+        Some(word) if is_end(tokens, word, end) => Ok(false),
         Some(word) => Err(tokens.unexpected(expected(), word)),
         None => Err(tokens.ends(expected())),
     }

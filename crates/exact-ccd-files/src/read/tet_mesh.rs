@@ -10,14 +10,15 @@ use super::group::Group;
 use super::msh;
 use crate::error::{ParseError, ReadError};
 
-/// Reads the tetrahedra in a Gmsh file, `.msh`, version 2.2 or 4.1, text or binary; and its physical groups,
-/// by increasing dimension and tag.
+/// Reads the tetrahedra in a Gmsh file, `.msh`, version 1 to 2.2, 4 or 4.1, text or binary; and its
+/// physical groups, by increasing dimension and tag.
 ///
 /// Vertices and tetrahedra keep their order in the file and are counted from 0, whatever their
 /// tags. Triangles are allowed if they are faces of tetrahedra. Points and lines are skipped.
 ///
-/// An element belongs to the group of its first tag in version 2.2, and to those of its entity in version
-/// 4.1. Groups without elements are left out. In a partitioned mesh of version 4.1, elements belong to none.
+/// An element belongs to the group of its first tag before version 4, and to those of its entity from then
+/// on.
+/// Groups without elements are left out. In a partitioned mesh of version 4, elements belong to none.
 ///
 /// # Errors
 /// [`ReadError`] names the file, the place in it, and what was expected there.

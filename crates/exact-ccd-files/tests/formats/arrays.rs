@@ -226,7 +226,7 @@ fn what_a_gltf_mesh_cannot_be_is_named() {
         (
             "\"asset\"",
             "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"",
-            "expected a glTF file without required extensions",
+            "expected a glTF file that does not require this extension",
         ),
         (
             "data:application",

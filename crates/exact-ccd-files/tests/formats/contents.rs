@@ -190,6 +190,17 @@ fn known_formats_without_a_reader_name_the_export_that_works() {
         ("cloth.USDC", "USD", "numpy.savez"),
         ("cloth.fbx.gz", "FBX", "with Animation"),
         ("image.vti", "a structured grid of VTK", "extract_surface()"),
+        ("cloth.pc2", "a cache of positions", "Mesh Cache"),
+        ("cloth.mdd", "a cache of positions", "numpy.savez"),
+        ("cloth.bgeo", "Houdini's own format", ".obj or .ply"),
+        ("cloth.bgeo.sc", "Houdini's own format", ".obj or .ply"),
+        (
+            "cloth.pkl",
+            "a pickle of Python, which may run code when it is loaded",
+            "numpy.savez",
+        ),
+        ("cloth.hdf5", "HDF5", "numpy.savez"),
+        ("walk.bvh", "a motion of bones", "OBJ or PLY"),
     ] {
         let error = read_frame(file(name, "")).unwrap_err().to_string();
         assert!(
@@ -228,9 +239,9 @@ fn a_ply_file_may_have_points_only() {
                   property float z\nend_header\n0 0 0\n1 0 0\n";
     let file = MeshFile::parse(points.as_bytes(), Format::Ply, Polygons::default()).unwrap();
     assert_eq!((file.contents.loose_vertices, file.contents.edges), (2, 0));
-    // Strips of triangles are not read, nor edges without the ids of their vertices.
+    // Other lists are not read, nor edges without the ids of their vertices.
     for element in [
-        "element tristrips 0\nproperty list int int vertex_indices\n",
+        "element cell 0\nproperty list int int vertex_indices\n",
         "element edge 0\nproperty int start\n",
     ] {
         let other = points.replace("end_header", &format!("{element}end_header"));

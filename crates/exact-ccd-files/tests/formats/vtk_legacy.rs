@@ -86,7 +86,8 @@ fn each_error_names_its_line() {
         ),
         (
             grid("4 0 1 2 3", "24"),
-            "line 8: expected a linear cell (types 1 to 14), found cell 0 of type 24 (a quadratic cell) with 4 \
+            "line 8: expected a linear cell (types 1 to 14), found cell 0 of type 24 (a quadratic cell; in \
+             ParaView: Tessellate, in pyvista: linear_copy()) with 4 \
              corners",
         ),
         (

@@ -34,8 +34,8 @@ pub struct Boxes<const T: usize> {
 }
 
 impl<const T: usize> Boxes<T> {
-    /// Boxes at t = 0 and at t = 1, or boxes at rest (T = 1). Their indices are those in the slice. A side
-    /// that is not a number counts as unbounded.
+    /// Boxes at t = 0 and at t = 1, or boxes at rest (T = 1). The index of a box is its place in the slice.
+    /// A side that is not a number counts as unbounded.
     ///
     /// Coordinates are relative to 0: far from there, boxes that do not meet may meet after rounding.
     ///

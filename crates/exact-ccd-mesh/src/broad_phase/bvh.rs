@@ -19,10 +19,11 @@ pub struct Bvh;
 /// The number of groups of blocks that a thread searches for in one task.
 const GRAIN: usize = 4;
 
-/// The number of parts of the boxes that the first grains come from, one from each.
+/// The number of parts of the boxes; the first grains come from different parts.
 const PLACES: usize = 64;
 
-/// The least number of nodes that a thread makes in one task: as much work as that of filling blocks.
+/// The least number of nodes that a thread makes in one task: they take as much time as a task that fills
+/// blocks.
 const NODES: usize = 256;
 
 // Two implementations, not one for all T: one would be generic, and compiled again in each crate that passes
@@ -193,7 +194,7 @@ impl<const T: usize> Group<T> {
         }
     }
 
-    /// A bit for each block of the group whose index is not greater than that of the last one.
+    /// Sets a bit for each block of the group with an index up to `last`.
     #[inline(always)]
     fn until(&self, last: usize) -> u32 {
         (1 << self.count.min((last - self.first).saturating_add(1))) - 1

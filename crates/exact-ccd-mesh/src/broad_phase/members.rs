@@ -121,7 +121,7 @@ mod tests {
         Aabb, AllPairs, BoxPairs, Boxes, Bvh, MovingBox, PairCollector, PairSink, Sweep,
     };
 
-    /// Boxes near each other, with labels of which many are common to two of them.
+    /// Boxes near each other. Many of their labels are common to two boxes.
     fn boxes<const N: usize>(rng: &mut Rng, count: u32) -> (Boxes<1>, Vec<(Aabb, [u32; N])>) {
         let corner = |rng: &mut Rng| [0, 1, 2].map(|_| f64::from(rng.u8(..8)));
         let all: Vec<(Aabb, [u32; N])> = (0..count)

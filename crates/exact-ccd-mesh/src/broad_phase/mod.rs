@@ -67,7 +67,7 @@ pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;
 /// # Ok::<(), exact_ccd_mesh::TooManyPrimitives>(())
 /// ```
 pub trait BoxPairs<const T: usize>: Send + Sync {
-    /// Finds the pairs of the index of a box in `a` and that of a box in `b`.
+    /// Finds the pairs of a box in `a` and a box in `b`: their indices, in this order.
     fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()>;
 
     /// Finds the pairs of two boxes in `boxes`, the smaller index first.
@@ -76,8 +76,8 @@ pub trait BoxPairs<const T: usize>: Send + Sync {
 
 /// A broad phase of meshes: the pairs of boxes at rest and of boxes that move.
 ///
-/// Every type that is [`BoxPairs`] for both is one: implement that trait. `impl<const T: usize> BoxPairs<T>`
-/// serves both; one that calls [`Bvh`] has the bound `Bvh: BoxPairs<T>`.
+/// Every type that implements [`BoxPairs`] for both is a broad phase of meshes: implement that trait.
+/// `impl<const T: usize> BoxPairs<T>` serves both; if it calls [`Bvh`], it has the bound `Bvh: BoxPairs<T>`.
 pub trait BroadPhase: BoxPairs<1> + BoxPairs<2> {}
 
 impl<B: BoxPairs<1> + BoxPairs<2>> BroadPhase for B {}

@@ -50,8 +50,8 @@ impl<const T: usize> MovingBox<T> {
     }
 
     /// The box that moves from one place to another (T = 2), or the box around both places, each relative to
-    /// its origin (T = 1). Where an axis separates two boxes of the second kind, it separates those that move
-    /// at both ends, in the same order.
+    /// its origin (T = 1). Where an axis separates two boxes of the second kind, it separates the moving
+    /// boxes at both ends, in the same order.
     #[inline(always)]
     pub(crate) fn of_path(places: &[Aabb; 2], origins: &[Point; 2]) -> Self {
         let MovingBox { lower, upper } = MovingBox::<2>::new(places, origins);

@@ -14,12 +14,12 @@ type Placed = (Point, u32);
 /// The least number of boxes whose parts are ordered by two threads.
 const GRAIN: usize = 4096;
 
-/// The indices of boxes, those of each block near each other, and those of each node of a tree whose nodes
-/// have as many children as a block has boxes.
+/// The indices of boxes, in an order in which the boxes of a block are near each other, and so are the boxes
+/// of a node of the tree. A node has as many children as a block has boxes.
 ///
-/// The boxes are divided along the longest side of the box around their centers, into halves of whole
-/// blocks or nodes; so are the halves: J. L. Bentley, *Multidimensional binary search trees used for
-/// associative searching*, 1975.
+/// The boxes are divided along the longest side of the box around their centers, into halves of whole blocks
+/// or nodes; so are the halves: J. L. Bentley, *Multidimensional binary search trees used for associative
+/// searching*, 1975.
 pub(crate) fn order(ids: Vec<u32>, center: impl Fn(u32) -> Point + Sync) -> Vec<u32> {
     let mut placed: Vec<Placed> = ids
         .into_par_iter()
@@ -46,7 +46,7 @@ fn divide(placed: &mut [Placed], mut node: usize) {
     let child = node / LANES;
     let middle = placed.len().div_ceil(child) / 2 * child;
     let axis = around(placed.iter().map(|&(center, _)| center)).longest_side();
-    // There is no NaN here. This comparison takes less time than that of all floating-point numbers.
+    // There is no NaN here. This comparison takes less time than a total order of floating-point numbers.
     placed.select_nth_unstable_by(middle, |(a, _), (b, _)| {
         a[axis].partial_cmp(&b[axis]).unwrap_or(Equal)
     });

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Sub};
 
-/// A format of floating-point numbers: f64, or a small one of which tests examine all numbers.
+/// A format of floating-point numbers: f64, or a format so small that tests examine all of its numbers.
 pub(crate) trait Format: Copy + Add<Output = Self> + Sub<Output = Self> {
     /// Four times the least normal number: above the effects of all that is flushed to zero in a sum.
     const FLUSHED: Self;

@@ -50,7 +50,7 @@ impl<'a, const T: usize> Pairs<'a, T> {
         }
     }
 
-    /// Adds the pairs of a block of `a` and a block of `b`, but those with a common label.
+    /// Adds the pairs of a block of `a` and a block of `b`, except pairs with a common label.
     #[inline(always)]
     pub(super) fn add<S: Simd>(&mut self, simd: S, i: usize, j: usize) -> ControlFlow<()> {
         // Copies of the loop, for the kinds of pairs of a mesh.

@@ -13,8 +13,8 @@ use crate::steps::Step;
 
 /// A step that is free of contact, for the minimum distance of the options.
 ///
-/// Unless `size` is 0, the straight motion from the start to `positions` has been checked to be
-/// free of contact, exactly, for the positions as they are, rounded.
+/// Unless `size` is 0, the straight motion from the start to `positions`, as they are after rounding, has
+/// been checked exactly to be free of contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeStep {
     /// The part of the full step that is taken, from 0 to 1; at most the time of impact of the full
@@ -22,13 +22,12 @@ pub struct FreeStep {
     /// tried is certified: the mesh touches itself at the start, or is nearer to itself there than rounded
     /// positions are to the path. If it is tiny, the rounded positions may be those at the start.
     pub size: f64,
-    /// The positions at its end: those at the start if the size is 0, and those at the end of the
-    /// full step if it is 1.
+    /// The positions at its end: the start if the size is 0, and the end of the full step if it is 1.
     pub positions: Vec<Point>,
     /// The earliest contact of the full step, or `None` if the full step is free of contact.
     pub contact: Option<Contact>,
-    /// The numbers of pairs that touch at the start: those within their minimum distance, even if an
-    /// [inner one](crate::MinDistance::with_inner) holds for them.
+    /// The numbers of pairs that touch at the start: pairs within their minimum distance, even if an [inner
+    /// one](crate::MinDistance::with_inner) holds for them.
     pub touching: PairCounts,
 }
 
@@ -76,8 +75,8 @@ impl Detector {
         Ok(taken)
     }
 
-    /// [`free_step`](Self::free_step) from positions `x0` towards `x0` + `direction`. The positions
-    /// at a size α are those of [`advance`]: x₀ + fl(α d), rounded.
+    /// [`free_step`](Self::free_step) from positions `x0` towards `x0` + `direction`. The function
+    /// [`advance`] computes the positions at a size α: x₀ + fl(α d), rounded.
     ///
     /// # Errors
     /// As [`free_step`](Self::free_step); [`LineSearchError::Direction`] names the part of the
@@ -133,8 +132,8 @@ fn free_step(
     })
 }
 
-/// The first f64 among `first` and those 1, 2, 4, … places below it to which the step is free, with the
-/// positions there; `None` if none of them is.
+/// The first f64 to which the step is free, with the positions there: `first`, or the f64 1, 2, 4, … places
+/// below it. `None` if the step is free to none of them.
 pub(super) fn certified(
     search: &mut CulledSearch,
     step: Step<'_>,

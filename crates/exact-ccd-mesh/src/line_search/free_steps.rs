@@ -14,16 +14,16 @@ use crate::steps::Step;
 /// A part of a step for each vertex, such that together they are free of contact.
 ///
 /// The straight motion from the start to `positions` has been decided exactly, for the positions as they
-/// are, rounded: no two primitives touch, except those of `blocked`.
+/// are, rounded: the pairs in `blocked` touch, and no others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeSteps {
     /// The part of its displacement that each vertex takes, from 0 to 1. It is 1 if the vertex is pinned, or
     /// if no contact held it back in any round and there are fewer than 64 rounds.
     pub sizes: Vec<f64>,
-    /// The positions at the ends of these parts: those of [`Step::at`], vertex by vertex.
+    /// The positions at the ends of these parts, as [`Step::at`] computes them, vertex by vertex.
     pub positions: Vec<Point>,
-    /// The pairs that touch, whatever the sizes of the vertices that are not pinned: those that touch at the
-    /// start, and those whose other vertices stay at the start. Sorted.
+    /// The pairs that touch, whatever the sizes of the vertices that are not pinned. They touch at the
+    /// start, or all of their vertices that are not pinned stay at the start. Sorted.
     pub blocked: Vec<Pair>,
     /// The number of rounds, without the searches that certify the common step, where it is needed.
     pub rounds: usize,
@@ -42,15 +42,16 @@ impl Detector {
     /// In each round, the step to the positions so far is searched for contact. A contact at time t holds
     /// back the vertices that approach the other primitive, to first order: in the k-th round that does so,
     /// their sizes are multiplied by t `keep`ᵏ, and by the least of these factors if several contacts hold a
-    /// vertex back. The next round searches the pairs of which a vertex has been held back. The last one
+    /// vertex back. The next round searches the pairs that have a vertex that was held back. The last one
     /// finds no contact, which is the certificate.
     ///
-    /// No size falls below that of [`free_step`](Self::free_step), to which the step of all vertices is
-    /// certified. So the rounds end: from round 32 on, a contact brings vertices to that size, and from round
-    /// 64 on, all that are not pinned.
+    /// No size falls below the size that [`free_step`](Self::free_step) returns, to which the step of all
+    /// vertices is certified. So the rounds end: from round 32 on, a contact brings vertices to that size,
+    /// and from round 64 on, all that are not pinned.
     ///
-    /// `pinned` are vertices that go all the way, such as those of obstacles and scripts. If there are any,
-    /// the least size of the others is 0, and a pair that touches nonetheless is reported as blocked.
+    /// `pinned` are vertices that go all the way, such as the vertices of obstacles and scripts. If there
+    /// are any, the least size of the others is 0, and a pair that touches nonetheless is reported as
+    /// blocked.
     ///
     /// ```
     /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};

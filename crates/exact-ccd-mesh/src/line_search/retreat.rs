@@ -36,7 +36,7 @@ impl<'a> Retreats<'a> {
     }
 
     /// For each vertex, the largest f64 not above the time of the first contact that holds it back, or
-    /// infinity; and the pairs in contact of which no vertex can be held back, in no order.
+    /// infinity; and the pairs in contact that have no vertex that can be held back, in no order.
     pub(super) fn found(self) -> (Vec<f64>, Vec<Pair>) {
         let bits = self.times.into_iter().map(AtomicU64::into_inner);
         (bits.map(f64::from_bits).collect(), self.stuck.into_list())

@@ -4,6 +4,7 @@ mod boundary;
 mod components;
 mod connectivity;
 mod disjoint_sets;
+mod face_counts;
 mod frame;
 mod joined;
 mod positions;

@@ -15,7 +15,7 @@ use crate::pairs::MinDistance;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Margin {
     min_distance: MinDistance,
-    /// A margin of all primitives, in addition to that for their minimum distance.
+    /// A margin of all primitives, in addition to the margin for their minimum distance.
     common: f64,
 }
 
@@ -64,11 +64,11 @@ pub(crate) fn half<F: Format>(distance: F) -> F {
     above_subnormal(distance.halved(), distance)
 }
 
-/// At least a thickness, so that two of them are together at least the sum of the two thicknesses,
-/// rounded up; 0 for 0.
+/// At least a thickness. The sum of two such results is at least the sum of the two thicknesses, rounded up.
+/// 0 for 0.
 ///
-/// Rounding up adds less than a unit in the last place of the sum, which is at most two units in the
-/// last place of the larger summand. That one is larger by so much.
+/// Rounding up adds less than a unit in the last place of the sum, which is at most two units in the last
+/// place of the larger thickness. The result for that thickness is larger by so much.
 fn summand<F: Format>(thickness: F) -> F {
     above_subnormal(thickness.next_up().next_up(), thickness)
 }

@@ -28,8 +28,8 @@ pub enum BoxKind {
     /// does not matter.
     #[default]
     Moving,
-    /// A box at rest around the path of each primitive, as other software has. Candidates are the pairs whose
-    /// boxes overlap: those of moving boxes, and more, the longer the paths are.
+    /// A box at rest around the path of each primitive, as in other software. Candidates are the pairs whose
+    /// boxes overlap: all candidates of moving boxes, and more, the longer the paths are.
     Swept,
 }
 
@@ -84,13 +84,13 @@ impl CandidateOptions {
 
     /// The margins of the boxes in a step.
     ///
-    /// Rounded positions on the path: they stay within the swept boxes, which are bounded by comparisons
-    /// alone, or less than 2⁻¹⁰²² outside where subnormal numbers count as zero; and within moving boxes that
+    /// Rounded positions on the path stay within the swept boxes, which are bounded by comparisons alone, or
+    /// less than 2⁻¹⁰²² outside where subnormal numbers count as zero. They stay within moving boxes, which
     /// are larger by the error of rounding.
     pub(crate) fn margin(&self, step: &Step<'_>) -> Result<Margin, CandidateError> {
         let distance = self.distance;
-        // The bits of negative numbers are above those of −0.0. A comparison may read a subnormal number as
-        // zero.
+        // As bits, negative numbers are larger than −0.0. A comparison of the numbers may read a subnormal
+        // number as zero.
         if distance.is_nan() || distance.to_bits() > (-0.0_f64).to_bits() {
             return Err(CandidateError::Distance(distance));
         }

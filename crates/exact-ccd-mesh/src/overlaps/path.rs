@@ -18,7 +18,7 @@ pub(super) fn between(time: f64, x0: Point, x1: Point) -> Point {
 ///
 /// (1 − t) x₀ + t x₁ is computed with at most three roundings of each summand, and with products
 /// that may underflow; no value between x₀ and x₁ overflows. Rounded in any direction, each by at most ε, it
-/// is off by at most 3 ε (1 + 2 ε) s for s = |x₀| + |x₁|; to clamp it brings it no farther from a place
+/// is off by at most 3 ε (1 + 2 ε) s for s = |x₀| + |x₁|; clamping brings it no farther from a place
 /// between x₀ and x₁. The bound e is at least 8 ε s (1 − 2 ε), after two sums. The side, `near` ± e, is
 /// rounded once more, by at most ε (|near| + e) ≤ ε s (1 + 9 ε), as |near| ≤ s. So 8 ε s covers 4 ε s and
 /// all terms with ε². Where subnormal numbers are flushed to zero, each of the six operands and results is
@@ -52,7 +52,7 @@ mod tests {
     use crate::mesh::TriangleMesh;
     use crate::steps::Step;
 
-    /// Points of any size, of which some move by a few units in the last place, and others far.
+    /// Points of any size. Some move by a few units in the last place, others far.
     fn points(rng: &mut Rng) -> Vec<[Point; 2]> {
         let coordinates = |rng: &mut Rng| {
             let size = 10_f64.powi(rng.i32(-12..1));

@@ -14,7 +14,7 @@ use crate::steps::Step;
 /// at the start come side by side. The order is kept until vertices that are side by side have moved apart.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Primitives {
-    /// Those of each [`PrimitiveSet`].
+    /// The primitives of each [`PrimitiveSet`].
     sets: [Arc<Members>; PrimitiveSet::COUNT],
     /// The other ends of the edges of each vertex, if there are loose edges.
     other_ends: Arc<OtherEnds>,
@@ -135,7 +135,7 @@ fn in_order<const N: usize>(primitives: &[[u32; N]], x: &[Point], can_collide: &
     order(taking_part.map(|(id, _)| id).collect(), center)
 }
 
-/// Those of some vertices, in their order.
+/// The chosen vertices, in their order.
 fn among(vertices: &[u32], is_chosen: impl Fn(u32) -> bool) -> Vec<u32> {
     vertices
         .iter()
@@ -144,7 +144,7 @@ fn among(vertices: &[u32], is_chosen: impl Fn(u32) -> bool) -> Vec<u32> {
         .collect()
 }
 
-/// Those of the edges that belong to no face that takes part.
+/// The edges among `edges` that belong to no face that takes part.
 fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
     let takes_part = |face: &&[u32; 3]| can_collide.takes_part(*face);
     let left_out = mesh.faces().iter().filter(|face| !takes_part(face));

@@ -29,16 +29,17 @@ pub(crate) struct StepBoxes<const T: usize> {
     moving: Vec<MovingBox<T>>,
     /// The amounts by which boxes are larger on each side.
     margin: Margin,
-    /// Those of the vertices, if they differ.
+    /// The amounts for each vertex, if they differ.
     margins: Vec<f64>,
-    /// True if coordinates at the end are relative to the place of a vertex then; else, as at the start.
+    /// True if coordinates at the end are relative to a vertex's place at the end; else, to its place at the
+    /// start.
     follows: bool,
     /// The places of this vertex, or its place at the start twice, when all boxes were placed last:
     /// coordinates are relative to them, so that single precision is fine, however far away all vertices are.
     origins: [Point; 2],
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
-    /// True if the boxes are those of the current step.
+    /// True if the boxes belong to the current step.
     has_begun: bool,
 }
 
@@ -119,7 +120,7 @@ impl<const T: usize> StepBoxes<T> {
         self.place_chosen(step.mesh(), sets, |_| true);
     }
 
-    /// Places the boxes of the primitives of two sets of which some vertex is chosen.
+    /// Places the boxes of the primitives of two sets that have a chosen vertex.
     fn place_chosen(
         &mut self,
         mesh: &TriangleMesh,
@@ -132,7 +133,7 @@ impl<const T: usize> StepBoxes<T> {
         }
     }
 
-    /// Places the boxes of the primitives of a set of which some vertex is chosen.
+    /// Places the boxes of the primitives of a set that have a chosen vertex.
     fn place_some(&mut self, mesh: &TriangleMesh, set: PrimitiveSet, is_chosen: impl Fn(u32) -> bool + Sync) {
         let (moving, boxes) = (&self.moving, &mut self.sets[set as usize]);
         let any = |vertices: &[u32]| vertices.iter().any(|&vertex| is_chosen(vertex));
@@ -163,7 +164,7 @@ impl<const T: usize> StepBoxes<T> {
         self.place_chosen(mesh, K::SETS, |vertex| is_marked[vertex as usize]);
     }
 
-    /// Takes the ends of marked vertices. Returns false if the boxes are not those of a whole step.
+    /// Takes the ends of marked vertices. Returns false if the boxes hold for a part of the step only.
     pub(crate) fn move_marked(&mut self, step: &Step<'_>, is_marked: &[bool]) -> bool {
         if !self.has_begun || self.time != 1.0 {
             return false;
@@ -177,9 +178,9 @@ impl<const T: usize> StepBoxes<T> {
         true
     }
 
-    /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked, in any order. Those of
-    /// two marked primitives are found twice, and passed on once. Of two primitives of one set, the smaller
-    /// index comes first.
+    /// Finds the pairs of a kind that have a marked vertex and boxes that meet, in any order. A pair of two
+    /// marked primitives is found twice, and passed on once. Of two primitives of one set, the smaller index
+    /// comes first.
     pub(crate) fn pairs_of_marked<K: Searched>(
         &self,
         mesh: &TriangleMesh,
@@ -191,7 +192,7 @@ impl<const T: usize> StepBoxes<T> {
         let [first, second] = K::SETS;
         let is_marked = |vertex: &u32| marked.get(*vertex as usize).is_some_and(|&is| is);
         let any = |vertices: &[u32]| vertices.iter().any(is_marked);
-        // Another broad phase may pass pairs on that are none.
+        // Another broad phase may pass on other pairs, also of indices that do not exist.
         let is_marked = |set: PrimitiveSet, id: u32| match set {
             PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => any(&[id]),
             PrimitiveSet::Faces => mesh.faces().get(id as usize).is_some_and(|face| any(face)),
@@ -214,7 +215,7 @@ impl<const T: usize> StepBoxes<T> {
         })
     }
 
-    /// The pairs of a kind that no pair of edges covers, passed on.
+    /// Passes on the pairs of a kind that no pair of edges covers.
     fn uncovered<'a, K: Searched>(
         &'a self,
         mesh: &'a TriangleMesh,
@@ -308,14 +309,14 @@ mod tests {
             .map(|i| [3 * (i % 10), any(30, 10), any(40, 10)])
             .collect();
         let edges: Vec<[u32; 2]> = (0..10).map(|_| [any(50, 5), any(55, 5)]).collect();
-        TriangleMesh::with_edges(64, faces, &edges).expect("the indices are those of vertices")
+        TriangleMesh::with_edges(64, faces, &edges).expect("the vertices exist")
     }
 
     fn points(rng: &mut Rng) -> Vec<Point> {
         (0..64).map(|_| [0, 1, 2].map(|_| 4.0 * rng.f64())).collect()
     }
 
-    /// Pairs that are passed on twice are there twice.
+    /// The pairs that are passed on; a pair that is passed on twice is in the list twice.
     fn found(search: impl Fn(&PairSink<'_>) -> ControlFlow<()>) -> Vec<[u32; 2]> {
         let collector = PairCollector::default();
         let _ = search(&|pairs| collector.add(pairs.iter().copied()));

@@ -21,8 +21,8 @@ pub(crate) trait Receive: Sync {
 /// Passes the candidates of a step on.
 ///
 /// # Errors
-/// [`CandidateError`], if the distance is negative or not a number, or if the number of thicknesses
-/// is not that of vertices.
+/// [`CandidateError`], if the distance is negative or not a number, or if the number of thicknesses differs
+/// from the number of vertices.
 pub(crate) fn stream(
     step: Step<'_>,
     broad_phase: &dyn BroadPhase,
@@ -46,9 +46,9 @@ pub(crate) fn stream(
     }))
 }
 
-/// The boxes of all primitives in single precision, for the broad phase, and the function of the boxes of
-/// vertices in double precision: the box of a primitive is around those of its vertices, and larger by its
-/// margin.
+/// The boxes of all primitives in single precision, for the broad phase, and the function that returns the
+/// boxes of a vertex in double precision. The box of a primitive contains the boxes of its vertices, and is
+/// larger by its margin.
 struct Overlaps<'a, const T: usize, F> {
     step: Step<'a>,
     can_collide: &'a CanCollide,

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::PairKind;
+use super::group_matrix::{GroupError, GroupMatrix};
 
 /// A predicate on pairs of primitives: only pairs that can collide are examined.
 ///
@@ -86,6 +87,24 @@ impl CanCollide {
                 _ => v != w,
             },
         )
+    }
+
+    /// A pair can collide if the matrix allows the groups of any vertex of the first primitive and of any
+    /// vertex of the second.
+    ///
+    /// `groups` has a number for each vertex. A vertex without a number can collide with every other. The
+    /// diagonal of the matrix is the pairs of a group with itself.
+    ///
+    /// # Errors
+    /// [`GroupError::NoSuchGroup`] if the matrix lacks the group of a vertex.
+    pub fn by_groups(groups: Vec<u32>, matrix: GroupMatrix) -> Result<Self, GroupError> {
+        matrix.check(&groups)?;
+        Ok(Self::any_vertices(move |v, w| {
+            match (groups.get(v as usize), groups.get(w as usize)) {
+                (Some(&a), Some(&b)) => matrix.allows(a, b),
+                _ => true,
+            }
+        }))
     }
 
     /// The same predicate, and only primitives all of whose vertices take part can collide.

@@ -3,6 +3,7 @@
 
 mod by_kind;
 mod can_collide;
+mod group_matrix;
 mod kind;
 mod min_distance;
 mod other_ends;
@@ -11,6 +12,7 @@ mod vertices;
 
 pub use by_kind::PairCounts;
 pub use can_collide::CanCollide;
+pub use group_matrix::{GroupError, GroupMatrix};
 pub use kind::PairKind;
 pub use min_distance::{MinDistance, ThicknessCount};
 pub use pair::Pair;

@@ -28,8 +28,8 @@ impl Detector {
     /// The same for the pairs that count only.
     ///
     /// The predicate is evaluated for pairs in contact only, on many threads, at most once for each. So it
-    /// may be slow. That of [`with_can_collide`](Self::with_can_collide) is evaluated for every candidate,
-    /// and holds for all answers, and for the check of the start.
+    /// may be slow. The predicate of [`with_can_collide`](Self::with_can_collide) is evaluated for every
+    /// candidate, and holds for all answers, and for the check of the start.
     ///
     /// # Errors
     /// As [`collides`](Self::collides).

@@ -26,8 +26,8 @@ use crate::steps::Step;
 /// thickness has the thickness 0. Other methods decide contact. No pair collides until a time that is
 /// negative or not a number; a [`Detector`](crate::Detector) refuses it.
 ///
-/// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
-/// mesh does not have, or that share a vertex, are no contacts.
+/// [`FromIterator`] makes candidates of [`Pair`]s from another source. Each is kept once. Pairs that a mesh
+/// does not have, or that share a vertex, are no contacts.
 ///
 /// ```
 /// use exact_ccd::{CONTACT, Exact};
@@ -66,8 +66,8 @@ impl Candidates {
     /// The candidates of a step, with options.
     ///
     /// # Errors
-    /// [`CandidateError`], if the distance is negative or not a number, or if the number of
-    /// thicknesses is not that of vertices.
+    /// [`CandidateError`], if the distance is negative or not a number, or if the number of thicknesses
+    /// differs from the number of vertices.
     pub fn with_options(
         step: Step<'_>,
         broad_phase: &dyn BroadPhase,

@@ -17,8 +17,8 @@ impl Detector {
     /// vertex, or the cut-off, if all are farther apart. It is the largest f64 that is not above.
     ///
     /// The pairs of a vertex are the vertex with a face, a face of the vertex with another vertex, and an
-    /// edge of the vertex with another edge; with points and rods, also the others that [`Pair`] lists. So a
-    /// mesh of which each vertex moves by less than half of its clearance, on whatever path, is free of
+    /// edge of the vertex with another edge; with points and rods, also the others that [`Pair`] lists. If
+    /// each vertex moves by less than half of its clearance, on whatever path, the motion is free of
     /// contact: no point of a primitive moves farther than one of its vertices, which is less than half of
     /// the distance of any of its pairs.
     ///

@@ -6,7 +6,7 @@ use exact_ccd::{Impact, Point};
 /// position.
 ///
 /// `primitives` are the vertices of both, in the order of the query: one for a vertex, two for an edge,
-/// three for a face. `positions` are those of all vertices at t = 0 and at t = 1.
+/// three for a face. `positions` are the positions of all vertices at t = 0 and at t = 1.
 ///
 /// The points are rounded: at contact, both are the same point up to a few ε of the largest coordinate, and
 /// up to the error of the [parameters](Impact::parameters). So they are for pictures and tables, not for
@@ -49,8 +49,8 @@ pub fn contact_points(
     Some([on(first, u)?, on(second, v)?])
 }
 
-/// The sum of points with weights that add up to 1: between the points, though rounding may lead beyond them,
-/// and beyond the largest f64.
+/// The sum of points with weights that add up to 1. It is a point between them, except that rounding may
+/// lead beyond them, and beyond the largest f64.
 fn mean<const N: usize>(points: [(f64, Point); N]) -> Point {
     [0, 1, 2].map(|axis| {
         let values = points.map(|(_, point)| point[axis]);

@@ -118,13 +118,14 @@ impl CulledSearch {
         self.memory.kept = kept.into_candidates();
     }
 
-    /// Passes all candidates of a part of the last step to the collector: those that the last search kept,
-    /// if it did.
+    /// Passes the candidates in a part of the last step to the collector: the candidates that the last
+    /// search kept, if it did.
     ///
-    /// The part is from the same positions to those of [`Step::at`] or [`advance`](crate::advance) at a
-    /// time at which the collector of the last search ended, or before. These are at most 3 ε (|x₀| + |x₁|)
-    /// off the path, in any direction of rounding, so that the boxes of the last search contain the part
-    /// (`overlaps/path.rs`), and that pairs which its [`Screen`] held back do not touch in it.
+    /// The part is straight, from the same positions to the result of [`Step::at`] or
+    /// [`advance`](crate::advance) at a time at which the collector of the last search ended, or before.
+    /// This result is at most 3 ε (|x₀| + |x₁|) off the path, in any direction of rounding. So the boxes of
+    /// the last search contain the part (`overlaps/path.rs`), and pairs that its [`Screen`] held back do not
+    /// touch in it.
     pub(crate) fn run_in_part(
         &mut self,
         part: &Step<'_>,
@@ -188,7 +189,7 @@ impl CulledSearch {
 }
 
 impl CulledSearch {
-    /// Searches the pairs of which a vertex is marked, in all of the step. The search before was in the same
+    /// Searches the pairs that have a marked vertex, in all of the step. The search before was in the same
     /// step, but for the ends of the marked vertices, and it kept no candidates.
     pub(crate) fn run_marked(
         &mut self,
@@ -235,7 +236,7 @@ impl fmt::Debug for CulledSearch {
     }
 }
 
-/// The time until which all displacements, relative to that of the origin, are short.
+/// The time until which all displacements, relative to the displacement of the origin, are short.
 fn time_of_short_displacements(step: &Step<'_>, origin: Option<u32>) -> f64 {
     let [x0, x1] = step.positions();
     let length = |a: Point, b: Point| {
@@ -269,7 +270,7 @@ struct Pass<'a, C> {
     primitives: &'a Primitives,
     collector: &'a C,
     kept: Option<&'a Kept>,
-    /// The time until which all displacements are short, relative to that of the origin.
+    /// The time until which all displacements, relative to the displacement of the origin, are short.
     short: f64,
     /// The collector's time before the search.
     until: f64,
@@ -278,7 +279,7 @@ struct Pass<'a, C> {
 }
 
 impl<C: Collect> Pass<'_, C> {
-    /// Examines the candidates of one kind: first those of a sample, if that may shorten the search and
+    /// Examines the candidates of one kind. It examines a sample first, if that may shorten the search and
     /// if no other kind has shortened it.
     fn examine<K: Searched>(
         &mut self,
@@ -346,7 +347,7 @@ impl<C: Collect> Pass<'_, C> {
     }
 }
 
-/// A search among the pairs of which a vertex is marked.
+/// A search among the pairs that have a marked vertex.
 struct Marked<'a, C> {
     step: &'a Step<'a>,
     broad_phase: &'a dyn BroadPhase,
@@ -354,7 +355,7 @@ struct Marked<'a, C> {
     primitives: &'a Primitives,
     collector: &'a C,
     marked: &'a [bool],
-    /// True if the boxes of the vertices are those of the step.
+    /// True if the boxes of the vertices belong to the step.
     is_placed: bool,
 }
 

@@ -50,8 +50,8 @@ impl NarrowPhase {
 
     /// Calls `found` with each pair that first comes within its minimum distance at a time not after `until`.
     ///
-    /// Pairs with a common vertex are left out, as are those that cannot collide and those that
-    /// `mesh`, the mesh of the step, does not have.
+    /// Pairs with a common vertex are left out, and pairs that cannot collide, and pairs that `mesh`, the
+    /// mesh of the step, does not have.
     pub(crate) fn approaches<K: PairKind>(
         &self,
         mesh: &TriangleMesh,

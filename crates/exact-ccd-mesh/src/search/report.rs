@@ -74,8 +74,8 @@ impl StepReport {
     /// The same among other candidates, and for another minimum distance.
     ///
     /// # Errors
-    /// [`CandidateError`], if the distance is negative or not a number, or if the number of
-    /// thicknesses is not that of vertices.
+    /// [`CandidateError`], if the distance is negative or not a number, or if the number of thicknesses
+    /// differs from the number of vertices.
     pub fn with_options(
         step: Step<'_>,
         broad_phase: &dyn BroadPhase,

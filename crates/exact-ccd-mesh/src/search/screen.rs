@@ -14,15 +14,15 @@ use crate::steps::Step;
 /// the positions of [`Step::at`] or [`advance`](crate::advance) at a time until T.
 ///
 /// Let M be the largest absolute value of a coordinate. The screen examines the straight motion q to the
-/// positions of [`Step::at`] at T. Each coordinate of a vertex is off the path by at most 3 ε M, and in a
-/// straight motion r to one of the other positions by at most 3 ε (|x₀| + |x₁|) ≤ 6 ε M, both twice as much
-/// in another direction of rounding than to nearest. A point of a primitive is a mean of vertices: that of r
-/// is off that of q, at the same time of the step, by at most 18 ε M along each axis; so the vector between
-/// two points is off by at most √3 · 36 ε M < 63 ε M. A product or a result that underflows, or is flushed
-/// to zero, adds less than 2⁻¹⁰²² each. What stays beyond the minimum distance and 64 ε M in q, stays beyond
-/// the minimum distance in r. With thicknesses, the margin counts twice, and the sum is rounded up to a
-/// multiple of at most 4 ε M, or exceeds 4 M, which is more than any distance. The path itself is one of the
-/// motions r that are not rounded.
+/// positions of [`Step::at`] at T. Each coordinate of a vertex in q is off the path by at most 3 ε M, and in
+/// a straight motion r to one of the other positions by at most 3 ε (|x₀| + |x₁|) ≤ 6 ε M; both bounds are
+/// twice as large in another direction of rounding than to nearest. A point of a primitive is a mean of
+/// vertices: at the same time of the step, the point in r is off the point in q by at most 18 ε M along each
+/// axis; so the vector between two points is off by at most √3 · 36 ε M < 63 ε M. A product or a result that
+/// underflows, or is flushed to zero, adds less than 2⁻¹⁰²² each. If two primitives stay beyond the minimum
+/// distance and 64 ε M in q, they stay beyond the minimum distance in r. With thicknesses, the margin counts
+/// twice, and the sum is rounded up to a multiple of at most 4 ε M, or exceeds 4 M, which is more than any
+/// distance. The path itself is one of the motions r that are not rounded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Screen {
     trajectories: Trajectories,

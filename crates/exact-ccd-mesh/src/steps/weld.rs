@@ -1,5 +1,7 @@
 //! Welding: one vertex in place of coincident ones.
 
+mod within;
+
 use std::collections::HashMap;
 
 use exact_ccd::Point;

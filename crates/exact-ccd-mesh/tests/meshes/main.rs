@@ -6,6 +6,7 @@ mod broad_phase;
 mod contacts;
 mod coverage;
 mod drape;
+mod enclosed;
 mod intersections;
 mod line_search;
 mod loose;

@@ -23,7 +23,7 @@ const UNIT: f64 = f64::EPSILON;
 /// A bound of the underflow error of a product and of its error bound.
 const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
-/// Some hundred operations, each of which rounds the bound down by a few ε at most.
+/// Covers some hundred operations; each rounds the bound down by a few ε at most.
 const SLACK: f64 = 1.0 + 4096.0 * f64::EPSILON;
 
 impl From<f64> for Bounded {

@@ -53,7 +53,7 @@ pub(super) struct Polynomials<N> {
 }
 
 impl<N: Number> Polynomials<N> {
-    /// Of a configuration with these points.
+    /// The polynomials of a configuration with these points.
     #[inline]
     pub(super) fn new(points: [[Vector<N>; 4]; 2], configuration: &Configuration) -> Self {
         Self {
@@ -63,7 +63,7 @@ impl<N: Number> Polynomials<N> {
         }
     }
 
-    /// Of a configuration whose coordinates are converted one by one.
+    /// The polynomials of a configuration whose coordinates are converted one by one.
     #[inline]
     pub(super) fn from_coordinates(configuration: &Configuration) -> Self
     where
@@ -88,7 +88,7 @@ impl<N: Number> Polynomials<N> {
         ]
     }
 
-    /// 12 L for the three L, none of which is negative at contact: (x − d) × (y − d) · (b − a) × (c − a).
+    /// 12 L for the three L = (x − d) × (y − d) · (b − a) × (c − a). At contact none of them is negative.
     #[inline]
     pub(super) fn insides(&self) -> impl Iterator<Item = [N; 5]> {
         self.sides.iter().map(|&side| {

@@ -15,11 +15,11 @@ pub(super) struct Curve<N> {
 #[derive(Clone, Copy)]
 pub(super) enum Roots {
     None,
-    /// One, and the sign before it; that behind it is the other.
+    /// One root, and the sign before it; the sign behind it is the opposite.
     One {
         before: Ordering,
     },
-    /// Two, which may coincide, and the sign outside of them, which is that of the second derivative.
+    /// Two roots, which may coincide, and the sign outside of them, which the second derivative has.
     Two {
         outside: Ordering,
     },
@@ -118,7 +118,7 @@ impl<N: Signed> Curve<N> {
         })
     }
 
-    /// The sign at the root of the linear polynomial with the values t and s at 0 and 1, times that of t − s.
+    /// The sign at the root of the linear polynomial with the values t and s at 0 and 1, times sign(t − s).
     fn at(&self, [t, s]: [&N; 2]) -> Option<Ordering> {
         let [k0, k1, k2, k3] = self.coefficients.clone();
         let [t, s] = [t.clone(), -s.clone()];
@@ -132,9 +132,10 @@ impl<N: Signed> Curve<N> {
 
     /// The signs of a linear polynomial at the roots, `Equal` also where they are open.
     ///
-    /// The place of the root of the linear polynomial among those of the cubic follows from the signs of
-    /// the cubic and its derivative there. If the sign of one end is open, the root may lie outside
-    /// of [0, 1]: then the other end has the sign at all roots, and no other is returned.
+    /// The root of the linear polynomial lies before, between or behind the roots of the cubic: the signs
+    /// of the cubic and of its derivative at this root tell which. If the sign at one end is open, the
+    /// root may lie outside of [0, 1]: then the other end has the sign at all roots, and no other is
+    /// returned.
     fn signs_at(&self, roots: Roots, linear: &[N; 2]) -> Option<[Ordering; 2]> {
         let [t0, t1] = linear;
         let [start, end] = signs([t0, t1])?;
@@ -194,7 +195,7 @@ fn divide<N: Signed>([k0, k1, k2, k3]: &[N; 4], [j0, j1, j2]: &[N; 3]) -> Option
     if bend == N::default() {
         return None;
     }
-    // The inner coefficients of Y are those of M J + T if (rise, −drop; drop, fall) (m₀, m₁) = (c, d).
+    // M J + T has the inner coefficients of Y if (rise, −drop; drop, fall) (m₀, m₁) = (c, d).
     let rise = (j1.clone() - j0.clone()).times(2);
     let fall = (j1.clone() - j2.clone()).times(2);
     let drop = j2.clone() - j0.clone();

@@ -14,10 +14,11 @@ pub(super) struct Inflection<N> {
 }
 
 impl<N: Signed> Inflection<N> {
-    /// The root of a linear polynomial with these values at 0 and 1, unless it is open where that is.
+    /// The root of a linear polynomial with these values at 0 and 1. `None` if its place is unknown,
+    /// `Some(None)` if there is no root in [0, 1].
     ///
-    /// If the sign of one value is open, the root may lie outside of [0, 1]. One of the parts then
-    /// contains all of it.
+    /// If the sign of one value is open, the root may lie outside of [0, 1]. One of the parts then contains
+    /// all of it.
     pub(super) fn new([a, b]: [N; 2]) -> Option<Option<Self>> {
         let bends = match signs([&a, &b])? {
             [Equal, after] => [after.reverse(), after],
@@ -41,7 +42,7 @@ impl<N: Signed> Inflection<N> {
             for k in 0..last {
                 row[k] = row[k].clone() * s.clone() + row[k + 1].clone() * t.clone();
             }
-            // The parts' coefficients of lower degree in the division catch up.
+            // All coefficients get the factor `sum` in each round, also those that are final.
             for k in 0..M - last {
                 before[k] = before[k].clone() * sum.clone();
                 after[M - 1 - k] = after[M - 1 - k].clone() * sum.clone();

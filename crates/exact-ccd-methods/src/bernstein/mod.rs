@@ -5,7 +5,7 @@
 //! Y by its shape, and find the sign of L at a root without computing the root; they differ in
 //! their arithmetic, at an inflection point of Y, and if Y is zero for all times.
 //!
-//! The notation is that of M. Tang, R. Tong, Z. Wang and D. Manocha, *Fast and Exact Continuous
+//! The notation follows M. Tang, R. Tong, Z. Wang and D. Manocha, *Fast and Exact Continuous
 //! Collision Detection with Bernstein Sign Classification*, ACM Transactions on Graphics 33(6),
 //! 2014.
 

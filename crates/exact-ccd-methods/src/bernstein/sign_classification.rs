@@ -19,19 +19,19 @@ use crate::interval::Interval;
 /// Attene and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based Algorithm for Continuous
 /// Collision Detection*, ACM Transactions on Graphics 40(5), 2021.
 ///
-/// The four points are coplanar at the roots of a cubic, and the primitives meet at a root unless
-/// one of three quartics is negative there. The roots are counted from the signs of the Bernstein
-/// coefficients and of the extremum; the sign of a quartic at a root is that of a quadratic
-/// polynomial, found by polynomial division. Signs come from intervals, and from integers where
-/// intervals leave them open. The method has no times.
+/// The four points are coplanar at the roots of a cubic, and the primitives meet at a root unless one of
+/// three quartics is negative there. The roots are counted from the signs of the Bernstein coefficients
+/// and of the extremum. A quartic and its remainder of degree two, found by polynomial division, have the
+/// same sign at a root. Signs come from intervals, and from integers where intervals leave them open. The
+/// method has no times.
 ///
 /// # When it fails
-/// - It fails on a cubic with an inflection point within the step, unless the only Bernstein
-///   coefficient of its sign is the first or the last. The paper cuts the cubic there, but the
-///   authors' program never computes the place of the cut, and does not terminate: such a query
-///   counts as a contact here, as every query on which a method fails does in the comparison. Of the
-///   5,171 queries of a twisted rod 190 are of this kind, 6 of which do not touch; of vertices and
-///   faces that move at random, 40 % of those that do not touch are reported.
+/// - It fails on a cubic with an inflection point within the step, unless the only Bernstein coefficient
+///   of its sign is the first or the last. The paper cuts the cubic there, but the authors' program never
+///   computes the place of the cut, and does not terminate: such a query counts as a contact here, as
+///   every query on which a method fails does in the comparison. Among the 5,171 queries of a twisted rod,
+///   190 are of this kind, and 6 of these 190 do not touch. Among vertices and faces that move at random,
+///   40 % of the queries that do not touch are reported.
 /// - Every contact of primitives that are coplanar for the whole step is a false negative, because
 ///   no sign changes: 3 of 192 and 8 of 145 of the handcrafted contacts, 13 of 107 edge-edge contacts of a
 ///   cloth that slides through a funnel.

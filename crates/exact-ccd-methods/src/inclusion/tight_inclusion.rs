@@ -13,7 +13,7 @@ use super::gap::{Coordinates, Gap};
 ///
 /// B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark
 /// and an Inclusion-Based Algorithm for Continuous Collision Detection*, ACM Transactions on
-/// Graphics 40(5), 2021. The limit of the queue is that of their public implementation.
+/// Graphics 40(5), 2021. The limit of the queue is taken from their public implementation.
 ///
 /// # When it fails
 /// It has no false negatives, and its time is never late. Primitives that come closer than about
@@ -40,7 +40,7 @@ pub struct TightInclusion {
 /// The magnitude of the coordinates, which bounds the rounding errors of F.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Magnitude {
-    /// That of the coordinates of the query.
+    /// The magnitude of the query's coordinates.
     Query,
     /// At most this on each axis, in absolute value. A larger query has its own magnitude.
     Scene(Point),
@@ -189,10 +189,10 @@ impl<'a> Search<'a> {
 
     /// A time not after the earliest contact, if there may be one.
     ///
-    /// The boxes of a level have the same size and come in the order of time. A box over which F is
-    /// zero ends its level, and all later ones before the first box that begins no earlier. At
-    /// the limit of iterations, no contact is earlier than the first box of that level over which F may
-    /// be zero.
+    /// The boxes of a level have the same size and come in the order of time. At a box over which F is zero,
+    /// the search leaves the level and notes its time; in later levels, it looks only at boxes that begin
+    /// before the noted time. At the limit of iterations, no contact is earlier than the first box of that
+    /// level over which F may be zero.
     fn earliest<K: Gap>(&self) -> Option<f64> {
         let tolerances = self.tolerances::<K>();
         let mut iterations = 0;
@@ -200,7 +200,7 @@ impl<'a> Search<'a> {
         let mut level = vec![Cell::WHOLE];
         let (mut next, mut upper_halves) = (Vec::new(), Vec::new());
         while let Some(&Cell { width, .. }) = level.first() {
-            // The widest axis for its tolerance, of those that are wider.
+            // The axis that is widest relative to its tolerance, among the axes that are wider than it.
             let widest = (0..3)
                 .filter(|&axis| width[axis] > tolerances[axis].max(Cell::<3>::MIN_WIDTH))
                 .max_by(|&a, &b| (width[a] / tolerances[a]).total_cmp(&(width[b] / tolerances[b])));

@@ -20,11 +20,11 @@ use crate::vector::{Vector, cross, dot, minus};
 /// Algorithm for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021.
 ///
 /// # When it fails
-/// It has no false negatives. It reports primitives that pass each other within about the
-/// tolerance, and, at any distance, those whose plane is undetermined: a vertex in line with a face
-/// without area, parallel edges that are coplanar at some time. Points that are always coplanar
-/// allow no interval to be dropped: it tests all of them, a million for a motion of length 1, and
-/// reports contact after [`max_iterations`](Self::max_iterations).
+/// It has no false negatives. It reports primitives that pass each other within about the tolerance, and, at
+/// any distance, primitives whose plane is undetermined: a vertex in line with a face without area, parallel
+/// edges that are coplanar at some time. Points that are always coplanar allow no interval to be dropped: it
+/// tests all of them, a million for a motion of length 1, and reports contact after
+/// [`max_iterations`](Self::max_iterations).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnivariateIntervalRootFinder {
     /// An interval is short if no point moves further than this during it: 10⁻⁶.

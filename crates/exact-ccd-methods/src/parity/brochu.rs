@@ -18,11 +18,10 @@ use crate::vector::Vector;
 /// Detection*, ACM Transactions on Graphics 31(4), 2012, and their code in El Topo
 /// (`rootparitycollisiontest`, of 2011).
 ///
-/// F maps the domain of (t, u, v) to a solid with bilinear faces, each of which is replaced by two
-/// triangles. A query is free if the corners are on one side of one of a few planes through the
-/// origin. Otherwise, it collides if a ray from the origin crosses the faces an odd number
-/// of times. A ray that meets the boundary of a triangle is replaced; here the next one has a fixed
-/// direction, not a random one.
+/// F maps the domain of (t, u, v) to a solid with bilinear faces. Each face is replaced by two triangles. A
+/// query is free if the corners are on one side of one of a few planes through the origin. Otherwise, it
+/// collides if a ray from the origin crosses the faces an odd number of times. A ray that meets the
+/// boundary of a triangle is replaced; here the next one has a fixed direction, not a random one.
 ///
 /// Where expansions would overflow or underflow, signs come from integers.
 ///
@@ -81,9 +80,9 @@ fn extent(corners: &[Vector<Interval>]) -> f64 {
 
 /// Returns true if the ray, as a segment of this length, meets a triangle at the origin, up to rounding.
 ///
-/// It meets it at V / (S₀ + S₁ + S₂), in units of the direction: V is the volume of the
-/// corners, Sᵢ that of the direction and an edge. What remains of the segment is the
-/// barycentric coordinate of the origin.
+/// It meets it at V / (S₀ + S₁ + S₂), in units of the direction: V is the volume of the corners, Sᵢ the
+/// volume of the direction and an edge. The rest of the segment, as a fraction, is the barycentric
+/// coordinate of the origin.
 fn starts_on_triangle(image: &Intervals, [a, b, c]: [usize; 3], length: f64) -> bool {
     let estimate = |predicate: Predicate| predicate.value(image.vectors()).middle();
     let volume = Predicate::Volume([a, b, c]);

@@ -11,15 +11,15 @@ use exact_ccd::Point;
 /// nothing overflows or underflows.
 ///
 /// J. R. Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-/// Predicates*, Discrete & Computational Geometry 18, 1997. There is at least one component, and
-/// none is zero but that of zero.
+/// Predicates*, Discrete & Computational Geometry 18, 1997. There is at least one component. Only the
+/// expansion of zero has a component that is zero.
 #[derive(Clone)]
 pub(super) struct Expansion(Vec<f64>);
 
 /// Between these magnitudes, polynomials of degree six in differences of f64 neither overflow nor
-/// underflow: the last bit of a coordinate is worth 2⁻¹²⁰⁻⁵² at least, that of a product of six
-/// 2⁻¹⁰³²; and the largest such product is that of two determinants, less than 2 · (48 · 2¹⁶⁰ ·
-/// 2¹⁶⁰ · 2¹⁶⁰)² < 2⁹⁷³.
+/// underflow: the last bit of a coordinate is worth 2⁻¹²⁰⁻⁵² at least, and the last bit of a product of six
+/// coordinates 2⁻¹⁰³²; the largest such product has two determinants as factors, and is less than
+/// 2 · (48 · 2¹⁶⁰ · 2¹⁶⁰ · 2¹⁶⁰)² < 2⁹⁷³.
 const RANGE: [f64; 2] = [7.6e-37, 1.4e48];
 
 impl Expansion {

@@ -99,7 +99,7 @@ fn roots(quadratic: &Coefficients) -> Vec<Root> {
 }
 
 impl Root {
-    /// The sign of a quadratic at the root: that of its value times w², which is X + Y √Δ.
+    /// The sign of a quadratic at the root. It is the sign of w² times the value, which is X + Y √Δ.
     fn sign(&self, [c, b, a]: &Coefficients) -> Ordering {
         let Self { x, y, w, radicand } = self;
         let integer = c * w * w + b * w * x + a * (x * x + y * y * radicand);

@@ -57,7 +57,7 @@ impl Domain {
             .map(|&[a, b, c, _]| [a, b, c])
     }
 
-    /// The points of which F at the corners are differences.
+    /// The pairs of points whose differences are F at the corners.
     #[inline]
     pub(super) fn pairs<K: Kind<Points = [Point; 4]>>(&self, query: &Query<K>) -> [[Point; 2]; 8] {
         let mut pairs = [[[0.0; 3]; 2]; 8];
@@ -118,8 +118,8 @@ pub(super) enum Predicate {
 }
 
 impl Predicate {
-    /// Returns true if this is a determinant of vectors of which two are the same, as for a triangle that has
-    /// a corner twice, and for a point at rest. It is zero then, but no rounded arithmetic proves it.
+    /// Returns true if two vectors of this determinant are the same, as for a triangle that has a corner
+    /// twice, and for a point at rest. It is zero then, but no rounded arithmetic proves it.
     pub(super) fn vanishes<V: PartialEq>(self, vectors: &[V; 9]) -> bool {
         let same = |i: usize, j: usize| vectors[i] == vectors[j];
         match self {

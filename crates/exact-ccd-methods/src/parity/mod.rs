@@ -18,9 +18,9 @@
 //! rounding.
 //!
 //! [`RootParity`] is the method of the paper. [`BrochuRootParity`] and [`RationalRootParity`] are the
-//! methods before it. The three have the same domain, patches, rays and predicates. They differ in the
-//! numbers, of which each predicate is a polynomial: f64 with an error bound or intervals, then
-//! expansions, or integers.
+//! methods before it. The three have the same domain, patches, rays and predicates. Each predicate is a
+//! polynomial; the methods differ in the numbers for which it is evaluated: f64 with an error bound or
+//! intervals, then expansions, or integers.
 //!
 //! ```
 //! use exact_ccd::{Query, VertexFace};

@@ -1,11 +1,10 @@
 //! A bilinear patch and the origin (section 4.3 and appendix B of the paper).
 //!
-//! The patch with corners q₀ … q₃, in cyclic order, lies in their tetrahedron. At a point with
-//! barycentric coordinates λᵢ there, φ = λ₀ λ₂ − λ₁ λ₃ vanishes exactly on the patch, is positive
-//! on the faces that share the diagonal q₀ q₂ and negative on those that share q₁ q₃. The patch and
-//! either pair of faces bound a region. A ray from the origin crosses its boundary an even number
-//! of times, if the origin is not inside of it; then the crossings with the pair stand for those
-//! with the patch.
+//! The patch with corners q₀ … q₃, in cyclic order, lies in their tetrahedron. At a point with barycentric
+//! coordinates λᵢ there, φ = λ₀ λ₂ − λ₁ λ₃ vanishes exactly on the patch, is positive on the faces that
+//! share the diagonal q₀ q₂ and negative on the faces that share q₁ q₃. The patch and either pair of faces
+//! bound a region. A ray from the origin crosses its boundary an even number of times, if the origin is not
+//! inside of it. Then the ray crosses the pair as often as the patch, mod 2.
 //!
 //! For the origin, λᵢ is (−1)ⁱ Vᵢ over the sum of these, where Vᵢ is the determinant of the corners
 //! but the i-th. Hence the signs of the four Vᵢ decide:
@@ -23,8 +22,8 @@ use std::cmp::Ordering;
 
 use super::image::{Image, Predicate};
 
-/// The faces of the tetrahedron around the diagonal from corner 0 to corner 2, on which φ ≥ 0, and
-/// those around the other one, on which φ ≤ 0.
+/// The faces of the tetrahedron around the diagonal from corner 0 to corner 2, on which φ ≥ 0, and the faces
+/// around the other diagonal, on which φ ≤ 0.
 pub(super) const AROUND_02: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
 const AROUND_13: [[usize; 3]; 2] = [[0, 1, 3], [1, 2, 3]];
 

@@ -72,7 +72,8 @@ pub(super) fn along_ray([a, b]: [usize; 2]) -> Predicate {
 /// triangle, so that they cannot be counted.
 ///
 /// `side` is the side of the ray on which the line through two corners passes. `is_far` proves that the
-/// origin is not in the hull of a patch, `covers` that it is on a patch in whose plane and hull it is.
+/// origin is not in the hull of a patch. `covers` returns true if the origin is on a patch, and is called
+/// only if the origin is in the plane and in the hull of this patch.
 #[inline]
 pub(super) fn cast(
     image: &impl Image,
@@ -167,9 +168,10 @@ impl Passage {
 
 /// Returns true if the ray meets an edge that is in one plane with it.
 ///
-/// Seen along an axis, if the ends of the edge are not both on the line of the ray, they are on
-/// different sides of it, or one is on it, and the turn from one end to the other is that from the
-/// end to the ray, or a half turn. If both are on it, one is in front.
+/// Look along an axis. If the ends of the edge are not both on the line of the ray, the ray meets the edge
+/// in two cases: the ends are on different sides of the line, or one is on it; and the turn from one end to
+/// the other has the sense of the turn from that end to the ray, or is a half turn. If both are on the line,
+/// the ray meets the edge if one end is in front.
 fn meets_in_plane(image: &impl Image, [a, b]: [usize; 2]) -> bool {
     for axis in 0..3 {
         let turn = |from: usize, to: usize| image.sign(Predicate::Turn(axis, [from, to]));

@@ -92,20 +92,21 @@ fn largest_shift(ordered: impl Iterator<Item = (f64, f64)>) -> f64 {
 }
 
 impl Displacement {
-    /// For pairs of finite points whose differences are to be exact.
+    /// The displacement for pairs of finite points whose differences are to be exact.
     #[must_use]
     pub fn of_pairs(pairs: &[[Point; 2]]) -> Self {
         let along = |axis: usize| pairs.iter().map(move |pair| pair.map(|point| point[axis]));
         Self([0, 1, 2].map(|axis| displacement(&along(axis).collect::<Vec<_>>())))
     }
 
-    /// For all pairs of points in the box between two finite corners, as that of a whole simulation.
+    /// The displacement for all pairs of points in the box between two finite corners, such as the box of a
+    /// simulation.
     #[must_use]
     pub fn of_box(lower: Point, upper: Point) -> Self {
         Self::of_pairs(&[[lower, upper]])
     }
 
-    /// For the corner differences of a query.
+    /// The displacement for the corner differences of a query.
     #[must_use]
     #[inline]
     pub fn of_query<K: Kind<Points = [Point; 4]>>(query: &Query<K>) -> Self {
@@ -119,7 +120,7 @@ impl Displacement {
         Self([displacement(x), displacement(y), displacement(z)])
     }
 
-    /// Along x, y and z. Infinite where the coordinates are too far apart to be shifted.
+    /// The displacements along x, y and z. Infinite where the coordinates are too far apart to be shifted.
     #[must_use]
     pub fn along_axes(self) -> Point {
         self.0

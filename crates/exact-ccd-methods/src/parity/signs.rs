@@ -10,7 +10,7 @@ pub(super) struct Signs {
 }
 
 impl Signs {
-    /// Of differences of two points: comparisons are exact.
+    /// The corners of these differences of two points. Comparisons are exact.
     #[inline]
     pub(super) fn new(pairs: &[[Point; 2]; 8]) -> Self {
         let mut signs = Self {

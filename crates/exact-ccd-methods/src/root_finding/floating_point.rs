@@ -13,20 +13,19 @@ use crate::vector::{cross, dot};
 /// The floating-point root finder ("FPRF") of E. Vouga.
 ///
 /// E. Vouga, D. Harmon, R. Tamstorf and E. Grinspun, *Asynchronous Variational Contact Mechanics*,
-/// Computer Methods in Applied Mechanics and Engineering 200, 2011; the details are those of
-/// Vouga's public library (github.com/evouga/collisiondetection). B. Wang, Z. Ferguson, T.
-/// Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based
-/// Algorithm for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021, compare
-/// it with others.
+/// Computer Methods in Applied Mechanics and Engineering 200, 2011; the details follow Vouga's public
+/// library (github.com/evouga/collisiondetection). B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene
+/// and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision
+/// Detection*, ACM Transactions on Graphics 40(5), 2021, compare it with others.
 ///
 /// Contact is the conjunction of conditions on polynomials in time: the squared distance of the
 /// lines of two edges, or of a vertex from the plane of a face, is small (degree 6), and the
 /// closest points lie in the primitives (degree 4 or 3). The roots of each polynomial divide the
 /// step into intervals; where it has the right sign in the middle, the condition holds. The method
-/// intersects these intervals. The roots are those of Jenkins and Traub.
+/// intersects these intervals. The roots are computed by the algorithm of Jenkins and Traub.
 ///
-/// One thing is not as in the library, which has −b / a for the double root of a quadratic: here it
-/// is −b / (2 a), twice.
+/// One thing differs from the library, which has −b / a for the double root of a quadratic. Here it is
+/// −b / (2 a), twice.
 ///
 /// # When it fails
 /// - With a distance of zero, which is the default as it was in the comparison, the polynomial of
@@ -36,7 +35,7 @@ use crate::vector::{cross, dot};
 ///   simulated twisting rod it misses 235 of 765 (vertex-face) and 1,186 of 4,179 (edge-edge). With
 ///   a distance of 1e-6 it misses none of these, but reports 35 of 36 and 190 of 191 queries that
 ///   do not touch.
-/// - If it misses the earlier of two contacts, its time is that of the later one.
+/// - If it misses the earlier of two contacts, it returns the time of the later one.
 /// - Edges that are parallel at the time of contact, or so short that the cross product of the two
 ///   is less than 1e-8 in the units of the input, never touch.
 /// - The sides of a face are computed with the normal at t = 0 plus t times the cross product of the
@@ -81,8 +80,8 @@ fn nonnegative(polynomial: &Polynomial) -> Vec<Span> {
         return Vec::new();
     }
     let zeros = jenkins_traub::zeros(&polynomial);
-    // Of a complex pair, the real part counts: it may be a double root that came out so. Not for
-    // degree 2, whose real roots have a closed form.
+    // The real part of a complex pair counts: rounding may have made the pair from a double root. It does
+    // not count for degree 2, whose real roots have a closed form.
     let times = zeros
         .iter()
         .filter(|zero| degree > 2 || zero.im == 0.0)

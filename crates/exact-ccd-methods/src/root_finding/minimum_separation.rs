@@ -17,11 +17,11 @@ use crate::vector::{cross, dot};
 /// (github.com/Continuous-Collision-Detection/Minimum-Separation-Root-Finder), with their default
 /// separation.
 ///
-/// Primitives that come into contact are at the separation d just before. Candidates are the times
-/// at which the vertex is that far from the plane of the face, from the line of an edge of it or
-/// from a corner, or the lines of two edges from each other: real roots of polynomials of degree 6,
-/// 4 and 2, by Jenkins and Traub. It is contact if at one of them the squared distance of the
-/// primitives themselves is at most d² + d / 10; the time is the first such root.
+/// Primitives that come into contact are at the separation d just before. Candidates are the times at which
+/// the distance of the vertex from the plane of the face, from the line of an edge of it or from a corner is
+/// d, or the distance between the lines of two edges: real roots of polynomials of degree 6, 4 and 2, by
+/// Jenkins and Traub. It is contact if at one of them the squared distance of the primitives themselves is
+/// at most d² + d / 10; the time is the first such root.
 ///
 /// # When it fails
 /// - The tolerance d / 10 belongs to a squared distance: with the default separation of 1e-8,
@@ -31,8 +31,8 @@ use crate::vector::{cross, dot};
 /// - Two roots on either side of a contact are 1e-8 apart by default, which is what rounding errors
 ///   make of a double root: where they come out as a complex pair, or just outside of the step, the
 ///   contact is missed. Of a cloth on a ball it misses 604 of 19,032 and 3,047 of 94,822 contacts.
-/// - For edges it tests only their lines: it misses edges that slide in a common plane or stay
-///   parallel, and those closer than the separation throughout.
+/// - For edges it tests only their lines: it misses edges that slide in a common plane or stay parallel, and
+///   edges that are closer than the separation throughout.
 /// - An edge shorter than 1e-4 in the units of the input counts as its first end alone.
 /// - Coefficients that overflow (coordinates from about 1e50 on) or underflow (below 1e-54) mean nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +48,7 @@ impl Default for MinimumSeparationRootFinder {
 }
 
 impl MinimumSeparationRootFinder {
-    /// The first root at which the primitives are as close as that.
+    /// The first root at which the squared distance of the primitives is at most d² + d / 10.
     fn earliest<K: Kind<Points = [Point; 4]>>(
         &self,
         query: &Query<K>,

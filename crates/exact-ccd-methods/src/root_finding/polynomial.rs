@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// The highest degree that occurs: that of the squared volume of four moving points.
+/// The highest degree that occurs: the squared volume of four moving points has it.
 pub(super) const MAX_DEGREE: usize = 6;
 
 /// A polynomial of degree at most [`MAX_DEGREE`], rounded at every operation.

@@ -31,8 +31,8 @@ fn near_degenerate(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Poi
     })
 }
 
-/// Two primitives, of which the one with the first `moving` points translates, at coordinates without
-/// accidental coincidences.
+/// Two primitives at coordinates without accidental coincidences. The one with the first `moving` points
+/// translates.
 fn translation(moving: usize) -> impl Strategy<Value = Points> {
     let coordinate = -1_000_000..=1_000_000i32;
     let velocity = uniform3(-2_000_000..=2_000_000i32);

@@ -1,5 +1,5 @@
-//! Coordinates from 5e-324 to the end of the range in one query: the parity is that in integers
-//! also where products underflow or overflow.
+//! Coordinates from 5e-324 to the end of the range in one query: the parity agrees with the parity in
+//! integers also where products underflow or overflow.
 
 use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 use exact_ccd_methods::parity::{Parity, Rounded};

@@ -10,7 +10,7 @@ pub(crate) trait Corners: Kind<Points = [Point; 4]> + PartialEq + Debug {
     /// The differences in the order of the checks.
     const DIFFERENCES: &'static [[usize; 2]];
 
-    /// The pairs of points of which these are the differences.
+    /// The pairs of points with these differences.
     fn pairs(points: &Points) -> Vec<[Point; 2]> {
         let pair = |now: &[Point; 4], [i, j]: [usize; 2]| [now[i], now[j]];
         points

@@ -1,7 +1,7 @@
-//! An edge that moves in a plane sweeps a patch with coplanar corners: a quadrilateral that may
-//! cross itself or fold back. For any shape, the number of times the edge passes a point equals,
-//! mod 2, the number of triangles of a pair that contain the point. The independent count is that
-//! of the roots of a quadratic equation.
+//! An edge that moves in a plane sweeps a patch with coplanar corners: a quadrilateral that may cross itself
+//! or fold back. For any shape, the number of times the edge passes a point equals, mod 2, the number of
+//! triangles of a pair that contain the point. The independent count is the number of roots of a quadratic
+//! equation.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};

@@ -19,7 +19,7 @@ mod rays;
 #[expect(
     dead_code,
     unused_imports,
-    reason = "families of which the tests of queries use more"
+    reason = "the tests of queries use more of the families"
 )]
 mod generators;
 #[path = "../../../exact-ccd/tests/queries/primitives.rs"]

@@ -77,7 +77,7 @@ impl Surd {
         // c² times the value is m + n √d.
         let m = c0 * c * c + c1 * a * c + c2 * (a * a + b * b * d);
         let n = c1 * b * c + 2 * c2 * a * b;
-        // The sign is that of the part with the larger magnitude.
+        // The part with the larger magnitude decides the sign.
         let (of_m, of_n) = (m.cmp(&0), n.cmp(&0));
         match (m * m).cmp(&(n * n * d)) {
             Ordering::Less => of_n,

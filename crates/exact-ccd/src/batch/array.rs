@@ -2,14 +2,12 @@
 
 use alloc::vec::Vec;
 
-use super::CHUNK;
-use super::queries::{Batch, Found, Passed};
-use super::row::Row;
-use super::vectors::Instructions;
+use super::collisions::with_queries;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::options::Options;
 use crate::query::NonFinite;
+use crate::values::Options;
+use crate::vectors::{Batch, CHUNK, Instructions, Passed, Row};
 
 /// A coordinate of a query in an array is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -23,9 +21,9 @@ pub struct NonFiniteQuery {
 
 /// Queries that are given by their points, and have no vertices in common.
 ///
-/// The arguments of [`Query::new`](crate::Query::new) make one query: its points at both ends of the
-/// step. If the queries are those of a mesh, with vertices in common,
-/// [`Trajectories`](super::Trajectories) read less memory.
+/// The arguments of [`Query::new`](crate::Query::new) make one query: its points at both ends of the step.
+/// If the queries belong to a mesh, with vertices in common, [`Trajectories`](super::Trajectories) read less
+/// memory.
 ///
 /// ```
 /// use exact_ccd::{CONTACT, VertexFace, batch};
@@ -92,13 +90,13 @@ impl<'a, K: Kind> Queries<'a, K> {
                 first_error::<K>(first, points)
             };
             let sound = &indices[..error.map_or(points.len(), |error| error.query - first)];
-            let found: Found<'_, K> = &mut |index, collision| found(first + index, collision);
+            let mut found = with_queries::<K>(|index, collision| found(first + index, collision));
             let batch = Batch {
                 rows: &rows,
                 queries: sound,
                 separations: separation.into(),
                 until,
-                passed: Passed::Colliding(found),
+                passed: Passed::Colliding(&mut found),
             };
             K::run(batch, self.instructions);
             if let Some(error) = error {

@@ -1,11 +1,11 @@
 //! Batches of queries: the filters on several at a time.
 //!
-//! Most queries of a batch cost a fraction of [`collides`]. The first filters work on vectors, with
-//! the widest [`Instructions`] of the processor, and each passes on only those queries that it does
-//! not settle. The rest is decided like single queries. The answers are those of [`collides`], on
-//! any processor, because each filter proves its answers. With any [`Instructions`], the operations are the
-//! same in the same order, each rounded as IEEE 754 defines. On a processor without vectors, all queries are
-//! decided like single ones.
+//! Most queries of a batch cost a fraction of [`collides`]. The first filters work on vectors, with the
+//! widest [`Instructions`] of the processor, and each passes on only those queries that it does not settle.
+//! The rest is decided like single queries. The answers equal the answers of [`collides`], on any processor,
+//! because each filter proves its answers. With any [`Instructions`], the operations are the same in the
+//! same order, each rounded as IEEE 754 defines. On a processor without vectors, all queries are decided
+//! like single ones.
 //!
 //! Queries of a mesh are given by vertices ([`Trajectories`]), others by their points
 //! ([`Queries`]). Each collision is handed on as a [`Collision`](crate::Collision), whose times and
@@ -33,29 +33,10 @@
 //! ```
 
 mod array;
-mod queries;
-mod row;
-mod run;
+mod collisions;
 mod trajectories;
-// The only place of the kernel that names the targets with vectors: those for which `fearless_simd` has
-// more than its fallback, whose code for eight queries without vectors takes ten minutes to compile.
-#[cfg_attr(
-    not(any(
-        target_arch = "x86",
-        target_arch = "x86_64",
-        all(target_arch = "aarch64", target_feature = "neon"),
-        all(target_arch = "wasm32", target_feature = "simd128"),
-    )),
-    path = "scalar.rs"
-)]
-mod vectors;
-
-pub(crate) use queries::Batch;
-pub(crate) use run::run;
 
 pub use array::{NonFiniteQuery, Queries};
 pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange};
-pub use vectors::Instructions;
 
-/// The number of queries that go through one filter before the next filter.
-const CHUNK: usize = 256;
+pub use crate::vectors::Instructions;

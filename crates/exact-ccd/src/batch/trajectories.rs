@@ -2,16 +2,13 @@
 
 use alloc::vec::Vec;
 
-use super::queries::{Batch, Passed, query_of};
-use super::row::Row;
-use super::vectors::Instructions;
-use crate::axis::Axis;
+use super::collisions::with_queries;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::options::Options;
-use crate::point::Point;
 use crate::query::{NonFinite, Query};
-use crate::thickness::Separations;
+use crate::tables::Point;
+use crate::values::{Axis, Options, Separations};
+use crate::vectors::{Batch, Instructions, Passed, Row, points_of};
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
 /// mesh, laid out for many queries. The default has no points.
@@ -123,16 +120,17 @@ impl Trajectories {
         &self,
         queries: &[K::Vertices],
         options: impl Into<Options<Separations<'d>>>,
-        mut found: impl FnMut(usize, Collision<'_, K>),
+        found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
+        let mut found = with_queries::<K>(found);
         self.run::<K>(queries, options.into(), Passed::Colliding(&mut found))
     }
 
     /// Calls `found` with the index of each query of vertices that may come within its separation, in order:
     /// all but some that the first filters prove to stay beyond it, from t = 0 to t = 1.
     ///
-    /// For many queries of which most stay apart. The set of the others depends on the processor, apart from
-    /// the queries that come within.
+    /// Use it for many queries if most of them stay apart. It finds each query that comes within its
+    /// separation; which others it finds depends on the processor.
     ///
     /// ```
     /// use exact_ccd::batch::Trajectories;
@@ -229,4 +227,9 @@ fn first_error(vertex: usize, ends: &[Point; 2]) -> Result<(), TrajectoriesError
             value,
         },
     )
+}
+
+/// The query of vertices whose rows exist.
+fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K> {
+    Query::from_finite(K::of_four(&points_of::<K>(rows, vertices.as_ref())))
 }

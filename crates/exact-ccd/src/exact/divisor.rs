@@ -37,6 +37,22 @@ impl Polynomial {
         Self::new(common)
     }
 
+    /// This polynomial without factors t + s, which are 1, and without all factors that it has in common with
+    /// another one, which has no root in [0, 1].
+    pub(super) fn coprime_to(mut self, other: &Self) -> Self {
+        while let Some(lowered) = self.lowered() {
+            self = lowered;
+        }
+        while !self.is_zero() {
+            let common = self.clone().gcd(other.clone());
+            if common.degree() == 0 {
+                break;
+            }
+            self = self.over(&common);
+        }
+        self
+    }
+
     /// The quotient by a divisor of this polynomial, times an integer.
     pub(super) fn over(&self, divisor: &Self) -> Self {
         let [start, end] = divisor.end_zeros();

@@ -29,14 +29,23 @@ pub(crate) fn parts(x: f64) -> (i64, i32) {
 /// The numbers as integers, all divided by one power of two, and its exponent; none if all are zero. Only bit
 /// patterns are read.
 pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], Option<i32>) {
-    let parts = numbers.map(decompose);
-    let units = parts.iter().filter(|(mantissa, _)| *mantissa != 0);
-    let unit = units.map(|part| part.1).min();
-    let integer = |(mantissa, exponent): (i64, i32)| match (mantissa, unit) {
-        (0, _) | (_, None) => IBig::ZERO,
-        (_, Some(unit)) => IBig::from(mantissa) << (exponent - unit) as usize,
-    };
-    (parts.map(integer), unit)
+    let unit = unit_of(numbers);
+    (numbers.map(|x| in_unit(x, unit)), unit)
+}
+
+/// The exponent of the largest power of two of which all numbers are multiples; none if all are zero.
+pub(super) fn unit_of(numbers: impl IntoIterator<Item = f64>) -> Option<i32> {
+    let parts = numbers.into_iter().map(decompose);
+    let units = parts.filter(|(mantissa, _)| *mantissa != 0);
+    units.map(|part| part.1).min()
+}
+
+/// A number as an integer, divided by the power of two with this exponent, of which it is a multiple.
+pub(super) fn in_unit(x: f64, unit: Option<i32>) -> IBig {
+    match (decompose(x), unit) {
+        ((0, _), _) | (_, None) => IBig::ZERO,
+        ((mantissa, exponent), Some(unit)) => IBig::from(mantissa) << (exponent - unit) as usize,
+    }
 }
 
 /// 54: where the integral part of a number has at least so many bits, the largest f64 not above the number is

@@ -3,13 +3,10 @@
 use alloc::boxed::Box;
 
 use super::first_contact::FirstContact;
-use super::nearness::FirstWithin;
-use crate::distance::Separation;
-use crate::impact::Impact;
-use crate::interval::Intervals;
-use crate::kind::Kind;
-use crate::query::Query;
-use crate::time::ContactTime;
+use super::nearness::{FirstWithin, comes_within};
+use super::points::MovingPoints;
+use crate::tables::{Points, Tables};
+use crate::values::{ContactTime, Impact, Intervals, Separation};
 
 /// The first contact, or the first time within a separation above 0; with the polynomials from which all
 /// answers follow.
@@ -19,14 +16,38 @@ pub(crate) enum First<K> {
     Within(Box<FirstWithin>),
 }
 
-impl<K: Kind> First<K> {
+impl<K: Tables> First<K> {
+    /// The first time at which the primitives of straight motion touch, if they do.
+    pub(crate) fn of(points: &Points<f64>, separation: Separation) -> Option<Self> {
+        Self::along(MovingPoints::along(points), separation)
+    }
+
     /// The first time at which the primitives touch, if they do.
-    pub(crate) fn of(query: &Query<K>, separation: Separation) -> Option<Self> {
+    pub(crate) fn along(points: MovingPoints, separation: Separation) -> Option<Self> {
         Some(if separation.is_zero() {
-            Self::Contact(Box::new(FirstContact::of(query)?))
+            Self::Contact(Box::new(FirstContact::along(points)?))
         } else {
-            Self::Within(Box::new(FirstWithin::of(query, separation)?))
+            Self::Within(Box::new(FirstWithin::along::<K>(&points, separation)?))
         })
+    }
+
+    /// Returns true if the primitives of straight motion touch at some time of the step.
+    pub(crate) fn exists(points: &Points<f64>, separation: Separation) -> bool {
+        Self::exists_along(MovingPoints::along(points), separation)
+    }
+
+    /// Returns true if the primitives touch at some time of the step.
+    pub(crate) fn exists_along(points: MovingPoints, separation: Separation) -> bool {
+        if separation.is_zero() {
+            FirstContact::<K>::along(points).is_some()
+        } else {
+            comes_within::<K>(&points, separation)
+        }
+    }
+
+    /// The same if it is not after the last time that counts.
+    pub(crate) fn until(self, until: f64) -> Option<Self> {
+        (until >= 1.0 || self.time().is_at_most(until)).then_some(self)
     }
 
     pub(crate) fn time(&self) -> ContactTime {

@@ -5,13 +5,11 @@ use alloc::vec::Vec;
 use super::instant::Instant;
 use super::intervals::{Event, Passage, intervals_of};
 use super::motion::Motion;
+use super::points::MovingPoints;
 use super::roots::roots;
 use super::split::Split;
-use crate::impact::Impact;
-use crate::interval::Intervals;
-use crate::kind::Kind;
-use crate::query::Query;
-use crate::time::ContactTime;
+use crate::tables::{Points, Tables};
+use crate::values::{ContactTime, Impact, Intervals};
 
 /// The earliest instant at which the primitives touch.
 #[derive(Clone, Debug)]
@@ -23,10 +21,16 @@ pub(crate) struct FirstContact<K> {
     first: usize,
 }
 
-impl<K: Kind> FirstContact<K> {
+impl<K: Tables> FirstContact<K> {
     /// The earliest contact of a query, if there is one.
-    pub(crate) fn of(query: &Query<K>) -> Option<Self> {
-        let motion = Motion::new(query);
+    #[cfg(test)]
+    pub(crate) fn of(points: &Points<f64>) -> Option<Self> {
+        Self::along(MovingPoints::along(points))
+    }
+
+    /// The earliest contact, if there is one.
+    pub(crate) fn along(points: MovingPoints) -> Option<Self> {
+        let motion = Motion::<K>::new(points);
         let instants = roots(motion.events());
         let first = instants.iter().position(|instant| motion.touches(instant))?;
         Some(Self {
@@ -59,8 +63,8 @@ impl<K: Kind> FirstContact<K> {
     }
 
     /// The impact of a query whose primitives touch at t = 0.
-    pub(crate) fn impact_at_start(query: &Query<K>) -> Impact {
-        Motion::new(query).impact(&Instant::At(Split::START))
+    pub(crate) fn impact_at_start(points: &Points<f64>) -> Impact {
+        Motion::<K>::new(MovingPoints::along(points)).impact(&Instant::At(Split::START))
     }
 
     /// The earliest contact: time, parameters and normal.

@@ -4,9 +4,8 @@ use super::instant::Instant;
 use super::motion::Motion;
 use super::narrowing::Narrowing;
 use super::polynomial::{Vector, cross};
-use crate::impact::Impact;
-use crate::kind::{Difference, Kind, Side};
-use crate::point::Point;
+use crate::tables::{Difference, Point, Side, Tables};
+use crate::values::Impact;
 
 /// The primitives at an instant of contact.
 struct Meeting<'a, K> {
@@ -14,7 +13,7 @@ struct Meeting<'a, K> {
     instant: Narrowing,
 }
 
-impl<K: Kind> Motion<K> {
+impl<K: Tables> Motion<K> {
     /// The contact at an instant at which the primitives touch; see [`Impact`] for the cases.
     pub(super) fn impact(&self, instant: &Instant) -> Impact {
         let time = instant.round();
@@ -40,11 +39,16 @@ impl<K: Kind> Motion<K> {
     }
 }
 
-impl<K: Kind> Meeting<'_, K> {
-    /// The difference of two points, with one unit for all axes.
+impl<K: Tables> Meeting<'_, K> {
+    /// The difference of two points, times the weight, with one unit for all axes.
     fn vector(&self, difference: Difference) -> Vector {
         let points = &self.motion.points;
-        points.to_scale(points.difference(difference))
+        points.to_scale(points.weighted_difference(difference))
+    }
+
+    /// The direction of a vector in the coordinates of the world, unless it vanishes.
+    fn direction(&self, vector: Vector) -> Option<Point> {
+        self.instant.direction(self.motion.points.to_world(vector))
     }
 
     /// (u, v) as ratios of the sides' areas to the normal, which does not vanish.
@@ -72,7 +76,7 @@ impl<K: Kind> Meeting<'_, K> {
     /// contact. The first derivative of c that does not vanish determines the sign of c there.
     fn normal_of_plane(&self) -> Option<Point> {
         let [_, e1, e2] = K::SPAN.map(|difference| self.vector(difference));
-        let normal = self.instant.direction(cross(&e1, &e2))?;
+        let normal = self.direction(cross(&e1, &e2))?;
         let mut derivative = self.motion.volume.clone();
         let mut is_above = true;
         while !derivative.is_zero() {
@@ -112,7 +116,7 @@ impl<K: Kind> Meeting<'_, K> {
 
         (
             side.parameters(along),
-            self.instant.direction(self.across_line(edge, towards_first)),
+            self.direction(self.across_line(edge, towards_first)),
         )
     }
 

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::instant::Instant;
 use super::split::Split;
-use crate::interval::{Interval, Intervals};
+use crate::values::{Interval, Intervals};
 
 /// A time of contact at which contact may begin or end.
 #[derive(Clone, Debug)]

@@ -8,28 +8,25 @@ use core::marker::PhantomData;
 use super::instant::Instant;
 use super::narrowing::Narrowing;
 use super::points::MovingPoints;
-use super::polynomial::{Polynomial, Vector, cross, cross_component, dot};
-use crate::kind::{Kind, Side};
-use crate::query::Query;
+use super::polynomial::{Polynomial, Vector, dot};
+use crate::tables::{Side, Tables};
 
 /// The points of a query, and the normal of their plane when they are coplanar.
 #[derive(Clone, Debug)]
 pub(crate) struct Motion<K> {
     pub(super) points: MovingPoints,
-    /// w · (e₁ × e₂), which vanishes when the four points are coplanar.
+    /// w · (e₁ × e₂), times a positive weight: it vanishes when the four points are coplanar.
     pub(super) volume: Polynomial,
-    /// e₁ × e₂.
+    /// e₁ × e₂, times the same weight.
     pub(super) normal: Vector,
     kind: PhantomData<K>,
 }
 
-impl<K: Kind> Motion<K> {
-    pub(crate) fn new(query: &Query<K>) -> Self {
-        let points = MovingPoints::new(query);
-        let [w, e1, e2] = K::SPAN.map(|difference| points.difference(difference));
-        let normal = cross(&e1, &e2);
+impl<K: Tables> Motion<K> {
+    pub(crate) fn new(points: MovingPoints) -> Self {
+        let (volume, normal) = points.plane::<K>();
         Self {
-            volume: dot(&w, &normal),
+            volume,
             points,
             normal,
             kind: PhantomData,
@@ -71,9 +68,9 @@ impl<K: Kind> Motion<K> {
         }
         let mut events = vec![Polynomial::ends()];
         for side in K::SIDES {
-            let on_line = common([0, 1, 2].map(|axis| self.side(side, axis)));
+            let on_line = common(self.points.areas(side));
             if on_line.is_zero() {
-                let at_ends = self.seen_from_vertex(side).map(common);
+                let at_ends = self.points.seen_from_vertex(side).map(common);
                 events.extend(at_ends.into_iter().filter(|p| !p.is_zero()));
             } else {
                 events.push(on_line);
@@ -87,24 +84,17 @@ impl<K: Kind> Motion<K> {
         self.volume.is_zero()
     }
 
-    /// x − q and y − q for a vertex q and an edge from x to y.
-    fn seen_from_vertex(&self, side: &Side) -> [Vector; 2] {
-        side.edge.map(|end| self.points.difference((end, side.vertex)))
-    }
-
-    /// One component of (x − q) × (y − q) for a vertex q and an edge from x to y.
+    /// One component of (x − q) × (y − q) for a vertex q and an edge from x to y, times a positive weight.
     pub(super) fn side(&self, side: &Side, axis: usize) -> Polynomial {
-        let [x, y] = self.seen_from_vertex(side);
-        cross_component(&x, &y, axis)
+        let seen = self.points.seen_from_vertex(side);
+        self.points.area(side, &seen, axis)
     }
 
     /// Returns true if a vertex lies on an edge: on its line and between its ends.
     pub(super) fn lies_on(&self, side: &Side, instant: &Narrowing) -> bool {
-        let [x, y] = self.seen_from_vertex(side);
-        cross(&x, &y)
-            .iter()
-            .all(|component| instant.sign(component).is_eq())
-            && instant.sign(&dot(&x, &y)).is_le()
+        let seen = self.points.seen_from_vertex(side);
+        (0..3).all(|axis| instant.sign(&self.points.area(side, &seen, axis)).is_eq())
+            && instant.sign(&dot(&seen[0], &seen[1])).is_le()
     }
 }
 

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::instant::Instant;
 use super::split::Split;
-use crate::time::ContactTime;
+use crate::values::ContactTime;
 
 impl Instant {
     /// Inserts this time into distinct ones in increasing order, unless it is one of them.

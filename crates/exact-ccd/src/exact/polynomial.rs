@@ -33,6 +33,41 @@ impl Polynomial {
         Self(vec![at_zero.clone(), at_one.clone()])
     }
 
+    /// The Bézier polynomial of these control values.
+    pub(super) fn bezier(mut control: Vec<IBig>) -> Self {
+        let degree = control.len().saturating_sub(1);
+        let mut binomial = 1;
+        for (i, value) in control.iter_mut().enumerate().take(degree).skip(1) {
+            binomial = binomial * (degree - i + 1) / i;
+            *value *= IBig::from(binomial);
+        }
+        Self(control)
+    }
+
+    /// The degree as it is written, with zeros.
+    pub(super) fn degree(&self) -> usize {
+        self.0.len().saturating_sub(1)
+    }
+
+    /// The same polynomial in a higher degree: times (t + s)ᵏ.
+    pub(super) fn elevated(self, by: usize) -> Self {
+        let mut coefficients = self.0;
+        for _ in 0..by {
+            let last = coefficients.last().cloned();
+            for i in (1..coefficients.len()).rev() {
+                let (before, rest) = coefficients.split_at_mut(i);
+                rest[0] += &before[i - 1];
+            }
+            coefficients.extend(last);
+        }
+        Self(coefficients)
+    }
+
+    /// The same polynomial in the next lower degree, if it has one.
+    pub(super) fn lowered(&self) -> Option<Self> {
+        without_one(&self.0).map(Self)
+    }
+
     pub(crate) fn is_zero(&self) -> bool {
         self.0.iter().all(IBig::is_zero)
     }

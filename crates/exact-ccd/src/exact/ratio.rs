@@ -3,8 +3,8 @@
 use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
 use super::polynomial::Vector;
-use crate::impact::unit;
-use crate::point::Point;
+use crate::tables::Point;
+use crate::values::unit;
 
 /// The number of bits of a ratio after the point.
 const BITS: usize = 52;

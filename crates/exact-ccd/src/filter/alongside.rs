@@ -6,14 +6,13 @@
 
 use super::gap::Touching;
 use super::hull::Hull;
-use super::number::subtract;
-use super::vector::{cross, minus};
-use crate::kind::Kind;
-use crate::query::Query;
+use crate::numbers::number::subtract;
+use crate::numbers::vector::{cross, minus};
+use crate::tables::{Points, Tables};
 
 /// Returns true if the plane of an edge of the span and of the velocity separates.
-pub(super) fn separates<K: Kind>(query: &Query<K>, hull: &Hull<f64>) -> bool {
-    let [w, e1, e2] = K::SPAN.map(|difference| subtract::<f64>(&query.four(), difference));
+pub(super) fn separates<K: Tables>(points: &Points<f64>, hull: &Hull<f64>) -> bool {
+    let [w, e1, e2] = K::SPAN.map(|difference| subtract::<f64>(points, difference));
     let velocity = minus(w[1], w[0]);
     [e1[0], e2[0]]
         .into_iter()

@@ -5,13 +5,10 @@
 //! cubics of its queries are zero or have a root at an end of the step, which no error bound can
 //! prove.
 
-use super::cubic::Cubic;
 use super::planar::is_across;
-use crate::impact::Impact;
-use crate::interval::{Interval, Intervals};
-use crate::kind::{Difference, Kind};
-use crate::query::Query;
-use crate::time::ContactTime;
+use crate::numbers::cubic::Cubic;
+use crate::tables::{Difference, Point, Points, Tables};
+use crate::values::{ContactTime, Impact, Interval, Intervals};
 
 /// Contact that equal coordinates prove: the first and the last time of an interval or a moment of contact,
 /// each if it is certain. If both are known, there is no other contact.
@@ -59,17 +56,16 @@ impl Coincidence {
 /// The coincidence of a query with this coplanarity cubic whose bounding box contains the origin.
 ///
 /// - *A vertex of each primitive, with the same trajectory.* F vanishes at that corner at all times.
-/// - *A vertex of each primitive, in one place at t = 0 or t = 1.* F vanishes there. If all four
-///   points are in one place, for example at t = 1, their differences are those of t = 0 times
-///   1 − t, so that c(t) = (1 − t)³ c(0). If c(0) is not zero, c has no other root.
+/// - *A vertex of each primitive, in one place at t = 0 or t = 1.* F vanishes there. If all four points are
+///   in one place, for example at t = 1, their differences at a time t are 1 − t times their differences at
+///   t = 0, so that c(t) = (1 − t)³ c(0). If c(0) is not zero, c has no other root.
 /// - *All points on a line along an axis, at both ends of the step.* The primitives are segments of
 ///   the line. If they are apart at t = 0 and at t = 1, they change places on it in between, as
 ///   otherwise the bounding box would exclude the origin. Hence they touch at some time. If at t = 0
 ///   some point of each is strictly before some point of the other, that remains true for a while,
 ///   during which the segments overlap.
-pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Option<Coincidence> {
-    let four = query.four();
-    let meets = |time: usize, &(i, j): &Difference| four[time][i] == four[time][j];
+pub(super) fn coincidence<K: Tables>(points: &Points<f64>, cubic: &Cubic<f64>) -> Option<Coincidence> {
+    let meets = |time: usize, &(i, j): &Difference| points[time][i] == points[time][j];
     let all_meet = |time| K::CORNERS.iter().all(|corner| meets(time, corner));
     if K::CORNERS
         .iter()
@@ -86,8 +82,8 @@ pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Opti
             return Some(coincidence);
         }
     }
-    let axis = line(query)?;
-    let [start, _] = &*four;
+    let axis = line::<K>(points)?;
+    let [start, _] = points;
     let [is_before, is_behind] = [
         K::CORNERS.iter().any(|&(i, j)| start[i][axis] < start[j][axis]),
         K::CORNERS.iter().any(|&(i, j)| start[i][axis] > start[j][axis]),
@@ -100,16 +96,16 @@ pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Opti
 }
 
 /// The axis of a line that contains all points, at both ends of the step.
-fn line<K: Kind>(query: &Query<K>) -> Option<usize> {
-    (0..3).find(|&axis| is_across(query, (axis + 1) % 3) && is_across(query, (axis + 2) % 3))
+fn line<K: Tables>(points: &Points<f64>) -> Option<usize> {
+    (0..3).find(|&axis| is_across(points, (axis + 1) % 3) && is_across(points, (axis + 2) % 3))
 }
 
 /// The impact of four points that are in one place at both ends of the step, and hence always: the
 /// first vertex lies on the first edge, which has length zero, and they do not move relative to each
 /// other.
-pub(super) fn impact<K: Kind>(query: &Query<K>) -> Option<Impact> {
-    let is_point = |points: &K::Points| points.as_ref().iter().all(|point| *point == points.as_ref()[0]);
-    query.points().iter().all(is_point).then(|| Impact {
+pub(super) fn impact<K: Tables>(points: &Points<f64>) -> Option<Impact> {
+    let is_point = |points: &[Point; 4]| points.iter().all(|point| *point == points[0]);
+    points.iter().all(is_point).then(|| Impact {
         time: ContactTime::exactly(0.0),
         parameters: K::SIDES[0].domain[0],
         normal: None,

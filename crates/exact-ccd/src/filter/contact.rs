@@ -4,27 +4,23 @@ use arrayvec::ArrayVec;
 
 use super::coincident::{self, Coincidence};
 use super::coplanarity;
-use super::cubic::Root;
-use super::exact_cubic::ExactCubic;
-use super::fixed_width;
 use super::impact::parameters_and_normal;
-use super::moment::Moment;
 use super::planar::{Event, Planar};
 use super::position::{self, Position};
-use crate::impact::Impact;
-use crate::interval::{Interval, Intervals};
-use crate::kind::Kind;
-use crate::query::Query;
-use crate::stage::Stage;
-use crate::time::ContactTime;
+use crate::fixed;
+use crate::fixed::exact_cubic::ExactCubic;
+use crate::fixed::moment::Moment;
+use crate::numbers::cubic::Root;
+use crate::tables::{Points, Tables};
+use crate::values::{ContactTime, Impact, Interval, Intervals, Stage};
 
 /// A proved contact, with the intermediate results of the proof.
 #[derive(Clone, Debug)]
 pub(crate) enum Contact {
     /// The primitives are coplanar exactly at some roots, and touch at one of them.
     AtRoot(AtRoot),
-    /// The primitives first touch at this root, which is an f64.
-    At(Root),
+    /// The primitives first touch at this time, the last one that counts.
+    At(f64),
     /// The primitives are coplanar at all times, and in contact for an interval that begins like
     /// this.
     Sliding(Event),
@@ -58,10 +54,13 @@ impl AtRoot {
 impl Contact {
     /// The contact at one of the roots; `Some(None)` if there certainly is none, `None` if that is not known.
     #[inline]
-    pub(super) fn at_roots<K: Kind>(query: &Query<K>, roots: ArrayVec<Root, 3>) -> Option<Option<Self>> {
+    pub(super) fn at_roots<K: Tables>(
+        points: &Points<f64>,
+        roots: ArrayVec<Root, 3>,
+    ) -> Option<Option<Self>> {
         let mut is_first = true;
         for (index, root) in roots.iter().enumerate() {
-            match position::at(query, root) {
+            match position::at::<K>(points, root) {
                 Some(Position::Inside) => {
                     return Some(Some(Self::AtRoot(AtRoot {
                         touching: index,
@@ -88,18 +87,18 @@ impl Contact {
     }
 
     /// The earliest contact time, if the filters determine it.
-    pub(crate) fn first<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
+    pub(crate) fn first<K: Tables>(&self, points: &Points<f64>) -> Option<ContactTime> {
         let by_roundoff = match self {
             Self::AtRoot(at_root) => match at_root.since_first() {
-                Some((root, _)) => return times_of_roots(query)(root),
+                Some((root, _)) => return times_of_roots::<K>(points)(root),
                 None => None,
             },
-            Self::At(root) => return Some(ContactTime::exactly(root.near)),
-            Self::Sliding(beginning) => Planar::new(query).and_then(|planar| planar.round(beginning)),
+            Self::At(time) => return Some(ContactTime::exactly(*time)),
+            Self::Sliding(beginning) => Planar::new(points).and_then(|planar| planar.round(beginning)),
             Self::Coincident(coincidence) => coincidence.first,
-            Self::AtMoment(moment) => return fixed_width::time(query, moment),
+            Self::AtMoment(moment) => return fixed::time::<K>(points, moment),
         };
-        by_roundoff.or_else(|| fixed_width::first(query))
+        by_roundoff.or_else(|| fixed::first::<K>(points))
     }
 
     /// Two times between which the earliest contact certainly is.
@@ -112,27 +111,28 @@ impl Contact {
     }
 
     /// All intervals of contact, if the filters determine them.
-    pub(crate) fn intervals<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
+    pub(crate) fn intervals<K: Tables>(&self, points: &Points<f64>) -> Option<Intervals> {
         let by_roundoff = match self {
-            Self::AtRoot(at_root) => at_root.since_first().and_then(|roots| moments(query, roots)),
-            Self::Sliding(_) => Planar::new(query).and_then(|planar| planar.intervals()),
+            Self::AtRoot(at_root) => at_root
+                .since_first()
+                .and_then(|roots| moments::<K>(points, roots)),
+            Self::Sliding(_) => Planar::new(points).and_then(|planar| planar.intervals::<K>()),
             Self::Coincident(coincidence) => coincidence.intervals(),
             Self::At(_) | Self::AtMoment(_) => None,
         };
-        by_roundoff.or_else(|| fixed_width::moments(query))
+        by_roundoff.or_else(|| fixed::moments::<K>(points))
     }
 
     /// The earliest contact, if the filters determine it.
-    pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
+    pub(crate) fn impact<K: Tables>(&self, points: &Points<f64>) -> Option<Impact> {
         let root = match self {
             Self::AtRoot(at_root) => at_root.since_first()?.0,
-            Self::At(root) => root,
-            Self::Coincident(_) => return coincident::impact(query),
-            Self::Sliding(beginning) => return Planar::new(query)?.impact(beginning),
-            Self::AtMoment(_) => return None,
+            Self::Coincident(_) => return coincident::impact::<K>(points),
+            Self::Sliding(beginning) => return Planar::new(points)?.impact::<K>(beginning),
+            Self::At(_) | Self::AtMoment(_) => return None,
         };
-        let time = self.first(query)?;
-        let (parameters, normal) = parameters_and_normal(query, &root.at(time))?;
+        let time = self.first::<K>(points)?;
+        let (parameters, normal) = parameters_and_normal::<K>(points, &root.at(time))?;
         let normal = Some(normal);
         Some(Impact {
             time,
@@ -143,20 +143,22 @@ impl Contact {
 }
 
 /// The moments of contact at a root, and at those after it at which the primitives touch.
-fn moments<K: Kind>(query: &Query<K>, (first, later): (&Root, &[Root])) -> Option<Intervals> {
-    let time = times_of_roots(query);
+fn moments<K: Tables>(points: &Points<f64>, (first, later): (&Root, &[Root])) -> Option<Intervals> {
+    let time = times_of_roots::<K>(points);
     let moment = |root: &Root| time(root).map(Interval::moment);
-    let of_later = later.iter().filter_map(|root| match position::at(query, root) {
-        Some(Position::Inside) => Some(moment(root)),
-        Some(Position::Outside) => None,
-        None => Some(None),
-    });
+    let of_later = later
+        .iter()
+        .filter_map(|root| match position::at::<K>(points, root) {
+            Some(Position::Inside) => Some(moment(root)),
+            Some(Position::Outside) => None,
+            None => Some(None),
+        });
     [moment(first)].into_iter().chain(of_later).collect()
 }
 
 /// The times of roots of the coplanarity cubic, where they are certain.
-fn times_of_roots<K: Kind>(query: &Query<K>) -> impl Fn(&Root) -> Option<ContactTime> {
-    let cubic = ExactCubic::of(query).ok_or_else(|| coplanarity::precise(query));
+fn times_of_roots<K: Tables>(points: &Points<f64>) -> impl Fn(&Root) -> Option<ContactTime> {
+    let cubic = ExactCubic::of::<K>(points).ok_or_else(|| coplanarity::precise::<K>(points));
     move |root| match &cubic {
         Ok(exact) => exact.time_of_root(root),
         Err(precise) => precise.round(root),

@@ -1,14 +1,13 @@
 //! The cubic c(t) = w · (e₁ × e₂), which vanishes when the primitives lie in one plane.
 
-use super::cubic::Cubic;
-use super::double_double::DoubleDouble;
 use super::gap::Gap;
-use super::number::{Lanes, Number, Points, reach, subtract};
-use super::precise_cubic::PreciseCubic;
-use super::roundoff::{UNIT, margin};
-use super::vector::{add, cross, cross_magnitude, dot};
-use crate::kind::Kind;
-use crate::query::Query;
+use crate::numbers::cubic::Cubic;
+use crate::numbers::double_double::DoubleDouble;
+use crate::numbers::number::{Lanes, Number, reach, subtract};
+use crate::numbers::precise_cubic::PreciseCubic;
+use crate::numbers::roundoff::{UNIT, margin};
+use crate::numbers::vector::{add, cross, cross_magnitude, dot};
+use crate::tables::{Points, Tables};
 
 /// c, and the normals from which it is computed.
 pub(crate) struct Coplanarity<T> {
@@ -36,7 +35,7 @@ pub(super) struct Expansion<T: Number> {
 
 impl<T: Lanes> Coplanarity<T> {
     #[inline(always)]
-    pub(crate) fn new<K: Kind>(points: &Points<T>) -> Self {
+    pub(crate) fn new<K: Tables>(points: &Points<T>) -> Self {
         let expansion = Expansion::<T>::new::<K>(points);
         Self {
             cubic: Cubic::new(expansion.coefficients, expansion.magnitude),
@@ -49,13 +48,14 @@ impl<T: Lanes> Coplanarity<T> {
     /// True where the planes of the primitives are certainly farther than the gap d apart at all times: |c|
     /// > d |n| for n = e₁ × e₂. For contact, c has no root.
     ///
-    /// Let n₀, m and n₁ be the Bernstein coefficients of n. |n| is convex, hence at most the
-    /// combination of |n₀|, |m| and |n₁|, of degree 2; of degree 3, its coefficients are |n₀|, (|n₀| +
-    /// 2 |m|) / 3, (2 |m| + |n₁|) / 3 and |n₁|. So it suffices that each coefficient of c exceeds d times
-    /// that of |n|. Where n vanishes, so does c, which excludes it.
+    /// Let n₀, m and n₁ be the Bernstein coefficients of n. |n| is convex, hence at most the combination of
+    /// |n₀|, |m| and |n₁|, of degree 2. Call this combination N; as a polynomial of degree 3, it has the
+    /// coefficients |n₀|, (|n₀| + 2 |m|) / 3, (2 |m| + |n₁|) / 3 and |n₁|. So it suffices that each
+    /// coefficient of c exceeds d times the coefficient of N. Where n vanishes, so does c, which excludes
+    /// it.
     ///
-    /// A component of n₀ and n₁ results from four roundings, one of 2 m from five, of terms of at most
-    /// the extent: each coefficient of |n| is off by at most the error of n = 5 times the extent. The
+    /// A component of n₀ and n₁ results from four roundings, a component of 2 m from five, of terms of at
+    /// most the extent: each coefficient of N is off by at most the error of n = 5 times the extent. The
     /// lengths, their means and the bound add eleven roundings, and [`TINY`] in case the squares underflow.
     #[inline(always)]
     pub(crate) fn are_planes_beyond<G: Gap<T>>(&self, gap: G) -> T::Mask {
@@ -89,14 +89,14 @@ pub(super) fn length_bound<T: Lanes>(vector: [T; 3]) -> T {
 }
 
 /// c in twice the precision.
-pub(super) fn precise<K: Kind>(query: &Query<K>) -> PreciseCubic {
-    let expansion = Expansion::<DoubleDouble>::new::<K>(&query.four());
+pub(super) fn precise<K: Tables>(points: &Points<f64>) -> PreciseCubic {
+    let expansion = Expansion::<DoubleDouble>::new::<K>(points);
     PreciseCubic::new(expansion.coefficients, expansion.magnitude)
 }
 
 impl<T: Number> Expansion<T> {
     #[inline(always)]
-    pub(super) fn new<K: Kind>(points: &Points<T::Real>) -> Self {
+    pub(super) fn new<K: Tables>(points: &Points<T::Real>) -> Self {
         let w = subtract::<T>(points, K::SPAN[0]);
         let e1 = subtract::<T>(points, K::SPAN[1]);
         let e2 = subtract::<T>(points, K::SPAN[2]);

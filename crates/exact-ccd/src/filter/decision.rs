@@ -1,8 +1,7 @@
 //! The statements that filters prove.
 
 use super::contact::Contact;
-use crate::stage::Stage;
-use crate::time::ContactTime;
+use crate::values::{ContactTime, Stage};
 
 /// The outcome of the filters.
 pub(crate) enum Decision {

@@ -1,6 +1,6 @@
 //! The distance of a filter: none for contact, so that its terms cost nothing, or one above 0.
 
-use super::number::Lanes;
+use crate::numbers::number::Lanes;
 
 /// The distance at which primitives touch, for one query or for several side by side.
 pub(crate) trait Gap<T: Lanes>: Copy {

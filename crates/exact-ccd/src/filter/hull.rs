@@ -7,14 +7,13 @@ use core::ops::Add;
 
 use super::coplanarity::length_bound;
 use super::gap::Gap;
-use super::number::{Lanes, Points, subtract};
-use super::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
-use super::vector::{dot, minus, towards};
-use crate::kind::Kind;
-use crate::point::Point;
+use crate::numbers::number::{Lanes, subtract};
+use crate::numbers::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
+use crate::numbers::vector::{dot, minus, towards};
+use crate::tables::{Point, Points, Tables};
 
-/// The eight values of F at the corners of its domain, by axis. A vertex-face query has six
-/// corners, two of which are repeated.
+/// The eight values of F at the corners of its domain, by axis. A vertex-face query has six corners; two of
+/// them are repeated.
 pub(crate) struct Hull<T> {
     corners: [[T; 8]; 3],
     low: [T; 3],
@@ -23,7 +22,7 @@ pub(crate) struct Hull<T> {
 
 impl<T: Lanes> Hull<T> {
     #[inline(always)]
-    pub(crate) fn new<K: Kind>(points: &Points<T>) -> Self {
+    pub(crate) fn new<K: Tables>(points: &Points<T>) -> Self {
         let mut corners = points[0][0].map(|x| [x; 8]);
         for (corner, &difference) in K::CORNERS.iter().enumerate() {
             for (time, at_time) in subtract::<T>(points, difference).iter().enumerate() {
@@ -92,8 +91,7 @@ impl<T: Lanes> Hull<T> {
         along
     }
 
-    /// The error bound of a scalar product. Its roundings are that of the corner, one product and two
-    /// sums: n = 4.
+    /// The error bound of a scalar product: one rounding of the corner, one product and two sums, n = 4.
     #[inline(always)]
     pub(super) fn error_along(&self, direction: [T; 3]) -> T {
         let [x, y, z] = direction.map(Lanes::abs);
@@ -176,17 +174,17 @@ impl Hull<f64> {
         is_beyond(0, 1) || is_beyond(1, 2) || is_beyond(2, 0)
     }
 
-    /// Returns true if Gilbert's iteration (An iterative procedure for computing the minimum of a
-    /// quadratic form on a convex set, 1966) finds a separating direction in a few steps. It starts at
-    /// the corner next to the origin, and approaches the point of the hull next to it: each point is a
-    /// direction, and the next point is that of the triangle with the lowest corner along it and the
-    /// lowest one before (Gilbert, Johnson and Keerthi 1988). If a point is within the gap, no direction
+    /// Returns true if Gilbert's iteration (An iterative procedure for computing the minimum of a quadratic
+    /// form on a convex set, 1966) finds a separating direction in a few steps. It starts at the corner next
+    /// to the origin, and approaches the point of the hull next to it. Each point is a direction. The next
+    /// point is the point next to the origin in a triangle: the point, the lowest corner along it, and the
+    /// lowest corner before (Gilbert, Johnson and Keerthi 1988). If a point is within the gap, no direction
     /// separates.
     ///
     /// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
     /// nothing.
     #[inline(never)]
-    pub(super) fn some_direction_separates<K: Kind>(&self, gap: impl Gap<f64>) -> bool {
+    pub(super) fn some_direction_separates<K: Tables>(&self, gap: impl Gap<f64>) -> bool {
         const STEPS: usize = 5;
         let d = gap.value(0.0);
         let corner = |i: usize| [0, 1, 2].map(|axis: usize| self.corners[axis][i]);
@@ -212,7 +210,7 @@ impl Hull<f64> {
 
 /// The corner with the lowest value, and that value. Where values are not a number, no limit is finite.
 #[inline(always)]
-fn lowest<K: Kind>(value_of: impl Fn(usize) -> f64) -> (usize, f64) {
+fn lowest<K: Tables>(value_of: impl Fn(usize) -> f64) -> (usize, f64) {
     // The others are repeated.
     let corners = (1..8).filter(|i| i % 4 < K::FEATURES.vertices.len());
     corners.fold((0, value_of(0)), |lowest, i| {
@@ -221,8 +219,8 @@ fn lowest<K: Kind>(value_of: impl Fn(usize) -> f64) -> (usize, f64) {
     })
 }
 
-/// A guess of the point next to the origin of the triangle x, a, b, where x is that of a segment that ends
-/// at b: x is orthogonal to it, or one of its ends.
+/// A guess of the point next to the origin in the triangle x, a, b. x is the point next to the origin in a
+/// segment that ends at b: x is orthogonal to it, or one of its ends.
 #[inline(always)]
 fn next_to_origin(x: Point, a: Point, b: Point) -> Point {
     let (u, v) = (minus(a, x), minus(b, x));
@@ -255,7 +253,7 @@ fn are_beyond(least: f64, value: impl Fn(usize) -> f64) -> bool {
 mod tests {
     use super::*;
     use crate::filter::gap::{Touching, Within};
-    use crate::kind::{EdgeEdge, VertexFace, VertexVertex};
+    use crate::tables::{EdgeEdge, VertexFace, VertexVertex};
 
     /// Points that move in small integers: the distances from the planes x = ±y, y = ±z and z = ±x are exact
     /// apart from a factor of √2, and none is near the gap.
@@ -309,7 +307,7 @@ mod tests {
         assert!(proved.iter().all(|&count| count > 10), "{proved:?}");
     }
 
-    fn proves<K: Kind>(hull: &Hull<f64>, direction: Point, gap: impl Gap<f64>) -> bool {
+    fn proves<K: Tables>(hull: &Hull<f64>, direction: Point, gap: impl Gap<f64>) -> bool {
         hull.is_beyond_axis(gap)
             || hull.is_beyond_diagonal(gap)
             || hull.is_beyond(direction, gap)
@@ -317,7 +315,7 @@ mod tests {
     }
 
     /// One corner is beyond the origin, or at it, and all others are far on the other side.
-    fn one_corner_prevents_proofs<K: Kind>() {
+    fn one_corner_prevents_proofs<K: Tables>() {
         for &((i, j), _) in K::FEATURES.vertices {
             for (end, axis) in (0..2).flat_map(|end| (0..3).map(move |axis| (end, axis))) {
                 for (sign, value) in [(1.0, -2.0), (-1.0, -2.0), (1.0, 0.0), (-1.0, 0.0)] {
@@ -326,7 +324,7 @@ mod tests {
                         for (point, place) in now.iter_mut().enumerate() {
                             let is_near = time == end && (point == i || point == j);
                             place[axis] = sign
-                                * match (point < K::FIRST, is_near) {
+                                * match (point < K::CORNERS[0].1, is_near) {
                                     (true, false) => 6.0,
                                     (false, false) => -4.0,
                                     (true, true) => 0.0,

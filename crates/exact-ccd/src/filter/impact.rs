@@ -1,19 +1,20 @@
 //! Parameters and normal of a contact at a root: of the coplanarity cubic, or of a side in a plane.
 
-use super::cubic::Root;
 use super::position::{NearRoot, longest};
-use crate::impact::unit;
-use crate::kind::{Kind, Side};
-use crate::point::Point;
-use crate::query::Query;
+use crate::numbers::cubic::Root;
+use crate::tables::{Point, Points, Side, Tables};
+use crate::values::unit;
 
 /// 2⁻³³: the largest error of the parameters and the normal. It is half of the documented one,
 /// which leaves room for the roundings that are not counted here.
 pub(super) const TOLERANCE: f64 = f64::from_bits((1023 - 33) << 52);
 
 /// (u, v) and the normal at a root at which the primitives touch, if they are accurate enough.
-pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> Option<([f64; 2], Point)> {
-    let bracket = NearRoot::new(query, root);
+pub(super) fn parameters_and_normal<K: Tables>(
+    points: &Points<f64>,
+    root: &Root,
+) -> Option<([f64; 2], Point)> {
+    let bracket = NearRoot::new(points, root);
     let [_, e1, e2] = K::SPAN.map(|difference| bracket.vector(difference));
     let normal = bracket.cross(&e1, &e2);
     let magnitude = |axis: usize| normal[axis].value.abs();
@@ -55,14 +56,14 @@ pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> O
 ///
 /// For an edge e from x and the offset o of the vertex from x, the area of the side is e × o: it rises where
 /// the vertex moves along (−eⱼ, eᵢ) relative to the point at which it meets the edge.
-pub(super) fn vertex_on_edge<K: Kind>(
-    query: &Query<K>,
+pub(super) fn vertex_on_edge(
+    points: &Points<f64>,
     [i, j]: [usize; 2],
     side: &Side,
     root: &Root,
 ) -> Option<([f64; 2], Point)> {
     let [x, y] = side.edge;
-    let bracket = NearRoot::new(query, root);
+    let bracket = NearRoot::new(points, root);
     let [offset, edge] = [(side.vertex, x), (y, x)].map(|difference| bracket.vector(difference));
     let [along_i, along_j] = [i, j].map(|axis| bracket.component(&edge, axis));
     let axis = if along_i.value.abs() > along_j.value.abs() {

@@ -3,48 +3,47 @@
 use super::alongside;
 use super::coincident::coincidence;
 use super::contact::Contact;
-use super::cubic::{Cubic, Root};
 use super::decision::{Decision, Proved};
-use super::fixed_width;
 use super::gap::Touching;
 use super::hull::Hull;
 use super::planar::Planar;
 use super::position::{self, Position};
-use crate::kind::Kind;
-use crate::query::Query;
-use crate::stage::Stage;
+use crate::fixed;
+use crate::numbers::cubic::{Cubic, Root};
+use crate::tables::{Points, Tables};
+use crate::values::Stage;
 
 /// The last stages of contact until a time, for a query in range that the stages before have not settled. A
 /// contact that is later may be found or not.
 ///
 /// Few candidates get here. It is not inlined, so that the stages above stay small.
 #[inline(never)]
-pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Decision {
+pub(crate) fn decide_near_plane<K: Tables>(points: &Points<f64>, cubic: &Cubic<f64>, until: f64) -> Decision {
     if (0.0..1.0).contains(&until)
-        && let Some(decision) = decide_until(query, cubic, until)
+        && let Some(decision) = decide_until::<K>(points, cubic, until)
     {
         return decision;
     }
     if let Some(roots) = cubic.roots() {
-        return match Contact::at_roots(query, roots) {
+        return match Contact::at_roots::<K>(points, roots) {
             Some(Some(contact)) => Decision::Collision(Proved::Contact(contact)),
             Some(None) => Decision::Free(Stage::Roots),
-            None => decide_in_integers(query),
+            None => decide_in_integers::<K>(points),
         };
     }
-    if let Some(coincidence) = coincidence(query, cubic) {
+    if let Some(coincidence) = coincidence::<K>(points, cubic) {
         return Decision::Collision(Proved::Contact(Contact::Coincident(coincidence)));
     }
-    let hull = Hull::new::<K>(&query.four());
-    if alongside::separates(query, &hull) {
+    let hull = Hull::new::<K>(points);
+    if alongside::separates::<K>(points, &hull) {
         return Decision::Free(Stage::Direction);
     }
-    match Planar::new(query).and_then(|planar| planar.stretches()) {
+    match Planar::new(points).and_then(|planar| planar.stretches::<K>()) {
         Some(stretches) => match stretches.into_iter().next() {
             Some([beginning, _]) => Decision::Collision(Proved::Contact(Contact::Sliding(beginning))),
             None => Decision::Free(Stage::Planar),
         },
-        None => match decide_in_integers(query) {
+        None => match decide_in_integers::<K>(points) {
             Decision::Unknown if hull.some_direction_separates::<K>(Touching) => {
                 Decision::Free(Stage::Direction)
             }
@@ -57,7 +56,7 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, u
 /// until then, which are computed in integers where their signs are not certain.
 ///
 /// In a search for the earliest contact, many pairs may touch at almost the same time, or at the same one.
-fn decide_until<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Option<Decision> {
+fn decide_until<K: Tables>(points: &Points<f64>, cubic: &Cubic<f64>, until: f64) -> Option<Decision> {
     let signs = cubic.signs_until(until);
     let mut known = signs.iter().flatten();
     let before = known.next();
@@ -67,7 +66,7 @@ fn decide_until<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Op
     if signs.iter().all(Option::is_some) {
         return Some(Decision::Free(Stage::Roots));
     }
-    let [before, second, third, at_end] = fixed_width::signs_until(query, until)?;
+    let [before, second, third, at_end] = fixed::signs_until::<K>(points, until)?;
     if before.is_eq() || before.reverse() == second || before.reverse() == third {
         return None;
     }
@@ -78,15 +77,15 @@ fn decide_until<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>, until: f64) -> Op
         return None;
     }
     let root = Root::exactly(until, before);
-    Some(match position::at(query, &root)? {
-        Position::Inside => Decision::Collision(Proved::Contact(Contact::At(root))),
+    Some(match position::at::<K>(points, &root)? {
+        Position::Inside => Decision::Collision(Proved::Contact(Contact::At(until))),
         Position::Outside => Decision::Free(Stage::Roots),
     })
 }
 
 /// The stage of integers of fixed width.
-fn decide_in_integers<K: Kind>(query: &Query<K>) -> Decision {
-    match fixed_width::first_moment(query) {
+fn decide_in_integers<K: Tables>(points: &Points<f64>) -> Decision {
+    match fixed::first_moment::<K>(points) {
         Some(Some(moment)) => Decision::Collision(Proved::Contact(Contact::AtMoment(moment))),
         Some(None) => Decision::Free(Stage::FixedWidth),
         None => Decision::Unknown,

@@ -1,5 +1,5 @@
-//! Motion in a plane across an axis, as that of a cloth on the ground or between two walls: the
-//! coplanarity cubic is zero, and the sides of the edges' lines on which the vertices lie decide.
+//! Motion in a plane across an axis, as of a cloth on the ground or between two walls: the coplanarity cubic
+//! is zero, and the sides of the edges' lines on which the vertices lie decide.
 //!
 //! Each side is the sign of a quadratic. If all roots of the quadratics are simple and apart from
 //! each other, one sign changes at a time, so that contact lasts for intervals of positive length.
@@ -8,24 +8,21 @@ use core::cmp::Ordering;
 
 use arrayvec::ArrayVec;
 
-use super::cubic::{Cubic, Root};
-use super::double_double::DoubleDouble;
 use super::impact::{parameters_and_normal, vertex_on_edge};
-use super::number::{Number, reach, subtract};
-use super::precise_cubic::PreciseCubic;
-use crate::impact::Impact;
-use crate::interval::{Interval, Intervals};
-use crate::kind::{Difference, Kind, Side};
-use crate::query::Query;
-use crate::time::ContactTime;
+use crate::numbers::cubic::{Cubic, Root};
+use crate::numbers::double_double::DoubleDouble;
+use crate::numbers::number::{Number, reach, subtract};
+use crate::numbers::precise_cubic::PreciseCubic;
+use crate::tables::{Difference, Point, Points, Side, Tables};
+use crate::values::{ContactTime, Impact, Interval, Intervals};
 
 /// The maximal number of crossings. A kind of query has at most four sides. The quadratic of a side
 /// is handled as a cubic, whose roots are at most three.
 const MAX_CROSSINGS: usize = 12;
 
 /// A query in a plane.
-pub(super) struct Planar<'a, K: Kind> {
-    query: &'a Query<K>,
+pub(super) struct Planar<'a> {
+    points: &'a Points<f64>,
     /// The axes along the plane.
     axes: [usize; 2],
 }
@@ -48,27 +45,24 @@ struct Crossing {
 }
 
 /// Returns true if all points are in one plane across an axis, at t = 0 and at t = 1.
-pub(super) fn is_across<K: Kind>(query: &Query<K>, axis: usize) -> bool {
-    let is_flat = |points: &K::Points| {
-        let points = points.as_ref();
-        points.iter().all(|point| point[axis] == points[0][axis])
-    };
-    query.points().iter().all(is_flat)
+pub(super) fn is_across(points: &Points<f64>, axis: usize) -> bool {
+    let is_flat = |points: &[Point; 4]| points.iter().all(|point| point[axis] == points[0][axis]);
+    points.iter().all(is_flat)
 }
 
-impl<'a, K: Kind> Planar<'a, K> {
+impl<'a> Planar<'a> {
     /// The query, if all its points move in one plane across an axis. Exact: coordinates are only
     /// compared.
-    pub(super) fn new(query: &'a Query<K>) -> Option<Self> {
+    pub(super) fn new(points: &'a Points<f64>) -> Option<Self> {
         let axes = [[1, 2], [2, 0], [0, 1]];
-        (0..3).find(|&axis| is_across(query, axis)).map(|axis| Self {
-            query,
+        (0..3).find(|&axis| is_across(points, axis)).map(|axis| Self {
+            points,
             axes: axes[axis],
         })
     }
 
     /// The intervals of contact in increasing order, each by its two events; `None` if they are unknown.
-    pub(super) fn stretches(&self) -> Option<ArrayVec<[Event; 2], MAX_CROSSINGS>> {
+    pub(super) fn stretches<K: Tables>(&self) -> Option<ArrayVec<[Event; 2], MAX_CROSSINGS>> {
         let [_, e1, e2] = K::SPAN;
         let facing = self.area(e1, e2).constant_sign()?;
         let mut inside = ArrayVec::<bool, 4>::new();
@@ -109,7 +103,7 @@ impl<'a, K: Kind> Planar<'a, K> {
     }
 
     /// The intervals of contact, if they are known.
-    pub(super) fn intervals(&self) -> Option<Intervals> {
+    pub(super) fn intervals<K: Tables>(&self) -> Option<Intervals> {
         let interval = |[beginning, end]: &[Event; 2]| {
             Some(Interval {
                 start: self.round(beginning)?,
@@ -117,7 +111,7 @@ impl<'a, K: Kind> Planar<'a, K> {
                 is_moment: false,
             })
         };
-        self.stretches()?.iter().map(interval).collect()
+        self.stretches::<K>()?.iter().map(interval).collect()
     }
 
     /// The cross product of two differences in the plane.
@@ -141,13 +135,13 @@ impl<'a, K: Kind> Planar<'a, K> {
 
     /// The contact at an event with which it begins, if parameters and normal are accurate enough.
     ///
-    /// At t = 0, all vertices are strictly beside the edges: the parameters are the only ones. Later, the
-    /// only vertex on an edge is that of the event.
-    pub(super) fn impact(&self, beginning: &Event) -> Option<Impact> {
+    /// At t = 0, all vertices are strictly beside the edges: the parameters are the only ones. Later, only
+    /// the vertex of the event is on an edge.
+    pub(super) fn impact<K: Tables>(&self, beginning: &Event) -> Option<Impact> {
         let time = self.round(beginning)?;
         let (parameters, normal) = match beginning {
-            Event::Start => parameters_and_normal(self.query, &Root::exactly(0.0, Ordering::Greater))?,
-            Event::Side(side, root) => vertex_on_edge(self.query, self.axes, side, &root.at(time))?,
+            Event::Start => parameters_and_normal::<K>(self.points, &Root::exactly(0.0, Ordering::Greater))?,
+            Event::Side(side, root) => vertex_on_edge(self.points, self.axes, side, &root.at(time))?,
             Event::End => return None,
         };
         Some(Impact {
@@ -161,9 +155,8 @@ impl<'a, K: Kind> Planar<'a, K> {
     /// roundings to a coefficient is a difference, a product, the difference in `cross`, the sum in
     /// `mixed` and one more; and the other difference in each term.
     pub(super) fn expand<T: Number<Real = f64>>(&self, x: Difference, y: Difference) -> ([T; 4], f64) {
-        let along = |difference| {
-            subtract(&self.query.four(), difference).map(|d: [T; 3]| self.axes.map(|axis| d[axis]))
-        };
+        let along =
+            |difference| subtract(self.points, difference).map(|d: [T; 3]| self.axes.map(|axis| d[axis]));
         let (x, y) = (along(x), along(y));
         let cross = |a: [T; 2], b: [T; 2]| a[0] * b[1] - a[1] * b[0];
         let (q0, q1) = (cross(x[0], y[0]), cross(x[1], y[1]));

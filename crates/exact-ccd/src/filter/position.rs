@@ -2,12 +2,10 @@
 
 use core::cmp::Ordering;
 
-use super::cubic::Root;
-use super::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
-use super::vector::{cross_along, cross_magnitude_along, interpolate};
-use crate::kind::{Difference, Kind};
-use crate::point::Point;
-use crate::query::Query;
+use crate::numbers::cubic::Root;
+use crate::numbers::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
+use crate::numbers::vector::{cross_along, cross_magnitude_along, interpolate};
+use crate::tables::{Difference, Point, Points, Tables};
 
 /// The position of two coplanar primitives.
 #[derive(Clone, Copy, PartialEq)]
@@ -41,8 +39,8 @@ impl Estimate {
 
 /// The position of the primitives at a root, if it is certain, by the same tests as in the exact
 /// path.
-pub(super) fn at<K: Kind>(query: &Query<K>, root: &Root) -> Option<Position> {
-    let bracket = NearRoot::new(query, root);
+pub(super) fn at<K: Tables>(points: &Points<f64>, root: &Root) -> Option<Position> {
+    let bracket = NearRoot::new(points, root);
     let [_, e1, e2] = K::SPAN.map(|difference| bracket.vector(difference));
     let normal = bracket.cross(&e1, &e2);
     let corners = K::CORNERS.map(|difference| bracket.vector(difference));
@@ -80,8 +78,8 @@ pub(super) fn longest(vector: &[Estimate; 3]) -> usize {
 }
 
 /// A query in a bracket of time around a root.
-pub(super) struct NearRoot<'a, K: Kind> {
-    query: &'a Query<K>,
+pub(super) struct NearRoot<'a> {
+    points: &'a Points<f64>,
     near: f64,
     /// A bound of the error of a difference, relative to its magnitude: two ends rounded once, (1 −
     /// t), a product and a sum, n = 4; and |d₁ − d₀| ≤ 2 max(|d₀|, |d₁|) times the distance of the
@@ -89,18 +87,17 @@ pub(super) struct NearRoot<'a, K: Kind> {
     slack: f64,
 }
 
-impl<'a, K: Kind> NearRoot<'a, K> {
-    pub(super) fn new(query: &'a Query<K>, root: &Root) -> Self {
+impl<'a> NearRoot<'a> {
+    pub(super) fn new(points: &'a Points<f64>, root: &Root) -> Self {
         Self {
-            query,
+            points,
             near: root.near,
             slack: margin(4) * UNIT + 4.0 * root.radius(),
         }
     }
 
     pub(super) fn vector(&self, (i, j): Difference) -> VectorEstimate {
-        let four = self.query.four();
-        let [start, end] = &*four;
+        let [start, end] = self.points;
         let mut vector = VectorEstimate {
             value: [0.0; 3],
             magnitude: [0.0; 3],

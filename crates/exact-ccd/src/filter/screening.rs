@@ -2,27 +2,24 @@
 //! by side.
 
 use super::coplanarity::Coplanarity;
-use super::cubic::Cubic;
 use super::decision::Decision;
 use super::gap::{Gap, Touching, Within};
 use super::hull::Hull;
 use super::near_plane::decide_near_plane;
-use super::nearness;
-use super::number::{Lanes, Points};
-use crate::distance::Separation;
-use crate::kind::Kind;
-use crate::options::{CONTACT, Options};
-use crate::query::Query;
-use crate::stage::Stage;
+use super::within;
+use crate::numbers::cubic::Cubic;
+use crate::numbers::number::Lanes;
+use crate::tables::{Points, Tables};
+use crate::values::{CONTACT, Options, Separation, Stage};
 
 /// Decides whether primitives touch, as far as the filters can.
 #[inline(always)]
-pub(crate) fn decide<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
+pub(crate) fn decide<K: Tables>(points: &Points<f64>, options: &Options) -> Decision {
     if !options.separation.is_zero() {
-        return decide_within(query, options);
+        return decide_within::<K>(points, options);
     }
-    match screen(query, &Hull::new::<K>(&query.four()), Touching) {
-        Ok(Some(cubic)) => decide_near_plane(query, &cubic, options.until),
+    match screen::<K, _>(points, &Hull::new::<K>(points), Touching) {
+        Ok(Some(cubic)) => decide_near_plane::<K>(points, &cubic, options.until),
         Ok(None) => Decision::Unknown,
         Err(stage) => Decision::Free(stage),
     }
@@ -30,10 +27,10 @@ pub(crate) fn decide<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
 
 /// The same for a separation above 0; apart, so that contact stays fast.
 #[inline(never)]
-fn decide_within<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
-    let hull = Hull::new::<K>(&query.four());
-    match screen(query, &hull, Within(options.separation.get())) {
-        Ok(_) => nearness::decide(query, &hull, options),
+fn decide_within<K: Tables>(points: &Points<f64>, options: &Options) -> Decision {
+    let hull = Hull::new::<K>(points);
+    match screen::<K, _>(points, &hull, Within(options.separation.get())) {
+        Ok(_) => within::decide::<K>(points, &hull, options),
         Err(stage) => Decision::Free(stage),
     }
 }
@@ -41,19 +38,19 @@ fn decide_within<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
 /// Decides a query of a batch whose primitives are known to be beyond d before the first of two times. A
 /// collision after the second time, which is above 0, may be left out. If some vertices of the batch have the
 /// thickness 0, d can be 0: then the stages of contact decide.
-pub(crate) fn decide_between<K: Kind>(query: &Query<K>, d: Separation, times: [f64; 2]) -> Decision {
+pub(crate) fn decide_between<K: Tables>(points: &Points<f64>, d: Separation, times: [f64; 2]) -> Decision {
     if d.is_zero() {
-        return decide(query, &CONTACT);
+        return decide::<K>(points, &CONTACT);
     }
-    nearness::decide_after(query, &Hull::new::<K>(&query.four()), d, times)
+    within::decide_after::<K>(points, &Hull::new::<K>(points), d, times)
 }
 
 /// Passes a query through the stages that contact and a separation above 0 have in common: the stage that
 /// proves that the primitives do not touch, otherwise the coplanarity cubic, or none if coordinates are out
 /// of the range of the filters.
 #[inline(always)]
-fn screen<K: Kind, G: Gap<f64>>(
-    query: &Query<K>,
+fn screen<K: Tables, G: Gap<f64>>(
+    points: &Points<f64>,
     hull: &Hull<f64>,
     gap: G,
 ) -> Result<Option<Cubic<f64>>, Stage> {
@@ -66,7 +63,7 @@ fn screen<K: Kind, G: Gap<f64>>(
     if hull.is_out_of_range(gap) {
         return Ok(None);
     }
-    let coplanarity = Coplanarity::new::<K>(&query.four());
+    let coplanarity = Coplanarity::new::<K>(points);
     let [start, end] = coplanarity.normals;
     if hull.is_beyond(start, gap) || hull.is_beyond(end, gap) {
         return Err(Stage::Normals);
@@ -92,7 +89,7 @@ pub(crate) struct Screened<T: Lanes> {
 
 /// Passes queries side by side through the stages `Normals` and `Coplanarity`.
 #[inline(always)]
-pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>, gap: impl Gap<T>) -> Screened<T> {
+pub(crate) fn screen_planes<K: Tables, T: Lanes>(points: &Points<T>, gap: impl Gap<T>) -> Screened<T> {
     let hull = Hull::new::<K>(points);
     let coplanarity = Coplanarity::new::<K>(points);
     let [start, end] = coplanarity.normals;

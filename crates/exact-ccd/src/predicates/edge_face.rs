@@ -3,10 +3,9 @@
 use core::cmp::Ordering::{self, Equal};
 
 use super::orient3d::sign_of_volume;
-use crate::kind::{EdgeEdge, VertexFace};
-use crate::options::CONTACT;
-use crate::point::Point;
 use crate::query::{NonFinite, Query};
+use crate::tables::{EdgeEdge, Point, VertexFace};
+use crate::values::CONTACT;
 
 /// An edge a b and a face v₁ v₂ v₃, at rest. Both are closed: their ends and sides belong to them.
 ///

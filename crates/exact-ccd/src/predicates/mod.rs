@@ -5,5 +5,3 @@ mod orient3d;
 
 pub use edge_face::EdgeFace;
 pub use orient3d::orient3d;
-#[cfg(test)]
-pub(crate) use orient3d::{determinant, error_of_determinant};

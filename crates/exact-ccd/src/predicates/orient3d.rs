@@ -6,9 +6,10 @@ use dashu_int::IBig;
 
 use crate::environment;
 use crate::exact::to_integers;
-use crate::filter::{Lanes, UNIT, certain_sign, cross, cross_magnitude, dot, margin};
-use crate::point::Point;
+use crate::numbers::determinant::{determinant, error_of_determinant};
+use crate::numbers::roundoff::certain_sign;
 use crate::query::NonFinite;
+use crate::tables::Point;
 
 /// The side of the plane through a, b and c on which d lies, exactly.
 ///
@@ -77,30 +78,6 @@ fn sign_in_integers(points: &[Point; 4]) -> Ordering {
     let minor = |i: usize, j: usize| &y[i] * &z[j] - &y[j] * &z[i];
     let determinant = &x[0] * minor(1, 2) + &x[1] * minor(2, 0) + &x[2] * minor(0, 1);
     determinant.cmp(&IBig::ZERO)
-}
-
-/// a · (b × c).
-#[inline(always)]
-pub(crate) fn determinant<T: Lanes>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
-    dot(a, cross(b, c))
-}
-
-/// The error of the determinant of differences.
-///
-/// The differences are rounded once, and the operations on them make it n = 8 roundings. The underflow in a
-/// product is at most 2⁻¹⁰⁷⁵, which only a component of a can enlarge; differences do not underflow.
-#[inline(always)]
-pub(crate) fn error_of_determinant<T: Lanes>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
-    const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
-    let enlarged = a[0].abs() + a[1].abs() + a[2].abs() + 1.0;
-    permanent(a, b, c) * (margin(8) * UNIT) + enlarged * TINY
-}
-
-/// The determinant of magnitudes, with sums in place of differences.
-#[inline(always)]
-pub(crate) fn permanent<T: Lanes>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
-    let magnitudes = |[x, y, z]: [T; 3]| [x.abs(), y.abs(), z.abs()];
-    dot(magnitudes(a), cross_magnitude(magnitudes(b), magnitudes(c)))
 }
 
 /// Returns true if Shewchuk's predicate neither underflows nor overflows on four points of such

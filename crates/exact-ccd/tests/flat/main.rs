@@ -7,7 +7,7 @@ mod scenes;
 
 use std::collections::BTreeSet;
 
-use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Impact, Kind, Point, Query, Stage, VertexFace, exact};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Impact, Kind, Point, Query, Stage, VertexFace};
 
 use random::{Random, families};
 use scenes::{Scene, scenes};
@@ -26,10 +26,10 @@ fn is_near(a: &Impact, b: &Impact) -> bool {
 /// Compares all answers to a query with those of the exact path, and returns the stage that decided.
 fn checked_stage<K: Kind>(query: &Query<K>) -> Stage {
     let (collision, stage) = query.decide(CONTACT);
-    let intervals = exact::intervals(query, CONTACT);
+    let intervals = query.exactly().intervals(CONTACT);
     assert_eq!(
         collision.is_some(),
-        exact::collides(query, CONTACT),
+        query.exactly().collides(CONTACT),
         "{stage:?} {query:?}"
     );
     assert_eq!(query.intervals(CONTACT), intervals, "{stage:?} {query:?}");
@@ -41,10 +41,10 @@ fn checked_stage<K: Kind>(query: &Query<K>) -> Stage {
         let options = CONTACT.until(until);
         assert_eq!(
             query.intervals(options),
-            exact::intervals(query, options),
+            query.exactly().intervals(options),
             "{until} {query:?}"
         );
-        match (query.impact(options), exact::impact(query, options)) {
+        match (query.impact(options), query.exactly().impact(options)) {
             (None, None) => {}
             (Some(a), Some(b)) if is_near(&a, &b) => {}
             (a, b) => panic!("{a:?}, exactly {b:?}: {until} {query:?}"),

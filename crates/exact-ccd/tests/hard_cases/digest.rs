@@ -1,6 +1,6 @@
 //! Answers in one number, down to the last bit.
 
-use exact_ccd::{ContactTime, Impact, Intervals, Kind, Query, Separation, exact};
+use exact_ccd::{ContactTime, Impact, Intervals, Kind, Query, Separation};
 
 /// A hash after Fowler, Noll and Vo.
 pub(crate) struct Digest(pub(crate) u64);
@@ -47,8 +47,8 @@ impl Digest {
 
     /// The verdict, contact times and impact of the exact path.
     pub(crate) fn add_exact_answers<K: Kind>(&mut self, query: &Query<K>, d: Separation) {
-        self.add(exact::collides(query, d).into());
-        self.add_times(&exact::intervals(query, d));
-        self.add_impact(exact::impact(query, d));
+        self.add(query.exactly().collides(d).into());
+        self.add_times(&query.exactly().intervals(d));
+        self.add_impact(query.exactly().impact(d));
     }
 }

@@ -3,7 +3,6 @@
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{
     ContactTime, EdgeEdge, Interval, Kind, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex,
-    exact,
 };
 
 use crate::definition::{self, Moment, Primitives};
@@ -57,7 +56,7 @@ pub(crate) fn assert_defined<K: Defined>(query: &Query<K>, d: Separation) -> boo
     let [start, end] = points(query);
     let truth = definition::intervals(K::PRIMITIVES, [&start, &end], d.get());
     let first = truth.first().map(|(ends, _)| ends[0]);
-    for intervals in [query.intervals(d), exact::intervals(query, d)] {
+    for intervals in [query.intervals(d), query.exactly().intervals(d)] {
         let found: Vec<_> = intervals
             .into_iter()
             .map(
@@ -71,9 +70,9 @@ pub(crate) fn assert_defined<K: Defined>(query: &Query<K>, d: Separation) -> boo
         assert_eq!(found, truth, "{d:?}: {query:?}");
     }
     let lower = first.map(|(lower, _)| lower);
-    let times = [query.time_of_impact(d), exact::time_of_impact(query, d)];
+    let times = [query.time_of_impact(d), query.exactly().time_of_impact(d)];
     assert_eq!(times, [lower; 2], "{d:?}: {query:?}");
-    let decisions = [query.collides(d), exact::collides(query, d)];
+    let decisions = [query.collides(d), query.exactly().collides(d)];
     assert_eq!(decisions, [first.is_some(); 2], "{d:?}: {query:?}");
     assert_eq!(first_of_batch(query, d), first, "{d:?}: {query:?}");
     first.is_some()

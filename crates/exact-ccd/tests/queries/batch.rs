@@ -7,7 +7,7 @@ use exact_ccd::batch::{
 };
 use exact_ccd::{
     Axis, CONTACT, Collision, EdgeEdge, Impact, Intervals, Kind, NonFinite, Point, Query, Separation,
-    Separations, Thickness, VertexEdge, VertexFace, VertexVertex, environment, exact,
+    Separations, Thickness, VertexEdge, VertexFace, VertexVertex, environment,
 };
 use proptest::array::{uniform2, uniform4};
 use proptest::collection::vec;
@@ -216,8 +216,8 @@ fn small_integers_answer_as_integers_do<K: Primitives>() {
             .zip(&vertices)
             .filter_map(|(index, &vertices)| {
                 let query = trajectories.query::<K>(vertices).unwrap();
-                let time = exact::impact(&query, CONTACT)?.time;
-                Some((index, exact::intervals(&query, CONTACT), time))
+                let time = query.exactly().impact(CONTACT)?.time;
+                Some((index, query.exactly().intervals(CONTACT), time))
             })
             .collect();
         assert_eq!(found, expected);

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use exact_ccd::{Collision, ContactTime, Interval, Intervals, Kind, Query, Separation, exact};
+use exact_ccd::{Collision, ContactTime, Interval, Intervals, Kind, Query, Separation};
 
 /// All times at which the primitives touch. They are checked to be ordered intervals of the step, the same
 /// as those of the exact path bit for bit, and consistent with the other answers, which are computed apart
@@ -10,13 +10,13 @@ use exact_ccd::{Collision, ContactTime, Interval, Intervals, Kind, Query, Separa
 pub(crate) fn checked<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
     // Times are equal if their bits are.
     let intervals = query.intervals(d);
-    assert_eq!(intervals, exact::intervals(query, d), "{d:?}: {query:?}");
+    assert_eq!(intervals, query.exactly().intervals(d), "{d:?}: {query:?}");
     assert_sound(&intervals);
 
     let first = intervals.first_time();
-    let decisions = [query.collides(d), exact::collides(query, d)];
+    let decisions = [query.collides(d), query.exactly().collides(d)];
     assert_eq!(decisions, [first.is_some(); 2], "{d:?}: {query:?}");
-    let times = [query.time_of_impact(d), exact::time_of_impact(query, d)];
+    let times = [query.time_of_impact(d), query.exactly().time_of_impact(d)];
     assert_eq!(times, [first.map(ContactTime::lower); 2], "{d:?}: {query:?}");
     let collision = query.collision(d);
     let time = collision.as_ref().map(Collision::time);

@@ -1,7 +1,7 @@
 //! Primitives that first touch after the last time that counts do not collide.
 
 use exact_ccd::batch;
-use exact_ccd::{Collision, ContactTime, Intervals, Kind, Options, Query, Separation, exact};
+use exact_ccd::{Collision, ContactTime, Intervals, Kind, Options, Query, Separation};
 use proptest::prelude::*;
 
 use crate::batch::{trajectories, values, vertices};
@@ -60,18 +60,20 @@ fn counts_until<K: Kind>(query: &Query<K>, d: Separation, whole: &Intervals, unt
         let is_before = first.lower() < until;
         assert_eq!(collision.is_before(until), is_before, "{}", context());
     }
-    let decisions = [query.collides(options), exact::collides(query, options)];
+    let decisions = [query.collides(options), query.exactly().collides(options)];
     assert_eq!(decisions, [counts; 2], "{}", context());
     let times = [
         query.time_of_impact(options),
-        exact::time_of_impact(query, options),
+        query.exactly().time_of_impact(options),
     ];
     assert_eq!(times, [first.map(ContactTime::lower); 2], "{}", context());
     assert_eq!(query.intervals(options), intervals, "{}", context());
-    assert_eq!(exact::intervals(query, options), intervals, "{}", context());
-    let impacts = [query.impact(options), exact::impact(query, options)];
+    assert_eq!(query.exactly().intervals(options), intervals, "{}", context());
+    let impacts = [query.impact(options), query.exactly().impact(options)];
     let times = impacts.map(|impact| impact.map(|impact| impact.time));
     assert_eq!(times, [first; 2], "{}", context());
+    let of_whole = query.impact(d).filter(|_| counts);
+    assert_eq!(impacts[0], of_whole, "{}", context());
 }
 
 fn single<K: Kind>(count: u32, points: impl Strategy<Value = Points>, rule: impl Strategy<Value = Rule>) {

@@ -13,7 +13,7 @@ mod hard_cases;
 #[allow(dead_code, reason = "the test target `queries` needs more of it")]
 mod primitives;
 
-use exact_ccd::{CONTACT, EdgeEdge, Point, Query, Separation, Stage, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Point, Query, Separation, Stage, VertexFace};
 
 use check::{Defined, assert_defined};
 use hard_cases::digest::Digest;
@@ -49,7 +49,7 @@ fn answers_to_two_edges_are_those_of_the_definition() {
 fn some_collide<K: Hard>() {
     for (name, family) in families::<K>() {
         let mut queries = queries::<K>(family, COUNT);
-        assert!(queries.any(|query| exact::collides(&query, CONTACT)), "{name}");
+        assert!(queries.any(|query| query.exactly().collides(CONTACT)), "{name}");
     }
 }
 
@@ -130,12 +130,12 @@ fn filters_agree<K: Hard>() {
         for query in queries::<K>(family, COUNT) {
             assert_eq!(
                 query.collides(CONTACT),
-                exact::collides(&query, CONTACT),
+                query.exactly().collides(CONTACT),
                 "{query:?}"
             );
             assert_eq!(
                 query.intervals(CONTACT),
-                exact::intervals(&query, CONTACT),
+                query.exactly().intervals(CONTACT),
                 "{query:?}"
             );
         }
@@ -153,15 +153,19 @@ fn coincidence<K: Hard>(family: Family) {
     let mut settled = 0;
     for query in queries::<K>(family, 1000) {
         let (collision, stage) = query.decide(CONTACT);
-        assert_eq!(collision.is_some(), exact::collides(&query, CONTACT), "{query:?}");
+        assert_eq!(
+            collision.is_some(),
+            query.exactly().collides(CONTACT),
+            "{query:?}"
+        );
         assert_ne!(stage, Stage::Exact, "{query:?}");
         settled += usize::from(stage == Stage::Coincident);
         assert_eq!(
             query.intervals(CONTACT),
-            exact::intervals(&query, CONTACT),
+            query.exactly().intervals(CONTACT),
             "{query:?}"
         );
-        let [impact, exactly] = [query.impact(CONTACT), exact::impact(&query, CONTACT)];
+        let [impact, exactly] = [query.impact(CONTACT), query.exactly().impact(CONTACT)];
         assert_eq!(impact.map(|x| x.time), exactly.map(|x| x.time), "{query:?}");
         if stage == Stage::Coincident {
             assert_eq!(impact, exactly, "{query:?}");
@@ -186,6 +190,6 @@ fn one_place_at_the_end_of_the_range() {
         let query = Query::<VertexFace>::new(points, points).unwrap();
         assert_eq!(query.decide(CONTACT).1, Stage::Coincident);
         assert!(query.collides(CONTACT));
-        assert_eq!(query.impact(CONTACT), exact::impact(&query, CONTACT));
+        assert_eq!(query.impact(CONTACT), query.exactly().impact(CONTACT));
     }
 }

@@ -1,5 +1,5 @@
-// The members of ipc::CollisionMesh and ipc::CollisionFilter (IPC Toolkit 1.6, or with IPC_BEFORE_1_6 those of 1.4
-// and 1.5) that exact_ccd/ipc_collision_mesh.hpp uses, with their types, without the toolkit.
+// The members of ipc::CollisionMesh and ipc::CollisionFilter that exact_ccd/ipc_collision_mesh.hpp uses,
+// with their types, without the toolkit: version 1.6, or with IPC_BEFORE_1_6 versions 1.4 and 1.5.
 
 #pragma once
 

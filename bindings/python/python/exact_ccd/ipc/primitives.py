@@ -140,4 +140,8 @@ def ends(mesh: SurfaceMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike) -> t
 def rule_of(mesh: SurfaceMesh) -> Optional[Callable[[int, int], object]]:
     """The rule for two vertices; None if all can collide."""
     rule: Optional[Callable[[int, int], object]] = getattr(mesh, "can_collide", None)
+    if rule is not None and not callable(rule):
+        raise TypeError(
+            "can_collide of the mesh is not callable: give a matrix of groups to exact_ccd.Mesh, which these functions take"
+        )
     return rule

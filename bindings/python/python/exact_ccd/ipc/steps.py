@@ -208,7 +208,7 @@ def _detector(mesh: AnyMesh, min_distance: float) -> Iterator[Detector]:
 def _is_kept(mesh: AnyMesh) -> bool:
     """Return True if a detector of the mesh can be kept: its primitives never change, and it is not kept alive."""
     if isinstance(mesh, Mesh):
-        return mesh.can_collide is None
+        return not callable(mesh.can_collide)
     kinds = type(mesh).__mro__
     return isinstance(mesh, CollisionMesh) or any(kind.__module__.split(".")[0] == "ipctk" for kind in kinds)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Sequence
 from os import PathLike, fspath
 from typing import Any, NamedTuple, Optional, Union
 
@@ -12,9 +12,12 @@ import ray
 from numpy.typing import ArrayLike, NDArray
 
 from .._arrays import as_array, distances
-from ..audits import AuditReport, examine, in_files, parts_of, write_certificate
+from ..audits import in_files, parts_of, write_certificate
 from ..frames import ArrayFrames, FileFrames, FilePath, Frames, Rules, ordered
+from ..groups import CanCollide
 from ..half_spaces import HalfSpaces
+from ..violations import AuditReport, examine
+from ..welding import PerVertex, Weld, per_vertex, remaining
 from ..detectors import Detector, Progress
 from .chunks import Chunk, Finished, Results, absolute, chunks, digest, file_system
 
@@ -25,7 +28,9 @@ def audit(
     *,
     edges: Optional[ArrayLike] = None,
     groups: Optional[ArrayLike] = None,
-    can_collide: Optional[Callable[[int, int], object]] = None,
+    can_collide: Optional[CanCollide] = None,
+    names: Optional[Sequence[str]] = None,
+    weld: Weld = None,
     half_spaces: Optional[ArrayLike] = None,
     min_distance: Union[float, ArrayLike] = 0.0,
     filesystem: Optional[pyarrow.fs.FileSystem] = None,
@@ -45,7 +50,7 @@ def audit(
 
     Parameters
     ----------
-    frames, faces, edges, groups, can_collide, half_spaces, min_distance
+    frames, faces, edges, groups, can_collide, names, weld, half_spaces, min_distance
         As of :func:`exact_ccd.audit`. Files must be at the same place on all machines. An array is sent in
         chunks.
     filesystem : pyarrow.fs.FileSystem, optional
@@ -57,8 +62,8 @@ def audit(
         The largest number of chunks in work at once; by default twice the number of cores of the cluster.
     results : path, optional
         A folder for the results of finished chunks. The same audit, started again with the same folder, does
-        not repeat them. Files count as the same by name, size and time of change. Not with `can_collide`,
-        as two functions cannot be compared: `groups` can.
+        not repeat them. Files count as the same by name, size and time of change. Not with a function
+        `can_collide`, as two functions cannot be compared: a matrix of groups can.
     progress : callable, optional
         Called with the number of steps done since its last call, as ``tqdm.update``.
     retries : int
@@ -72,30 +77,33 @@ def audit(
     ValueError
         As of :func:`exact_ccd.audit`.
     """
-    source, identity = _open(frames, faces, edges, filesystem)
+    source, identity = _open(frames, faces, edges, filesystem, weld, per_vertex(groups, min_distance))
     if len(source) == 0:
         raise ValueError("there are no frames")
     if steps < 1 or window is not None and window < 1:
         raise ValueError("steps and window must be 1 or more")
-    if results is not None and can_collide is not None:
-        raise ValueError("results are not kept for a function can_collide: give groups, or no results")
-    parts_of(certificate, min_distance, half_spaces, groups, can_collide)
-    settings = Settings(distances(min_distance, None), Rules(groups, can_collide), half_spaces)
+    if results is not None and callable(can_collide):
+        raise ValueError("results are not kept for a function can_collide: give a matrix of groups, or no results")
+    parts_of(certificate, min_distance, half_spaces, groups, can_collide, weld or None)
+    distance = remaining(distances(min_distance, None), source.kept)
+    settings = Settings(distance, Rules(groups, can_collide, names), half_spaces)
     # Errors of the mesh and of the settings are those of the caller.
     settings.detector(source, threads=None)
     settings.planes()
     kept: Optional[Results] = None
     if results is not None:
         place, folder = file_system(results, filesystem)
-        given = (settings.distance, *(None if value is None else np.asarray(value) for value in (groups, half_spaces)))
-        kept = Results(folder, digest(*given, *identity), place)
+        arrays = (groups, can_collide, half_spaces)
+        given = (settings.distance, *(None if value is None else np.asarray(value) for value in arrays))
+        named = None if names is None else list(names)
+        kept = Results(folder, digest(*given, named, weld, *identity), place)
     if not ray.is_initialized():
         ray.init()
     work = _Work(source, settings, kept, progress, retries, certificate is not None)
     report, parts = work.run(window or 2 * max(1, int(ray.cluster_resources().get("CPU", 1))), steps)
     if certificate is not None:
         write_certificate(certificate, parts)
-    return report
+    return report._replace(vertices=source.kept)
 
 
 class Settings(NamedTuple):
@@ -214,16 +222,18 @@ def _open(
     faces: Optional[ArrayLike],
     edges: Optional[ArrayLike],
     filesystem: Optional[pyarrow.fs.FileSystem],
+    weld: Weld,
+    apart: PerVertex,
 ) -> tuple[Frames, list[Any]]:
     """The frames, and all that distinguishes them from others."""
     listed = list(frames) if isinstance(frames, (list, tuple)) else [frames]
     is_path = all(isinstance(frame, (str, PathLike)) for frame in listed) and len(listed) > 0
     if is_path and (filesystem is not None or "://" in fspath(listed[0])):
-        return _on(filesystem, [fspath(path) for path in listed], faces, edges)
+        return _on(filesystem, [fspath(path) for path in listed], faces, edges, weld, apart)
     if is_path:
         paths = [absolute(path) for path in listed]
         frames = paths if isinstance(frames, (list, tuple)) else paths[0]
-    files = in_files(frames, faces, edges)
+    files = in_files(frames, faces, edges, weld, apart)
     if files is not None:
         return files, files.identity()
     if faces is None:
@@ -231,7 +241,7 @@ def _open(
     array = as_array("frames", frames)
     if array.dtype == object:
         raise TypeError("expected an array of shape (T, V, 3), or files; other iterables are for exact_ccd.audit")
-    return ArrayFrames(array, faces, edges), [array, np.asarray(faces), None if edges is None else np.asarray(edges)]
+    return ArrayFrames.of(array, faces, edges, weld, apart), [array, np.asarray(faces), None if edges is None else np.asarray(edges)]
 
 
 def _on(
@@ -239,6 +249,8 @@ def _on(
     paths: list[str],
     faces: Optional[ArrayLike],
     edges: Optional[ArrayLike],
+    weld: Weld,
+    apart: PerVertex,
 ) -> tuple[Frames, list[Any]]:
     """The frames in files or folders on a file system of pyarrow."""
     if faces is not None or edges is not None:
@@ -254,4 +266,4 @@ def _on(
         else:
             files.append(inside)
     found = place.get_file_info([fspath(file) for file in files]) if place is not None else []
-    return FileFrames(files, place), [(info.path, info.size, info.mtime_ns) for info in found]
+    return FileFrames(files, place, weld, apart), [(info.path, info.size, info.mtime_ns) for info in found]

@@ -14,8 +14,9 @@ import numpy as np
 import pyarrow.fs
 
 from .._native import __version__
-from ..audits import AuditReport, Violation
 from ..contacts import Contact
+from ..groups import Place
+from ..violations import AuditReport, Violation
 
 
 class Chunk(NamedTuple):
@@ -120,11 +121,18 @@ def from_json(text: Union[str, bytes]) -> AuditReport:
     if found["contact"] is not None:
         fields = {**found["contact"]}
         fields["normal"] = fields["normal"] or [np.nan] * 3
+        fields["places"] = _places(fields.get("places", (None, None)))
         types = {"vertices": np.int64, "normal": np.float64, "points": np.float64, "distance": np.float64}
         contact = Contact(**{**fields, **{name: np.array(fields[name], type) for name, type in types.items()}})
     pairs = (found.get(name) for name in ("intersection", "half_space"))
     intersection, half_space = (None if pair is None else (pair[0], pair[1]) for pair in pairs)
-    return AuditReport(value["frames"], Violation(found["frame"], contact, intersection, half_space))
+    places = _places(found.get("places", ()))
+    return AuditReport(value["frames"], Violation(found["frame"], contact, intersection, half_space, places))
+
+
+def _places(values: Any) -> Any:
+    """The places of primitives; reports of earlier versions have none."""
+    return tuple(None if value is None else Place(*value) for value in values)
 
 
 def absolute(path: Union[str, PathLike[str]]) -> str:

@@ -8,7 +8,7 @@ pub const ENVIRONMENTS: [u32; 8] = [0, 0x2000, 0x4000, 0x6000, 0x8040, 0xa040, 0
 pub fn set(environment: u32) {
     use std::arch::asm;
 
-    // The bits that flush subnormal numbers (FTZ, DAZ), and those of the rounding: down, up, towards zero.
+    // The bits that flush subnormal numbers (FTZ, DAZ), and the bits that round down, up, towards zero.
     const FLUSH: u32 = 0x8040;
     const ROUNDING: u32 = 0x6000;
 

@@ -102,7 +102,7 @@ fn check(of_threads: usize) -> ExitCode {
     ExitCode::from(u8::from(wrong > 0))
 }
 
-/// The sides of points near planes: those of a boundary through subnormal numbers, and random ones.
+/// The sides of points near planes: points at a boundary through subnormal numbers, and random ones.
 fn sides() -> Vec<bool> {
     let m = f64::MIN_POSITIVE;
     let [a, b, c] = [5.75, 3.0625, 3.0625].map(|x| black_box(x) * m);

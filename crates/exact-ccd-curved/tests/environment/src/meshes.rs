@@ -63,8 +63,8 @@ impl Scene {
         ]
     }
 
-    /// The contacts of the step, all and the earliest; those of the other broad phase; and those among the
-    /// candidates of both kinds of boxes.
+    /// The contacts of the step in five ways: all; the earliest; all with the other broad phase; and among
+    /// the candidates of both kinds of boxes.
     pub fn contacts(&self) -> [Contacts; 5] {
         let [x0, x1] = &self.ends;
         let key = |contact: &exact_ccd_mesh::Contact| {

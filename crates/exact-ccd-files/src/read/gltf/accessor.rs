@@ -1,17 +1,34 @@
-//! Positions and indices in the buffers of a file.
-
-use exact_ccd_mesh::Point;
+//! Vectors and indices in the buffers of a file.
 
 use super::super::budget::Budget;
+use super::super::scalar::{ByteOrder, Scalar};
 use super::buffers::Buffers;
 use super::document::{Accessor, Document, at};
 use crate::error::Fault;
 
-/// The numbers of the types of components.
-const U8: u32 = 5121;
-const U16: u32 = 5123;
-const U32: u32 = 5125;
-const F32: u32 = 5126;
+/// The type of components with this number.
+fn scalar(component_type: u32) -> Option<Scalar> {
+    Some(match component_type {
+        5120 => Scalar::I8,
+        5121 => Scalar::U8,
+        5122 => Scalar::I16,
+        5123 => Scalar::U16,
+        5125 => Scalar::U32,
+        5126 => Scalar::F32,
+        _ => return None,
+    })
+}
+
+/// The number that stands for 1 in normalised data.
+fn greatest(scalar: Scalar) -> f64 {
+    match scalar {
+        Scalar::I8 => 127.0,
+        Scalar::U8 => 255.0,
+        Scalar::I16 => 32767.0,
+        Scalar::U16 => 65535.0,
+        _ => 1.0,
+    }
+}
 
 /// The accessors of a file, and the data that they name.
 pub(super) struct Accessors<'a> {
@@ -26,30 +43,57 @@ impl Accessors<'_> {
         Ok(at(&self.document.accessors, index, "accessor")?.count)
     }
 
-    /// The elements of an accessor as positions, exactly.
-    pub(super) fn positions(&self, index: u32) -> Result<Vec<Point>, Fault> {
+    /// The elements of an accessor as vectors of this type, `VEC3` or `VEC4`; `expected` describes one.
+    ///
+    /// Floats and integers are exact. Of integers that are normalised, c stands for c / m with the greatest
+    /// number m of the type, and not below −1, rounded to nearest.
+    pub(super) fn vectors<const N: usize>(
+        &self,
+        index: u32,
+        shape: &str,
+        expected: &str,
+    ) -> Result<Vec<[f64; N]>, Fault> {
         let accessor = at(&self.document.accessors, index, "accessor")?;
-        if (accessor.component_type, &*accessor.shape) != (F32, "VEC3") {
-            return Err(wrong(index, "three floats for each position"));
-        }
-        self.budget.take(accessor.count.saturating_mul(24))?;
-        let number = |at: &[u8], k: usize| {
-            let bytes = std::array::from_fn(|byte| at[4 * k + byte]);
-            f64::from(f32::from_le_bytes(bytes))
+        let scalar = scalar(accessor.component_type).filter(|_| accessor.shape == shape);
+        let scalar = scalar.ok_or_else(|| wrong(index, expected))?;
+        let size = scalar.size();
+        self.budget.take(accessor.count.saturating_mul(8 * N as u64))?;
+        let greatest = if accessor.normalized {
+            greatest(scalar)
+        } else {
+            1.0
         };
-        let elements = self.elements(accessor, index, 12)?;
+        let number = |at: &[u8], k: usize| {
+            let real = scalar.real(&at[k * size..][..size], ByteOrder::LittleEndian);
+            if greatest == 1.0 {
+                real
+            } else {
+                (real / greatest).max(-1.0)
+            }
+        };
+        let elements = self.elements(accessor, index, N * size)?;
         Ok(elements
-            .map(|at| [number(at, 0), number(at, 1), number(at, 2)])
+            .map(|at| std::array::from_fn(|k| number(at, k)))
             .collect())
+    }
+
+    /// The elements of an accessor as times, which increase.
+    pub(super) fn times(&self, index: u32) -> Result<Vec<f64>, Fault> {
+        const TIMES: &str = "floats that increase, the times of keys,";
+        let times: Vec<[f64; 1]> = self.vectors(index, "SCALAR", TIMES)?;
+        let times: Vec<f64> = times.into_iter().flatten().collect();
+        let is_finite = times.iter().all(|time| time.is_finite());
+        match is_finite && times.is_sorted_by(|a, b| a < b) {
+            true => Ok(times),
+            false => Err(wrong(index, TIMES)),
+        }
     }
 
     /// The elements of an accessor as indices.
     pub(super) fn indices(&self, index: u32) -> Result<Vec<u64>, Fault> {
         let accessor = at(&self.document.accessors, index, "accessor")?;
-        let size = match (accessor.component_type, &*accessor.shape) {
-            (U8, "SCALAR") => 1,
-            (U16, "SCALAR") => 2,
-            (U32, "SCALAR") => 4,
+        let size = match (scalar(accessor.component_type), &*accessor.shape) {
+            (Some(scalar @ (Scalar::U8 | Scalar::U16 | Scalar::U32)), "SCALAR") => scalar.size(),
             _ => return Err(wrong(index, "unsigned integers as indices")),
         };
         self.budget.take(accessor.count.saturating_mul(8))?;
@@ -69,7 +113,7 @@ impl Accessors<'_> {
         size: usize,
     ) -> Result<impl Iterator<Item = &[u8]>, Fault> {
         if accessor.sparse.is_some() {
-            return Err(wrong(index, "no sparse data"));
+            return Err(wrong(index, "no sparse data (export it again without)"));
         }
         let view = accessor
             .buffer_view

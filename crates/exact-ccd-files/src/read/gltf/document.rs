@@ -4,17 +4,22 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::super::budget::Budget;
+use super::extensions;
 use crate::error::{Fault, ParseError, Place, quoted};
 
 /// The memory of the shortest objects, such as a node `{},`, for each byte of the text.
 const BYTES_A_BYTE: usize = 24;
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Document {
     asset: Asset,
     #[serde(default)]
     extensions_required: Vec<String>,
+    #[serde(default)]
+    pub(super) extensions_used: Vec<String>,
+    #[serde(default)]
+    pub(super) animations: Vec<Animation>,
     scene: Option<u32>,
     #[serde(default)]
     pub(super) scenes: Vec<Scene>,
@@ -30,36 +35,92 @@ pub(super) struct Document {
     pub(super) buffers: Vec<Buffer>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 struct Asset {
     version: String,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Scene {
     #[serde(default)]
     pub(super) nodes: Vec<u32>,
 }
 
 /// A node. Its transform is that of `matrix`, or else of the three others.
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Node {
     #[serde(default)]
-    pub(super) children: Vec<u32>,
+    pub(super) children: Box<[u32]>,
     pub(super) mesh: Option<u32>,
     pub(super) skin: Option<IgnoredAny>,
     pub(super) matrix: Option<Box<[f64; 16]>>,
     pub(super) translation: Option<Box<[f64; 3]>>,
     pub(super) rotation: Option<Box<[f64; 4]>>,
     pub(super) scale: Option<Box<[f64; 3]>>,
+    pub(super) extensions: Option<Box<NodeExtensions>>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
+pub(super) struct NodeExtensions {
+    #[serde(rename = "EXT_mesh_gpu_instancing")]
+    pub(super) instancing: Option<Instancing>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Instancing {
+    pub(super) attributes: InstanceAttributes,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
+pub(super) struct InstanceAttributes {
+    pub(super) translation: Option<u32>,
+    pub(super) rotation: Option<u32>,
+    pub(super) scale: Option<u32>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Animation {
+    pub(super) channels: Vec<Channel>,
+    pub(super) samplers: Vec<Sampler>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Channel {
+    pub(super) sampler: u32,
+    pub(super) target: Target,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Target {
+    pub(super) node: Option<u32>,
+    pub(super) path: String,
+}
+
+/// Keys: the accessors of their times and of their values.
+#[derive(Debug, Deserialize)]
+pub(super) struct Sampler {
+    pub(super) input: u32,
+    pub(super) output: u32,
+    #[serde(default)]
+    pub(super) interpolation: Interpolation,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "UPPERCASE")]
+pub(super) enum Interpolation {
+    #[default]
+    Linear,
+    Step,
+    CubicSpline,
+}
+
+#[derive(Debug, Deserialize)]
 pub(super) struct Mesh {
     pub(super) primitives: Vec<Primitive>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Primitive {
     pub(super) attributes: Attributes,
     pub(super) indices: Option<u32>,
@@ -69,14 +130,14 @@ pub(super) struct Primitive {
     pub(super) targets: Vec<IgnoredAny>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Attributes {
     #[serde(rename = "POSITION")]
     pub(super) position: Option<u32>,
 }
 
 /// The elements of a primitive.
-#[derive(Clone, Copy, Default, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(try_from = "u32")]
 pub(super) enum Mode {
     Points,
@@ -89,7 +150,7 @@ pub(super) enum Mode {
     TriangleFan,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Accessor {
     pub(super) buffer_view: Option<u32>,
@@ -99,10 +160,13 @@ pub(super) struct Accessor {
     pub(super) count: u64,
     #[serde(rename = "type")]
     pub(super) shape: String,
+    /// Integers stand for the numbers from 0 or −1 to 1.
+    #[serde(default)]
+    pub(super) normalized: bool,
     pub(super) sparse: Option<IgnoredAny>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct BufferView {
     pub(super) buffer: u32,
@@ -112,7 +176,7 @@ pub(super) struct BufferView {
     pub(super) byte_stride: Option<u64>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Buffer {
     pub(super) byte_length: u64,
@@ -148,19 +212,24 @@ impl Document {
             let found = format!("{} at column {}", quoted(fault.as_bytes()), error.column());
             Fault::expected("glTF 2.0", found).at(Place::Line(error.line()))
         })?;
-        let fault = |expected: &str, found: &str| {
-            Err(Fault::expected(expected, quoted(found.as_bytes())).at(Place::File))
-        };
-        if !document.asset.version.starts_with("2.") {
-            return fault("glTF of version 2", &document.asset.version);
+        let version = &document.asset.version;
+        if !version.starts_with("2.") {
+            return Err(Fault::expected("glTF of version 2", quoted(version.as_bytes())).at(Place::File));
         }
-        match document.extensions_required.first() {
-            Some(extension) => fault(
-                "a glTF file without required extensions (export it without compression of meshes)",
-                extension,
-            ),
-            None => Ok(document),
+        extensions::check_required(&document.extensions_required).map_err(|fault| fault.at(Place::File))?;
+        Ok(document)
+    }
+
+    /// Returns true if a file has animations.
+    pub(super) fn has_animations(json: &[u8], budget: &Budget) -> bool {
+        #[derive(Deserialize)]
+        struct Animations {
+            #[serde(default)]
+            animations: Vec<IgnoredAny>,
         }
+        budget.step(json.len() as u64);
+        let document = serde_json::from_slice::<Animations>(json);
+        document.is_ok_and(|document| !document.animations.is_empty())
     }
 
     /// The default scene, or else the first one; no nodes in a file without scenes.

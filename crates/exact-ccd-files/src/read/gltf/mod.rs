@@ -1,4 +1,4 @@
-//! glTF 2.0, as JSON and binary: the meshes of the scene at rest.
+//! glTF 2.0, as JSON and binary: the meshes of the scene, at rest or moved by an animation of translations.
 //!
 //! Khronos Group, *glTF 2.0 Specification*.
 
@@ -6,6 +6,11 @@ mod accessor;
 mod buffers;
 mod container;
 mod document;
+mod extensions;
+mod instances;
+mod motion;
+mod primitive;
+mod scene;
 mod transform;
 
 use std::collections::HashMap;
@@ -13,46 +18,98 @@ use std::path::Path;
 
 use super::budget::Budget;
 use super::cells::Cells;
-use super::polygons::strip;
 use crate::error::{Fault, ParseError, Place};
+use crate::note::Fact;
 use accessor::Accessors;
 use buffers::Buffers;
-use document::{Document, Mode, Primitive, at};
+use document::{Document, Node, at};
+use motion::Motion;
+use primitive::{Part, check_count};
+pub(super) use scene::Scene;
+use scene::{Placed, Run};
 use transform::Transform;
 
 /// The work for a primitive besides its vertices, in steps. Many nodes may have the same mesh.
 const PRIMITIVE: u64 = 64;
 
-/// Reads the default scene, or else the first one. Its other files are in `folder`.
+/// Reads the default scene, or else the first one, at rest. Its other files are in `folder`.
 pub(super) fn read(bytes: &[u8], folder: Option<&Path>, budget: &Budget) -> Result<Cells, ParseError> {
+    let (scene, mut cells) = read_scene(bytes, folder, budget, false)?;
+    if scene.frame_count() > 1 {
+        let remedy = "the meshes are at rest; read the file as a sequence of frames";
+        cells.note(Fact::not_read("the animation", remedy).at(Place::File));
+    }
+    Ok(cells)
+}
+
+/// Reads the scene with its motion. The cells have the positions of the first frame.
+pub(super) fn read_moving(
+    bytes: &[u8],
+    folder: Option<&Path>,
+    budget: &Budget,
+) -> Result<(Scene, Cells), ParseError> {
+    read_scene(bytes, folder, budget, true)
+}
+
+/// Returns true if a file has animations.
+pub(super) fn has_animations(bytes: &[u8], budget: &Budget) -> Result<bool, ParseError> {
+    let (json, _) = container::split(bytes, budget)?;
+    Ok(Document::has_animations(json, budget))
+}
+
+fn read_scene(
+    bytes: &[u8],
+    folder: Option<&Path>,
+    budget: &Budget,
+    moves: bool,
+) -> Result<(Scene, Cells), ParseError> {
     let (json, blob) = container::split(bytes, budget)?;
     let document = Document::read(json, budget)?;
-    let cells = Buffers::read(&document, blob, folder, budget).and_then(|buffers| {
+    let read = || {
         let mut reader = Reader {
             accessors: Accessors {
                 document: &document,
-                buffers,
+                buffers: Buffers::read(&document, blob, folder, budget)?,
                 budget,
             },
             visited: vec![false; document.nodes.len()],
+            nodes: Vec::new(),
+            runs: Vec::new(),
             cells: Cells::default(),
         };
         reader.read_nodes()?;
-        Ok(reader.cells)
-    });
-    cells.map_err(|fault| fault.at(Place::File))
+        reader.note_unread();
+        let motion = reader.read_motion()?;
+        Ok((reader.nodes, reader.runs, reader.cells, motion))
+    };
+    let at_file = |fault: Fault| fault.at(Place::File);
+    let (nodes, runs, mut cells, motion) = read().map_err(at_file)?;
+    let mut scene = Scene {
+        document,
+        nodes,
+        runs,
+        points: std::mem::take(&mut cells.positions),
+        motion,
+    };
+    budget.hold::<Placed>(scene.nodes.len());
+    budget.hold::<Run>(scene.runs.len());
+    cells.positions = if moves {
+        motion::pose(&mut scene.document, &scene.motion);
+        scene.positions(0)
+    } else {
+        scene.rest()
+    }
+    .map_err(at_file)?;
+    Ok((scene, cells))
 }
 
 struct Reader<'a> {
     accessors: Accessors<'a>,
     visited: Vec<bool>,
+    /// The nodes of the scene, each after its parent.
+    nodes: Vec<Placed>,
+    runs: Vec<Run>,
     cells: Cells,
-}
-
-/// A primitive and its place in its mesh.
-struct Part<'a> {
-    number: usize,
-    primitive: &'a Primitive,
 }
 
 impl Reader<'_> {
@@ -60,7 +117,7 @@ impl Reader<'_> {
     fn read_nodes(&mut self) -> Result<(), Fault> {
         let document = self.accessors.document;
         let roots = document.scene()?.iter().rev();
-        let mut open: Vec<(u32, Transform)> = roots.map(|&node| (node, Transform::default())).collect();
+        let mut open: Vec<(u32, Option<u32>)> = roots.map(|&node| (node, None)).collect();
         while let Some((index, parent)) = open.pop() {
             let node = at(&document.nodes, index, "node")?;
             if std::mem::replace(&mut self.visited[index as usize], true) {
@@ -69,20 +126,80 @@ impl Reader<'_> {
                     format!("node {index} again"),
                 ));
             }
-            let transform = parent.then(&Transform::of(node, index)?);
+            // No more than the nodes, which 32 bits number.
+            let place = self.nodes.len() as u32;
+            self.nodes.push(Placed { node: index, parent });
+            Transform::of(node, index, None)?;
             if let Some(mesh) = node.mesh {
                 if node.skin.is_some() {
                     return Err(unsupported(mesh, "a skin"));
                 }
-                self.read_mesh(mesh, &transform)?;
+                self.read_instances(node, mesh, place)?;
             }
-            open.extend(node.children.iter().rev().map(|&child| (child, transform)));
+            open.extend(node.children.iter().rev().map(|&child| (child, Some(place))));
         }
         Ok(())
     }
 
-    /// Appends a mesh. Its primitives often share one list of positions.
-    fn read_mesh(&mut self, mesh: u32, transform: &Transform) -> Result<(), Fault> {
+    /// Appends the mesh of a node, once or for each of its instances.
+    fn read_instances(&mut self, node: &Node, mesh: u32, placed: u32) -> Result<(), Fault> {
+        let extensions = node.extensions.as_deref();
+        let instances = match extensions.and_then(|extensions| extensions.instancing.as_ref()) {
+            None => vec![None],
+            Some(instancing) => {
+                let instances = instances::read(&instancing.attributes, &self.accessors)?;
+                instances
+                    .into_iter()
+                    .map(|instance| Some(Box::new(instance)))
+                    .collect()
+            }
+        };
+        for instance in instances {
+            self.read_mesh(mesh)?;
+            let end = self.cells.positions.len();
+            self.runs.push(Run {
+                end,
+                placed,
+                instance,
+            });
+        }
+        Ok(())
+    }
+
+    /// Adds notes about meshes and extensions that are not read.
+    fn note_unread(&mut self) {
+        let document = self.accessors.document;
+        let nodes = document.nodes.iter().zip(&self.visited);
+        let left_out = nodes
+            .filter(|(node, visited)| node.mesh.is_some() && !**visited)
+            .count();
+        if left_out > 0 {
+            let part = format!("meshes of nodes that are not in the default scene: {left_out}");
+            let remedy = "export them in one scene, or remove them";
+            self.cells.note(Fact::not_read(part, remedy).at(Place::File));
+        }
+        extensions::notes(&document.extensions_used).for_each(|note| self.cells.note(note));
+    }
+
+    /// The motion of the nodes, and notes about it.
+    fn read_motion(&mut self) -> Result<Motion, Fault> {
+        let mut moves = vec![false; self.visited.len()];
+        for run in &self.runs {
+            let mut above = Some(run.placed);
+            while let Some(placed) = above {
+                let Placed { node, parent } = self.nodes[placed as usize];
+                // The nodes above it are known to move.
+                let is_known = std::mem::replace(&mut moves[node as usize], true);
+                above = parent.filter(|_| !is_known);
+            }
+        }
+        let (motion, note) = Motion::read(&self.accessors, &moves)?;
+        self.cells.notes.extend(note);
+        Ok(motion)
+    }
+
+    /// Appends a mesh, in its own coordinates. Its primitives often share one list of positions.
+    fn read_mesh(&mut self, mesh: u32) -> Result<(), Fault> {
         let mut first_vertices = HashMap::new();
         let document = self.accessors.document;
         let primitives = &at(&document.meshes, mesh, "mesh")?.primitives;
@@ -99,10 +216,9 @@ impl Reader<'_> {
                 Some(&first) => first,
                 None => {
                     let first = self.cells.positions.len();
-                    let points = self.accessors.positions(positions)?.into_iter();
-                    self.cells
-                        .positions
-                        .extend(points.map(|point| transform.apply(point)));
+                    const POSITION: &str = "three numbers for each position";
+                    let points = self.accessors.vectors(positions, "VEC3", POSITION)?;
+                    self.cells.positions.extend(points);
                     first_vertices.insert(positions, first);
                     first
                 }
@@ -110,7 +226,7 @@ impl Reader<'_> {
             let part = Part { number, primitive };
             let vertices = self.vertices(&part, first, self.accessors.count(positions)?)?;
             check_count(&part, vertices.len())?;
-            self.add(primitive.mode, &vertices);
+            primitive::add(&mut self.cells, primitive.mode, &vertices);
         }
         Ok(())
     }
@@ -135,56 +251,6 @@ impl Reader<'_> {
         };
         indices.into_iter().map(vertex).collect()
     }
-
-    /// Adds the elements of a list of vertices.
-    fn add(&mut self, mode: Mode, vertices: &[u32]) {
-        let cells = &mut self.cells;
-        let triangles = &mut cells.faces.triangles;
-        match mode {
-            Mode::Points => cells.points.extend(vertices),
-            Mode::Lines => cells.lines.extend(vertices.as_chunks::<2>().0),
-            Mode::LineStrip => cells.add_polyline(vertices),
-            Mode::LineLoop => {
-                cells.add_polyline(vertices);
-                if let [first, .., last] = vertices {
-                    cells.lines.push([*last, *first]);
-                }
-            }
-            Mode::Triangles => triangles.extend(vertices.as_chunks::<3>().0),
-            Mode::TriangleStrip => triangles.extend(strip(vertices)),
-            Mode::TriangleFan => {
-                if let Some((&center, around)) = vertices.split_first() {
-                    triangles.extend(around.windows(2).map(|pair| [center, pair[0], pair[1]]));
-                }
-            }
-        }
-        cells.faces.count = cells.faces.triangles.len();
-    }
-}
-
-/// Refuses a number of vertices with which the last element of a primitive is not whole.
-fn check_count(part: &Part, count: usize) -> Result<(), Fault> {
-    let (is_whole, expected) = match part.primitive.mode {
-        Mode::Points => (true, ""),
-        Mode::Lines => (count.is_multiple_of(2), "two vertices for each line"),
-        Mode::Triangles => (count.is_multiple_of(3), "three vertices for each triangle"),
-        Mode::LineStrip | Mode::LineLoop => (count != 1, "two or more vertices of a strip of lines"),
-        Mode::TriangleStrip | Mode::TriangleFan => {
-            let is_whole = !matches!(count, 1 | 2);
-            (is_whole, "three or more vertices of a strip or fan of triangles")
-        }
-    };
-    if is_whole {
-        return Ok(());
-    }
-    let place = match part.primitive.indices {
-        Some(accessor) => format!("accessor {accessor}"),
-        None => format!("primitive {} without indices", part.number),
-    };
-    Err(Fault::expected(
-        format!("{expected} in {place}"),
-        count.to_string(),
-    ))
 }
 
 fn unsupported(mesh: u32, with: &str) -> Fault {

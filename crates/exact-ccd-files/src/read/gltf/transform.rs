@@ -19,8 +19,9 @@ impl Default for Transform {
 }
 
 impl Transform {
-    /// The map from the coordinates of a node, of this index, to those of its parent.
-    pub(super) fn of(node: &Node, index: u32) -> Result<Self, Fault> {
+    /// The map from the coordinates of a node, of this index, to those of its parent. A translation of a
+    /// motion is in the place of its own.
+    pub(super) fn of(node: &Node, index: u32, moved: Option<&Point>) -> Result<Self, Fault> {
         if let Some(matrix) = &node.matrix {
             // By columns.
             let (columns, _) = matrix.as_chunks::<4>();
@@ -31,15 +32,24 @@ impl Transform {
             let row = |axis: usize| std::array::from_fn(|k| columns[k][axis]);
             return Ok(Self([row(0), row(1), row(2)]));
         }
-        let translation = node.translation.as_deref().copied().unwrap_or_default();
+        let translation = moved.or(node.translation.as_deref());
         let rotation = node.rotation.as_deref().copied().unwrap_or([0.0, 0.0, 0.0, 1.0]);
-        let [sx, sy, sz] = node.scale.as_deref().copied().unwrap_or([1.0; 3]);
+        let scale = node.scale.as_deref().copied().unwrap_or([1.0; 3]);
+        Ok(Self::of_parts(
+            translation.copied().unwrap_or_default(),
+            rotation,
+            scale,
+        ))
+    }
+
+    /// The map T R S: first the scale, then the rotation, then the translation.
+    pub(super) fn of_parts(translation: Point, rotation: [f64; 4], [sx, sy, sz]: [f64; 3]) -> Self {
         let axes = rotation_of(rotation);
         let row = |k: usize| {
             let [x, y, z] = axes[k];
             [x * sx, y * sy, z * sz, translation[k]]
         };
-        Ok(Self([row(0), row(1), row(2)]))
+        Self([row(0), row(1), row(2)])
     }
 
     /// The map of a node within a node with this map.

@@ -7,7 +7,7 @@ use super::super::record::Record;
 use super::super::solids::Solid;
 use super::super::tokens::Tokens;
 use super::groups::Groups;
-use super::nodes::{Tags, count_line, positive_tag};
+use super::nodes::{Tags, count_line, entity, positive_tag};
 use super::{INT, Version};
 use crate::error::{Fault, ParseError};
 
@@ -33,7 +33,8 @@ impl Shape {
             6 => (3, 6),
             7 => (3, 5),
             number => {
-                let expected = "an element of first order, of type 1 to 7 or 15";
+                let expected = "an element of first order, of type 1 to 7 or 15 (save the mesh again with \
+                                gmsh -order 1 -save)";
                 return Err(Fault::expected(expected, format!("`{number}`")).at(tokens.place()));
             }
         };
@@ -57,13 +58,40 @@ pub(super) fn read(
 ) -> Result<(), ParseError> {
     let mut elements = Elements { tags, cells, groups };
     match version {
+        Version::V1 => elements.read_v1(tokens)?,
         Version::V2 => elements.read_v2(tokens)?,
-        Version::V4 => elements.read_v4(tokens)?,
+        Version::V40 | Version::V41 => elements.read_blocks(version, tokens)?,
     }
-    tokens.expect_line_of("$EndElements")
+    tokens.expect_line_of(if version == Version::V1 {
+        "$ENDELM"
+    } else {
+        "$EndElements"
+    })
 }
 
 impl Elements<'_, '_> {
+    /// Reads elements one by one, each with its tag, type, the tags of its physical group and of its entity,
+    /// and the number of its nodes.
+    fn read_v1(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
+        let count = count_line(tokens, "the number of elements")?;
+        for number in 0..count {
+            tokens.begin(Record::of("element", number, count))?;
+            tokens.integer(INT, "the tag of an element")?;
+            let shape = Shape::read(tokens, "the type of an element")?;
+            let physical = tokens.integer(INT, "the tag of a physical group")?;
+            self.groups.set_tag(Some((physical, tokens.place())))?;
+            tokens.integer(INT, "the tag of an entity")?;
+            let nodes = tokens.integer(INT, "the number of nodes")?;
+            if nodes != shape.corners as i64 {
+                let expected = format!("{} nodes", shape.corners);
+                return Err(Fault::expected(expected, format!("`{nodes}`")).at(tokens.place()));
+            }
+            self.add(tokens, shape, positive_tag)?;
+            tokens.end()?;
+        }
+        Ok(())
+    }
+
     /// Reads elements one by one, each with its type; in binary files, in blocks of consecutive
     /// elements of one type.
     fn read_v2(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
@@ -123,27 +151,33 @@ impl Elements<'_, '_> {
     }
 
     /// Reads elements in blocks of one type, one for each entity of the geometry.
-    fn read_v4(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
+    fn read_blocks(&mut self, version: Version, tokens: &mut Tokens) -> Result<(), ParseError> {
         tokens.begin(Record::one("the numbers of blocks and elements"))?;
         let blocks = tokens.size("the number of blocks")?;
         let count = tokens.size("the number of elements")?;
         let count_place = tokens.place();
-        tokens.size("the least tag of an element")?;
-        tokens.size("the greatest tag of an element")?;
+        if version == Version::V41 {
+            tokens.size("the least tag of an element")?;
+            tokens.size("the greatest tag of an element")?;
+        }
         tokens.end()?;
         let mut found = 0_u64;
         for block in 0..blocks {
             tokens.begin(Record::of("element block", block, blocks))?;
-            let dimension = tokens.integer(INT, "the dimension of an entity")?;
-            self.groups
-                .set_entity(dimension, tokens.integer(INT, "the tag of an entity")?);
+            let [dimension, tag] = entity(version, tokens)?;
+            self.groups.set_entity(dimension, tag);
             let shape = Shape::read(tokens, "the type of the elements")?;
             let in_block = tokens.size("the number of elements in the block")?;
             tokens.end()?;
             for number in 0..in_block {
                 tokens.begin(Record::of("element", number, in_block))?;
-                tokens.size("the tag of an element")?;
-                self.add(tokens, shape, |tokens| tokens.size("the tag of a node"))?;
+                if version == Version::V41 {
+                    tokens.size("the tag of an element")?;
+                    self.add(tokens, shape, |tokens| tokens.size("the tag of a node"))?;
+                } else {
+                    tokens.integer(INT, "the tag of an element")?;
+                    self.add(tokens, shape, positive_tag)?;
+                }
                 tokens.end()?;
                 found += 1;
             }

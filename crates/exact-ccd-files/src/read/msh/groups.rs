@@ -8,7 +8,7 @@ use super::super::group::{Group, PhysicalTag};
 use super::super::record::Record;
 use super::super::tokens::Tokens;
 use super::nodes::count_line;
-use super::{DOUBLE, INT};
+use super::{DOUBLE, INT, Version};
 use crate::error::{Fault, ParseError, Place};
 
 /// The physical groups of a file, under construction.
@@ -50,7 +50,7 @@ impl<'b> Groups<'b> {
     }
 
     /// Reads the section `$Entities` of version 4.
-    pub(super) fn read_entities(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
+    pub(super) fn read_entities(&mut self, version: Version, tokens: &mut Tokens) -> Result<(), ParseError> {
         tokens.begin(Record::one("the numbers of entities"))?;
         let mut counts = [0; 4];
         for count in &mut counts {
@@ -60,18 +60,27 @@ impl<'b> Groups<'b> {
         for (dimension, count) in (0..).zip(counts) {
             for number in 0..count {
                 tokens.begin(Record::of("entity", number, count))?;
-                self.read_entity(dimension, tokens)?;
+                self.read_entity(version, dimension, tokens)?;
                 tokens.end()?;
             }
         }
         tokens.expect_line_of("$EndEntities")
     }
 
-    fn read_entity(&mut self, dimension: i64, tokens: &mut Tokens) -> Result<(), ParseError> {
+    fn read_entity(
+        &mut self,
+        version: Version,
+        dimension: i64,
+        tokens: &mut Tokens,
+    ) -> Result<(), ParseError> {
         let entity = tokens.integer(INT, "the tag of an entity")?;
         let place = tokens.place();
-        // A point has a position, any other entity a bounding box.
-        let coordinates = if dimension == 0 { 3 } else { 6 };
+        // A bounding box; in version 4.1, a point has a position.
+        let coordinates = if dimension == 0 && version == Version::V41 {
+            3
+        } else {
+            6
+        };
         for _ in 0..coordinates {
             tokens.real(DOUBLE, "a coordinate of an entity")?;
         }

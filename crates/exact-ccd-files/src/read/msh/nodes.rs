@@ -48,15 +48,19 @@ impl Tags {
 pub(super) fn read(version: Version, tokens: &mut Tokens) -> Result<Nodes, ParseError> {
     let mut nodes = Nodes::default();
     match version {
-        Version::V2 => read_v2(tokens, &mut nodes)?,
-        Version::V4 => read_v4(tokens, &mut nodes)?,
+        Version::V1 | Version::V2 => read_list(tokens, &mut nodes)?,
+        Version::V40 | Version::V41 => read_blocks(version, tokens, &mut nodes)?,
     }
-    tokens.expect_line_of("$EndNodes")?;
+    tokens.expect_line_of(if version == Version::V1 {
+        "$ENDNOD"
+    } else {
+        "$EndNodes"
+    })?;
     Ok(nodes)
 }
 
 /// Reads nodes one by one, each as tag and coordinates.
-fn read_v2(tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
+fn read_list(tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
     let count = count_line(tokens, "the number of nodes")?;
     for number in 0..count {
         tokens.begin(Record::of("node", number, count))?;
@@ -68,20 +72,22 @@ fn read_v2(tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
     Ok(())
 }
 
-/// Reads nodes in blocks, one for each entity of the geometry: all tags, then all coordinates.
-fn read_v4(tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
+/// Reads nodes in blocks, one for each entity of the geometry: in version 4.0, each as tag and coordinates;
+/// in version 4.1, all tags, then all coordinates.
+fn read_blocks(version: Version, tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
     tokens.begin(Record::one("the numbers of blocks and nodes"))?;
     let blocks = tokens.size("the number of blocks")?;
     let count = tokens.size("the number of nodes")?;
     let count_place = tokens.place();
-    tokens.size("the least tag of a node")?;
-    tokens.size("the greatest tag of a node")?;
+    if version == Version::V41 {
+        tokens.size("the least tag of a node")?;
+        tokens.size("the greatest tag of a node")?;
+    }
     tokens.end()?;
     for block in 0..blocks {
         tokens.begin(Record::of("node block", block, blocks))?;
-        let dimension = tokens.integer(INT, "the dimension of an entity")?;
+        let [dimension, _] = entity(version, tokens)?;
         let place = tokens.place();
-        tokens.integer(INT, "the tag of an entity")?;
         let parametric = tokens.integer(INT, "0 or 1 for parameters")? != 0;
         let nodes_in_block = tokens.size("the number of nodes in the block")?;
         tokens.end()?;
@@ -89,14 +95,20 @@ fn read_v4(tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
             0..=3 => i64::from(parametric) * dimension,
             _ => return Err(Fault::expected("a dimension from 0 to 3", format!("`{dimension}`")).at(place)),
         };
-        for number in 0..nodes_in_block {
-            tokens.begin(Record::of("the tag of node", number, nodes_in_block))?;
-            let place = tokens.place();
-            nodes.tags.insert(tokens.size("the tag of a node")?, place)?;
-            tokens.end()?;
+        if version == Version::V41 {
+            for number in 0..nodes_in_block {
+                tokens.begin(Record::of("the tag of node", number, nodes_in_block))?;
+                let place = tokens.place();
+                nodes.tags.insert(tokens.size("the tag of a node")?, place)?;
+                tokens.end()?;
+            }
         }
         for number in 0..nodes_in_block {
             tokens.begin(Record::of("node", number, nodes_in_block))?;
+            if version == Version::V40 {
+                let tag = positive_tag(tokens)?;
+                nodes.tags.insert(tag, tokens.place())?;
+            }
             nodes.positions.push(read_position(tokens)?);
             for _ in 0..parameters {
                 tokens.real(DOUBLE, "a parameter")?;
@@ -118,7 +130,18 @@ fn read_position(tokens: &mut Tokens) -> Result<Point, ParseError> {
     Ok([x, y, z])
 }
 
-/// The tag of a node in version 2, where it is a signed number.
+/// The dimension and the tag of an entity at the beginning of a block: in version 4.0, the tag is first.
+pub(super) fn entity(version: Version, tokens: &mut Tokens) -> Result<[i64; 2], ParseError> {
+    const DIMENSION: &str = "the dimension of an entity";
+    const TAG: &str = "the tag of an entity";
+    if version == Version::V40 {
+        let tag = tokens.integer(INT, TAG)?;
+        return Ok([tokens.integer(INT, DIMENSION)?, tag]);
+    }
+    Ok([tokens.integer(INT, DIMENSION)?, tokens.integer(INT, TAG)?])
+}
+
+/// The tag of a node before version 4.1, where it is a signed number.
 pub(super) fn positive_tag(tokens: &mut Tokens) -> Result<u64, ParseError> {
     const TAG: &str = "the tag of a node";
     let tag = tokens.integer(INT, TAG)?;

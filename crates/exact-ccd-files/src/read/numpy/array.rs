@@ -41,6 +41,15 @@ impl Array {
         })
     }
 
+    pub(super) fn is_integer(&self) -> bool {
+        self.scalar.is_integer()
+    }
+
+    /// Returns true for rows of integers, as those of faces.
+    pub(super) fn is_table_of_integers(&self) -> bool {
+        self.is_integer() && self.shape.len() == 2
+    }
+
     /// The number of numbers.
     pub(super) fn count(&self) -> usize {
         self.data.len() / self.scalar.size()

@@ -6,7 +6,7 @@ use crate::error::{Fault, ParseError, Place, quoted};
 
 /// Elements of one role.
 #[derive(Debug)]
-pub(super) struct Elements {
+pub(in super::super) struct Elements {
     /// The number of vertices of each element and the vertices, or those of all elements after each other.
     vertices: Vec<i64>,
     form: Form,

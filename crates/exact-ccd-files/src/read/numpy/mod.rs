@@ -7,4 +7,5 @@ mod header;
 mod roles;
 mod scene;
 
-pub(super) use scene::{Arrays, read_npy, read_npz};
+pub(super) use roles::Names;
+pub(super) use scene::{Arrays, read_faces, read_npy, read_npz};

@@ -4,6 +4,16 @@ use super::archive::{Archive, Entry, list};
 use super::header::Header;
 use crate::error::{Fault, ParseError, Place, quoted};
 
+/// The names of arrays that the options have.
+#[derive(Clone, Copy, Default)]
+pub(in super::super) struct Names<'a> {
+    pub(in super::super) positions: Option<&'a str>,
+    /// The array of faces in the archive.
+    pub(in super::super) faces: Option<&'a str>,
+    /// The faces are in a file of their own.
+    pub(in super::super) has_faces_file: bool,
+}
+
 /// Numbers in the archive of the arrays of each role.
 pub(super) struct Roles {
     pub(super) positions: usize,
@@ -96,24 +106,35 @@ fn rows_or_list(header: &Header, size: usize) -> Option<Form> {
 }
 
 impl Roles {
-    /// The roles of the arrays with a known name. Without one for the positions, they are the only array of
-    /// floats of their shape.
+    /// The roles of the arrays that the options name, or else of those with a known name. Without one for the
+    /// positions, they are the only array of floats of their shape, in an archive with faces, edges or
+    /// tetrahedra.
     ///
     /// # Errors
     /// If two arrays have names of one role; if the type or the shape of one does not fit its role; if
-    /// arrays without a known name may be the positions, or else may be faces or edges that are missing.
-    pub(super) fn of(archive: &Archive) -> Result<Self, ParseError> {
-        let positions = match named(archive, &[&POSITIONS])? {
-            Some((number, ())) => number,
-            None => only_positions(archive)?,
+    /// arrays without a known name may be the positions, or else may be faces or edges that are missing; if
+    /// the options name an array that is missing.
+    pub(super) fn of(archive: &Archive, names: &Names) -> Result<Self, ParseError> {
+        let faces = match names.faces {
+            Some(name) => Some(chosen(archive, name, &POLYGONS)?),
+            None => named(archive, &[&POLYGONS, &TRIANGLES])?,
+        };
+        let edges = named(archive, &[&EDGES])?;
+        let tetrahedra = named(archive, &[&TETRAHEDRA])?;
+        let has_elements = faces.is_some() || edges.is_some() || tetrahedra.is_some() || names.has_faces_file;
+        let positions = match (names.positions, named(archive, &[&POSITIONS])) {
+            (Some(name), _) => chosen(archive, name, &POSITIONS)?.0,
+            (None, Ok(None)) if has_elements => only_positions(archive)?,
+            (None, Ok(None)) => return Err(no_mesh(archive)),
+            (None, found) => found?.map_or(0, |(number, ())| number),
         };
         let roles = Self {
             positions,
-            faces: named(archive, &[&POLYGONS, &TRIANGLES])?,
-            edges: named(archive, &[&EDGES])?,
-            tetrahedra: named(archive, &[&TETRAHEDRA])?,
+            faces,
+            edges,
+            tetrahedra,
         };
-        if roles.faces.is_none() && roles.tetrahedra.is_none() {
+        if roles.faces.is_none() && roles.tetrahedra.is_none() && !names.has_faces_file {
             roles.check_unnamed(archive)?;
         }
         Ok(roles)
@@ -136,7 +157,8 @@ impl Roles {
         if unnamed.peek().is_none() {
             return Ok(());
         }
-        let expected = "an array named `faces`, `edges` or `tets` (other arrays of integers can be left out)";
+        let expected = "an array named `faces`, `edges` or `tets` (or name it with --faces; other arrays of \
+                        integers can be left out)";
         Err(Fault::expected(expected, list(unnamed)).at(Place::File))
     }
 
@@ -166,6 +188,39 @@ fn name(entry: &Entry) -> String {
     quoted(entry.name.as_bytes())
 }
 
+/// The array with the name that the options have for a role, and its form.
+fn chosen<F>(archive: &Archive, wanted: &str, role: &Role<F>) -> Result<(usize, F), ParseError> {
+    let mut arrays = archive.arrays.iter().enumerate();
+    let Some((number, entry)) = arrays.find(|(_, entry)| entry.name == wanted) else {
+        let expected = format!("an array {}", quoted(wanted.as_bytes()));
+        return Err(Fault::expected(expected, list(&archive.arrays)).at(Place::File));
+    };
+    Ok((number, form_of(entry, role)?))
+}
+
+/// The form of an array with a role.
+fn form_of<F>(entry: &Entry, role: &Role<F>) -> Result<F, ParseError> {
+    let header = entry.header.as_ref().map_err(Clone::clone)?;
+    (role.form)(header).ok_or_else(|| {
+        let expected = format!("{} as {}", role.expected, name(entry));
+        Fault::expected(expected, header.to_string()).at(Place::File)
+    })
+}
+
+/// The error of an archive without any array of a mesh.
+fn no_mesh(archive: &Archive) -> ParseError {
+    const POSES: [&str; 5] = ["poses", "pose_body", "body_pose", "root_orient", "global_orient"];
+    let is_poses = |entry: &Entry| POSES.contains(&&*entry.name);
+    let expected = if archive.arrays.iter().any(is_poses) {
+        "arrays of a mesh, not poses (compute the vertices of each frame with the body model, and save them with \
+         numpy.savez(\"motion.npz\", positions=vertices, faces=model.faces))"
+    } else {
+        "arrays `positions` of shape (T, N, 3) and `faces` (name others with the options of reading, in the \
+         program --positions NAME and --faces NAME)"
+    };
+    Fault::expected(expected, list(&archive.arrays)).at(Place::File)
+}
+
 /// The array with a name of one of these roles, and its form.
 fn named<F>(archive: &Archive, roles: &[&Role<F>]) -> Result<Option<(usize, F)>, ParseError> {
     let role_of = |name: &str| {
@@ -178,19 +233,12 @@ fn named<F>(archive: &Archive, roles: &[&Role<F>]) -> Result<Option<(usize, F)>,
         .collect();
     match found[..] {
         [] => Ok(None),
-        [(number, entry, role)] => {
-            let header = entry.header.as_ref().map_err(Clone::clone)?;
-            let form = (role.form)(header).ok_or_else(|| {
-                let expected = format!("{} as {}", role.expected, name(entry));
-                Fault::expected(expected, header.to_string()).at(Place::File)
-            })?;
-            Ok(Some((number, form)))
-        }
+        [(number, entry, role)] => Ok(Some((number, form_of(entry, role)?))),
         _ => {
             let names = roles.iter().flat_map(|role| role.names);
             let names: Vec<_> = names.map(|name| format!("`{name}`")).collect();
             let expected = format!(
-                "one array with one of the names {} (rename the others)",
+                "one array with one of the names {} (rename the others, or name it with --positions or --faces)",
                 names.join(", ")
             );
             let found = list(found.into_iter().map(|(_, entry, _)| entry));
@@ -214,7 +262,8 @@ fn only_positions(archive: &Archive) -> Result<usize, ParseError> {
             Err(Fault::expected(expected, list(&archive.arrays)).at(Place::File))
         }
         _ => {
-            let expected = "an array named `positions`, as several arrays can be the positions";
+            let expected = "an array named `positions`, as several arrays can be the positions (or name it with \
+                            --positions)";
             let found = list(found.into_iter().map(|(_, entry)| entry));
             Err(Fault::expected(expected, found).at(Place::File))
         }

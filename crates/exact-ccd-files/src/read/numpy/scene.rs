@@ -8,8 +8,9 @@ use super::super::solids::Solid;
 use super::archive::Archive;
 use super::array::Array;
 use super::elements::Elements;
-use super::roles::{Form, Roles};
+use super::roles::{Form, Names, Roles};
 use crate::error::{Fault, ParseError, Place};
+use crate::note::Fact;
 
 /// The positions of all frames, and the elements that all frames share.
 #[derive(Debug)]
@@ -26,14 +27,21 @@ pub(in super::super) struct Arrays {
 
 /// The positions in a `.npy` file: (T, N, 3) for T frames, or (N, 3).
 pub(in super::super) fn read_npy(bytes: &[u8], budget: &Budget) -> Result<Arrays, ParseError> {
-    Arrays::new(Array::read(bytes, budget)?)
+    let array = Array::read(bytes, budget)?;
+    if array.is_table_of_integers() {
+        let expected = "positions of shape (T, N, 3) or (N, 3), as floats (name an array of faces with --faces \
+                        FILE.npy beside that of positions, or write both with numpy.savez)";
+        let found = format!("integers of shape {:?}", array.shape);
+        return Err(Fault::expected(expected, found).at(Place::File));
+    }
+    Arrays::new(array)
 }
 
 /// The arrays in a `.npz` file by their names: positions (T, N, 3) or (N, 3), faces (F, 3) or (F, k), edges
 /// (E, 2) and tetrahedra (K, 4).
-pub(in super::super) fn read_npz(bytes: &[u8], budget: &Budget) -> Result<Arrays, ParseError> {
+pub(in super::super) fn read_npz(bytes: &[u8], names: &Names, budget: &Budget) -> Result<Arrays, ParseError> {
     let mut archive = Archive::open(bytes, budget)?;
-    let roles = Roles::of(&archive)?;
+    let roles = Roles::of(&archive, names)?;
     let mut elements = |role: Option<(usize, Form)>| {
         let read = |(number, form): (usize, Form)| {
             let array = archive.read(number)?;
@@ -52,6 +60,22 @@ pub(in super::super) fn read_npz(bytes: &[u8], budget: &Budget) -> Result<Arrays
         description,
         ..Arrays::new(archive.read(roles.positions)?)?
     })
+}
+
+/// The faces in a `.npy` file.
+pub(in super::super) fn read_faces(bytes: &[u8], budget: &Budget) -> Result<Elements, ParseError> {
+    let array = Array::read(bytes, budget)?;
+    let form = match array.shape[..] {
+        [_, size] if size >= 3 && array.is_integer() => Form::Rows(size),
+        [_] if array.is_integer() => Form::Counts,
+        _ => {
+            let expected = "faces: integers of shape (F, k) with three or more corners";
+            let found = format!("shape {:?}", array.shape);
+            return Err(Fault::expected(expected, found).at(Place::File));
+        }
+    };
+    budget.hold::<i64>(array.count());
+    Elements::read(&array, "the array of faces", form)
 }
 
 impl Arrays {
@@ -73,6 +97,21 @@ impl Arrays {
             edges: None,
             tetrahedra: None,
             description: None,
+        })
+    }
+
+    /// The arrays with the faces of another file.
+    ///
+    /// # Errors
+    /// If there are faces in the file itself.
+    pub(in super::super) fn with_faces(self, faces: Elements) -> Result<Self, ParseError> {
+        if self.faces.is_some() {
+            let expected = "no faces beside those of --faces";
+            return Err(Fault::expected(expected, "an array of faces").at(Place::File));
+        }
+        Ok(Self {
+            faces: Some(faces),
+            ..self
         })
     }
 
@@ -108,6 +147,12 @@ impl Arrays {
             cells
                 .solids
                 .extend(corners.as_chunks().0.iter().map(|&c| Solid::Tetrahedron(c)));
+        }
+        if self.description.is_none() && self.faces.is_none() {
+            let remedy = "--faces FILE.npy has them, or numpy.savez(\"motion.npz\", positions=x, faces=f)";
+            cells.note(
+                Fact::not_read("faces, which an array of positions does not have", remedy).at(Place::File),
+            );
         }
         // Vertices of no element are points beside tetrahedra, too.
         if self.tetrahedra.is_some() {

@@ -119,6 +119,11 @@ impl<'a> Tokens<'a> {
         }
     }
 
+    /// The file after the current line.
+    pub(super) fn rest(&self) -> &'a [u8] {
+        self.rest
+    }
+
     /// The offset of binary data, or of the next line.
     pub(super) fn offset(&self) -> usize {
         self.file.len() - self.rest.len()

@@ -78,8 +78,9 @@ impl<'a> Tokens<'a> {
         Ok([self.coordinate()?, self.coordinate()?, self.coordinate()?])
     }
 
+    /// The next word as a coordinate, which is finite.
     #[inline]
-    fn coordinate(&mut self) -> Result<f64, ParseError> {
+    pub(in super::super) fn coordinate(&mut self) -> Result<f64, ParseError> {
         const NUMBER: &str = "a number";
         let word = self.expect_word(NUMBER)?;
         let number = f64::parse(word).ok_or_else(|| self.unexpected(NUMBER, word))?;

@@ -11,6 +11,16 @@ pub(super) const POLY_LINE: i64 = 4;
 pub(super) const TRIANGLE_STRIP: i64 = 6;
 pub(super) const POLYGON: i64 = 7;
 
+/// The remedy for displacements that are not read.
+pub(super) const WARP: &str = "if the points do not have the displacement, apply it before the export (in ParaView: Warp By Vector, in \
+     pyvista: warp_by_vector())";
+
+/// Returns true for the name of an array of points that may be a displacement.
+pub(super) fn is_displacement(name: &[u8]) -> bool {
+    name.get(..4)
+        .is_some_and(|beginning| beginning.eq_ignore_ascii_case(b"disp"))
+}
+
 /// Adds cell number `cell` of a file: its type by VTK's number, and its corners.
 ///
 /// # Errors
@@ -54,13 +64,13 @@ pub(super) fn add(
     Ok(())
 }
 
-/// The name of a type that is not supported, for messages.
+/// The name of a type that is not supported and the remedy, for messages.
 fn name(kind: i64) -> &'static str {
     match kind {
-        15 | 16 => " (a prism)",
-        21..=37 => " (a quadratic cell)",
-        42 => " (a polyhedron)",
-        60..=81 => " (a cell of higher order)",
+        15 | 16 => " (a prism; in ParaView: Extract Surface)",
+        21..=37 => " (a quadratic cell; in ParaView: Tessellate, in pyvista: linear_copy())",
+        42 => " (a polyhedron; in ParaView: Extract Surface, in pyvista: extract_surface())",
+        60..=81 => " (a cell of higher order; in ParaView: Tessellate)",
         _ => "",
     }
 }

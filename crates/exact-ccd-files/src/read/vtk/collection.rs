@@ -4,8 +4,17 @@ use super::super::budget::Budget;
 use super::xml::{File, parse_xml};
 use crate::error::{ParseError, quoted};
 
-/// The times, which are finite, and paths in a collection.
-pub(in super::super) fn read(bytes: &[u8], budget: &Budget) -> Result<Vec<(f64, String)>, ParseError> {
+/// A file in a collection.
+pub(in super::super) struct CollectionEntry {
+    /// The time, which is finite.
+    pub(in super::super) time: f64,
+    /// The part of the frame that the file has: the group, the part or both.
+    pub(in super::super) part: String,
+    pub(in super::super) file: String,
+}
+
+/// The files in a collection.
+pub(in super::super) fn read(bytes: &[u8], budget: &Budget) -> Result<Vec<CollectionEntry>, ParseError> {
     let document = parse_xml(bytes, budget)?;
     let file = File::new(&document, "Collection")?;
     let collection = file.child(file.root, "Collection")?;
@@ -17,7 +26,12 @@ pub(in super::super) fn read(bytes: &[u8], budget: &Budget) -> Result<Vec<(f64, 
         let number = time.parse().ok().filter(|time: &f64| time.is_finite());
         let number =
             number.ok_or_else(|| file.fault(node, "a time, a finite number", quoted(time.as_bytes())))?;
-        Ok((number, file.attribute(node, "file")?.to_owned()))
+        let names = ["group", "part"].map(|name| node.attribute(name).unwrap_or_default());
+        Ok(CollectionEntry {
+            time: number,
+            part: names.join("-").trim_matches('-').to_owned(),
+            file: file.attribute(node, "file")?.to_owned(),
+        })
     };
     entries.map(entry).collect()
 }

@@ -6,10 +6,11 @@ use super::super::budget::Budget;
 use super::super::cells::Cells;
 use super::appended;
 use super::array::Encoding;
-use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP};
+use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP, WARP, is_displacement};
 use super::list::CellList;
 use super::xml::{File, parse_xml};
 use crate::error::{ParseError, quoted};
+use crate::note::Fact;
 
 /// The lists of a surface, the attributes with the numbers of their cells, and the type of these.
 const LISTS: [(&str, &str, i64); 4] = [
@@ -48,6 +49,11 @@ impl<'a> Reader<'_, 'a> {
     fn read_piece(&mut self, piece: Node<'a, 'a>) -> Result<(), ParseError> {
         let first = self.cells.positions.len();
         self.read_points(piece)?;
+        for data in piece.children() {
+            for array in data.children() {
+                self.note_unread(data, array);
+            }
+        }
         if let Some(list) = piece.children().find(|child| child.has_tag_name("Cells")) {
             let types = self.integers(list, "types")?;
             let count = self.read_list(list, first, |_| types)?;
@@ -64,6 +70,21 @@ impl<'a> Reader<'_, 'a> {
             self.check_count(piece, number, count)?;
         }
         Ok(())
+    }
+
+    /// Adds a note about an array with data that change the meaning of points or cells.
+    fn note_unread(&mut self, data: Node<'a, 'a>, array: Node<'a, 'a>) {
+        let name = array.attribute("Name").unwrap_or_default();
+        let remedy = match data.tag_name().name() {
+            "PointData" if is_displacement(name.as_bytes()) => WARP,
+            "PointData" | "CellData" if name == "vtkGhostType" => {
+                "remove the cells that it marks (in ParaView: Remove Ghost Information)"
+            }
+            _ => return,
+        };
+        let part = format!("the array {}", quoted(name.as_bytes()));
+        self.cells
+            .note(Fact::not_read(part, remedy).at(self.file.place(array)));
     }
 
     fn read_points(&mut self, piece: Node<'a, 'a>) -> Result<(), ParseError> {

@@ -7,9 +7,10 @@ use super::super::budget::Budget;
 use super::super::cells::Cells;
 use super::super::scalar::{ByteOrder, Scalar};
 use super::super::tokens::{Encoding, Syntax, Tokens};
-use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP};
+use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP, WARP, is_displacement};
 use super::list::CellList;
 use crate::error::{Fault, ParseError, Place};
+use crate::note::Fact;
 
 pub(in super::super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
     let mut tokens = Tokens::text(bytes, Syntax::Free, budget);
@@ -89,13 +90,31 @@ impl Sections<'_> {
             }
             b"FIELD" => self.skip_field()?,
             b"METADATA" => skip_paragraph(&mut self.tokens),
-            b"POINT_DATA" | b"CELL_DATA" => return Ok(false),
+            b"POINT_DATA" | b"CELL_DATA" => {
+                self.note_displacements();
+                return Ok(false);
+            }
             _ => {
                 let expected = "a section such as `POINTS`, `CELLS` or `POLYGONS`";
                 return Err(self.tokens.unexpected(expected, word));
             }
         }
         Ok(true)
+    }
+
+    /// Adds a note about displacements among the data of points, which are not read: `VECTORS NAME TYPE`.
+    fn note_displacements(&mut self) {
+        const VECTORS: &[u8] = b"VECTORS ";
+        let rest = self.tokens.rest();
+        self.tokens.budget().step(rest.len() as u64);
+        let mut windows = rest.windows(VECTORS.len() + 4);
+        let found =
+            windows.any(|window| window.starts_with(VECTORS) && is_displacement(&window[VECTORS.len()..]));
+        if found {
+            let place = self.tokens.place();
+            self.cells
+                .note(Fact::not_read("displacements among the data", WARP).at(place));
+        }
     }
 
     fn read_points(&mut self) -> Result<(), ParseError> {

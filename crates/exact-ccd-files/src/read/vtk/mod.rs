@@ -14,6 +14,6 @@ mod list;
 mod stream;
 mod xml;
 
-pub(super) use collection::read as read_collection;
+pub(super) use collection::{CollectionEntry, read as read_collection};
 pub(super) use grid::read as read_grid;
 pub(super) use legacy::read as read_legacy;

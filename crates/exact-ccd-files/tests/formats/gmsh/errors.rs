@@ -30,8 +30,8 @@ fn header() {
     assert_eq!(error, "line 1: the file ends, expected `$MeshFormat`");
     assert_error("mesh\n", "line 1: expected `$MeshFormat`, found `mesh`");
     assert_error(
-        "$MeshFormat\n4.0 0 8\n",
-        "line 2: expected `2.2` or `4.1`, found `4.0`",
+        "$MeshFormat\n3.0 0 8\n",
+        "line 2: expected version 1, 2, 2.2, 4 or 4.1 (save it with gmsh -save -format msh41), found `3.0`",
     );
     assert_error(
         "$MeshFormat\n4.1 2 8\n",
@@ -126,7 +126,8 @@ fn version_2() {
         (
             "4 4 2 99 2 1 2 3 4",
             "4 11 2 99 2 1 2 3 4",
-            "line 20: expected an element of first order, of type 1 to 7 or 15, found `11`",
+            "line 20: expected an element of first order, of type 1 to 7 or 15 (save the mesh again with gmsh -order 1 \
+             -save), found `11`",
         ),
         (
             "4 4 2 99 2 1 2 3 4",
@@ -197,7 +198,8 @@ fn version_4() {
         (
             "3 1 4 1 \n",
             "3 1 11 1 \n",
-            "line 29: expected an element of first order, of type 1 to 7 or 15, found `11`",
+            "line 29: expected an element of first order, of type 1 to 7 or 15 (save the mesh again with gmsh -order 1 \
+             -save), found `11`",
         ),
         (
             "4 1 2 3 4 \n",

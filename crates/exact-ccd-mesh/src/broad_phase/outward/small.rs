@@ -32,7 +32,7 @@ pub(crate) struct Environment {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Small {
     value: f64,
-    /// None for a constant, which has that of the other operand.
+    /// None for a constant, which takes the environment of the other operand.
     environment: Option<Environment>,
 }
 

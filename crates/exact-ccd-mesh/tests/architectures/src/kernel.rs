@@ -5,7 +5,7 @@ use exact_ccd::batch::{Instructions, Queries};
 use exact_ccd::predicates::{EdgeFace, orient3d};
 use exact_ccd::{
     DistanceBounds, EdgeEdge, Gradient, Intervals, Kind, NotDifferentiable, Options, Point, Query,
-    Separation, VertexEdge, VertexFace, VertexVertex, exact,
+    Separation, VertexEdge, VertexFace, VertexVertex,
 };
 
 use crate::hard_cases::digest::Digest;
@@ -65,7 +65,7 @@ pub(crate) fn add_answers<K: Kind>(digest: &mut Digest, query: &Query<K>, d: Sep
     if let Ok(bounds) = query.distance_at(0.375) {
         add_bounds(digest, bounds);
     }
-    add_intervals(digest, &exact::intervals(query, d));
+    add_intervals(digest, &query.exactly().intervals(d));
 }
 
 fn add_bounds(digest: &mut Digest, bounds: DistanceBounds) {

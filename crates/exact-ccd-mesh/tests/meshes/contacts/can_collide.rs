@@ -2,7 +2,8 @@
 
 use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
-    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, Pair, StepReport, TriangleMesh,
+    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, GroupError, GroupMatrix, Pair,
+    StepReport, TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -78,10 +79,31 @@ fn rules(random: &mut Rng) -> Vec<Rule> {
             let mut all = a.iter().chain(b);
             all.any(|&vertex| group(&groups, vertex) != first)
         }),
+        by_groups(random),
         obstacles().among(&parts),
         Rule::new(CanCollide::all(), |_, _| true).among(&parts),
         Rule::new(CanCollide::all(), |_, _| true).among(&[false; 4 * PIECES]),
     ]
+}
+
+/// A matrix of groups of two pieces each. The last vertices have no group.
+fn by_groups(random: &mut Rng) -> Rule {
+    let groups: Vec<u32> = (0..4 * PIECES - 3).map(|vertex| vertex as u32 / 8).collect();
+    let group_count = PIECES.div_ceil(2);
+    let can_collide: Vec<bool> = (0..group_count * group_count).map(|_| random.bool()).collect();
+    let can_collide = move |a: usize, b: usize| can_collide[a * group_count + b];
+    let matrix = GroupMatrix::from_fn(group_count, &can_collide);
+    Rule::new(
+        CanCollide::by_groups(groups.clone(), matrix).unwrap(),
+        move |a, b| {
+            let group = |vertex: &u32| groups.get(*vertex as usize).map(|&group| group as usize);
+            a.iter().map(group).any(|a| {
+                let can_collide =
+                    |b: Option<usize>| a.zip(b).is_none_or(|(a, b)| can_collide(a.min(b), a.max(b)));
+                b.iter().map(group).any(can_collide)
+            })
+        },
+    )
 }
 
 #[test]
@@ -159,17 +181,26 @@ fn rules_name_the_pairs_that_they_allow() {
     let groups = CanCollide::different_groups(vec![7, 8, 7]);
     let sums = CanCollide::any_vertices(|v, w| v + w == 4);
     let among = CanCollide::all().among(vec![true, false, true]);
-    let cases: [(&[u32], &[u32], [bool; 4]); 7] = [
-        (&[0], &[2], [false, false, false, true]),
-        (&[0], &[1], [true, true, false, false]),
-        (&[1], &[0], [true, true, false, false]),
-        (&[0], &[2, 1], [true, true, false, false]),
-        (&[0], &[3], [true, true, false, true]),
-        (&[3], &[4], [true, true, false, true]),
-        (&[0, 1], &[2, 3], [true, true, true, false]),
+    let matrix = GroupMatrix::from_fn(2, |a, b| a == 1 && b == 1);
+    let by_groups = CanCollide::by_groups(vec![0, 1, 1], matrix.clone()).unwrap();
+    let cases: [(&[u32], &[u32], [bool; 5]); 8] = [
+        (&[0], &[2], [false, false, false, true, false]),
+        (&[0], &[1], [true, true, false, false, false]),
+        (&[1], &[0], [true, true, false, false, false]),
+        (&[0], &[2, 1], [true, true, false, false, false]),
+        (&[1], &[2], [true, true, false, false, true]),
+        (&[0], &[3], [true, true, false, true, true]),
+        (&[3], &[4], [true, true, false, true, true]),
+        (&[0, 1], &[2, 3], [true, true, true, false, true]),
     ];
+    let missing = GroupError::NoSuchGroup {
+        vertex: 1,
+        group: 2,
+        group_count: 2,
+    };
+    assert_eq!(CanCollide::by_groups(vec![0, 2], matrix).err(), Some(missing));
     for (a, b, expected) in cases {
-        let found = [&obstacles, &groups, &sums, &among].map(|rule| rule.allows(a, b));
+        let found = [&obstacles, &groups, &sums, &among, &by_groups].map(|rule| rule.allows(a, b));
         assert_eq!(found, expected, "{a:?} {b:?}");
     }
     assert!(CanCollide::all().is_all() && !obstacles.is_all() && !among.is_all());

@@ -2,9 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use exact_ccd::{
-    CONTACT, EdgeEdge, Options, Separation, Thickness, VertexEdge, VertexFace, VertexVertex, exact,
-};
+use exact_ccd::{CONTACT, EdgeEdge, Options, Separation, Thickness, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{
     Detector, FreeStepOptions, FreeSteps, MinDistance, Pair, PairKind, Point, Step, TriangleMesh,
 };
@@ -81,7 +79,7 @@ fn min_distance(random: &mut Rng, scene: &Scene, scale: f64) -> MinDistance {
 /// True if a pair touches on the way to the end, in integers.
 fn touches<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> bool {
     let query = step.query::<K>(ids).unwrap();
-    exact::collides(&query, allowed::<K>(step, ids, min_distance))
+    query.exactly().collides(allowed::<K>(step, ids, min_distance))
 }
 
 fn touches_in(step: Step<'_>, pair: Pair, min_distance: &MinDistance) -> bool {

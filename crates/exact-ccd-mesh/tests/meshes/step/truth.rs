@@ -1,6 +1,6 @@
 //! The contacts of a step in integer arithmetic.
 
-use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Query, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Query, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{Motion, Pair, PairCounts, Point};
 
 /// The contacts of a step in integer arithmetic, for every pair without a common vertex.
@@ -94,7 +94,7 @@ impl Truth {
 
     /// Counts a pair: 1 if it collides, and 1 if it touches at t = 0. Keeps the earliest contact.
     fn count<K: Kind>(&mut self, pair: Pair, query: Query<K>) -> (usize, usize) {
-        let Some(time) = exact::intervals(&query, CONTACT).first_time() else {
+        let Some(time) = query.exactly().intervals(CONTACT).first_time() else {
             return (0, 0);
         };
         let impact = query.impact(CONTACT).unwrap();

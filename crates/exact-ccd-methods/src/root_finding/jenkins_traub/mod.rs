@@ -2,7 +2,7 @@
 //!
 //! M. A. Jenkins and J. F. Traub, *A Three-Stage Algorithm for Real Polynomials Using Quadratic
 //! Iteration*, SIAM Journal on Numerical Analysis 7(4), 1970. The details that it leaves open (limits
-//! of iterations, stopping criteria) are those of M. A. Jenkins, *Algorithm 493: Zeros of a Real Polynomial*,
+//! of iterations, stopping criteria) follow M. A. Jenkins, *Algorithm 493: Zeros of a Real Polynomial*,
 //! ACM Transactions on Mathematical Software 1(2), 1975.
 //!
 //! A sequence of polynomials K, of one degree less than P, converges to P without its smallest zeros.
@@ -69,8 +69,8 @@ fn shifted(p: &Polynomial) -> Polynomial {
 fn factor(p: &Polynomial) -> Option<Factor> {
     let start = (0..5).fold(derivative(p), |k, _| step_without_shift(p, &k));
     let radius = zero_free_radius(p);
-    // If a direction does not converge, the next one differs by an angle no small multiple of which
-    // is a full turn.
+    // If a direction does not converge, the next one is turned by an angle; no small multiple of that
+    // angle is a full turn.
     (1..=20_u32).find_map(|attempt| {
         let angle = (94.0 * f64::from(attempt) - 45.0).to_radians();
         let sigma = Quadratic {

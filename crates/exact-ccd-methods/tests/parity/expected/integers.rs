@@ -2,7 +2,7 @@
 
 use dashu_int::IBig;
 
-/// x in units of 2⁻¹⁰⁷⁴, of which every finite f64 is a multiple.
+/// x in units of 2⁻¹⁰⁷⁴: every finite f64 is a multiple of this unit.
 pub(crate) fn exactly(x: f64) -> IBig {
     assert!(x.is_finite());
     let bits = x.to_bits();

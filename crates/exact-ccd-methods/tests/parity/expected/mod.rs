@@ -8,7 +8,7 @@
 mod double_root;
 pub(crate) mod integers;
 
-use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, VertexFace};
 use exact_ccd_methods::parity::Parity;
 
 use double_root::double_root;
@@ -28,7 +28,7 @@ impl Rim for EdgeEdge {
 }
 
 pub(crate) fn expected<K: Rim>(query: &Query<K>) -> Parity {
-    let times = exact::intervals(query, CONTACT);
+    let times = query.exactly().intervals(CONTACT);
     if times.is_empty() {
         return Parity::Even;
     }

@@ -5,13 +5,13 @@ use alloc::vec::Vec;
 use dashu_int::IBig;
 
 use super::feature::{Feature, Pair};
-use crate::distance::Separation;
 use crate::exact::dyadic::{decompose, to_integers};
 use crate::exact::motion::common;
+use crate::exact::narrowing::Narrowing;
 use crate::exact::points::MovingPoints;
 use crate::exact::polynomial::{Polynomial, Vector, cross, dot, squared_length};
-use crate::kind::{Difference, Kind};
-use crate::query::Query;
+use crate::tables::{Difference, Point, Points, Side, Tables};
+use crate::values::Separation;
 
 /// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
 /// contact, distance is not invariant under a scaling of one axis.
@@ -24,24 +24,22 @@ pub(super) struct Approach {
 }
 
 impl Approach {
-    pub(super) fn new<K: Kind>(query: &Query<K>, d: Separation) -> Self {
-        let points = MovingPoints::new(query);
+    pub(super) fn new(points: &MovingPoints, d: Separation) -> Self {
         let ([separation], of_separation) = to_integers([d.get()]);
         let unit = points.least_unit().into_iter().chain(of_separation).min();
         let unit = unit.unwrap_or_default();
         let separation = separation << of_separation.map_or(0, |own| (own - unit) as usize);
-        let separation = Polynomial::between(&separation, &separation);
         Self {
+            squared_separation: points.length(separation).squared(),
             points: points.scaled_to(unit),
-            squared_separation: separation.squared(),
             unit,
         }
     }
 
     /// The points at one time, as constant polynomials, and d = 0.
-    pub(super) fn at<K: Kind>(query: &Query<K>, t: f64) -> Self {
+    pub(super) fn at(points: &Points<f64>, t: f64) -> Self {
         let (numerator, exponent) = decompose(t);
-        let approach = Self::new(query, Separation::ZERO);
+        let approach = Self::new(&MovingPoints::along(points), Separation::ZERO);
         let at_time = |coordinate: &Polynomial| {
             let (start, end) = (coordinate.at_start(), coordinate.at_end());
             let moved = (end - &start) * IBig::from(numerator);
@@ -58,24 +56,46 @@ impl Approach {
         self.points.difference(difference)
     }
 
+    /// The difference of two points, times the weight.
+    pub(super) fn weighted_difference(&self, difference: Difference) -> Vector {
+        self.points.weighted_difference(difference)
+    }
+
+    /// The direction of a vector in the coordinates of the world, unless it vanishes.
+    pub(super) fn direction(&self, vector: Vector, instant: &Narrowing) -> Option<Point> {
+        instant.direction(self.points.to_world(vector))
+    }
+
+    /// The volume and the normal of both primitives' plane.
+    pub(super) fn plane<K: Tables>(&self) -> (Polynomial, Vector) {
+        self.points.plane::<K>()
+    }
+
     /// The features of the primitives.
-    pub(super) fn features<K: Kind>(&self) -> Vec<Feature> {
+    pub(super) fn features<K: Tables>(&self) -> Vec<Feature> {
+        let one = Polynomial::constant(IBig::ONE);
+        let squared_weight = || self.points.frame().map(|frame| frame.weight().squared());
         let vertices = K::FEATURES.vertices.iter().map(|&(difference, parameters)| {
             let x = self.difference(difference);
             (
                 Pair::Vertices(difference, parameters),
-                Polynomial::constant(IBig::ONE),
-                [squared_length(&x), Polynomial::constant(IBig::ONE)],
+                one.clone(),
+                [
+                    squared_length(&x),
+                    squared_weight().unwrap_or_else(|| one.clone()),
+                ],
                 Vec::new(),
             )
         });
         let sides = K::FEATURES.sides.iter().map(|side| {
             let [a, b] = side.edge;
-            let (x, e) = (self.difference((side.vertex, a)), self.difference((b, a)));
+            let (x, e) = (
+                self.difference((side.vertex, a)),
+                self.weighted_difference((b, a)),
+            );
             let along = dot(&e, &x);
             let beyond = &squared_length(&e) - &along;
-            let (length, direction) = factor(e);
-            let across = cross(&direction, &x);
+            let (length, across, direction) = self.line(side, e, &x);
             (
                 Pair::VertexEdge(side),
                 length,
@@ -84,11 +104,9 @@ impl Approach {
             )
         });
         let inner = K::FEATURES.inner.map(|_| {
-            let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
-            let n = cross(&e1, &e2);
+            let (volume, n) = self.plane::<K>();
             let guards = self.guards_of_inner::<K>(&n);
-            let (length, direction) = factor(n);
-            let volume = dot(&w, &direction);
+            let (length, volume, direction) = self.without_factor(volume, n);
             let quotient = [volume.squared(), squared_length(&direction)];
             (Pair::Inner, length, quotient, guards)
         });
@@ -101,13 +119,40 @@ impl Approach {
             .collect()
     }
 
+    /// The edge e of a side as the product of a factor and a direction, with e × x divided by that factor.
+    ///
+    /// The edge of a body does not vanish at any time, or it always does: the factor is constant.
+    fn line(&self, side: &Side, e: Vector, x: &Vector) -> (Polynomial, Vector, Vector) {
+        if self.points.frame().is_some() {
+            let exists = e.iter().any(|component| !component.is_zero());
+            let length = Polynomial::constant(i32::from(exists).into());
+            return (length, self.points.areas(side), e);
+        }
+        let length = common(e.clone());
+        let direction = over(e, &length);
+        (length, cross(&direction, x), direction)
+    }
+
+    /// The normal as the product of a factor and a direction, with the volume divided by that factor.
+    ///
+    /// With a weight w, the volume is w · n over w, which the factor divides if it has no part in common
+    /// with w.
+    fn without_factor(&self, volume: Polynomial, n: Vector) -> (Polynomial, Polynomial, Vector) {
+        let mut length = common(n.clone());
+        if let Some(frame) = self.points.frame() {
+            length = length.coprime_to(frame.weight());
+        }
+        let direction = over(n, &length);
+        let [volume] = over([volume], &length);
+        (length, volume, direction)
+    }
+
     /// ±n · ((x − q) × (y − q)) for each vertex q and edge x y, in the order of the sides. Over n · n, they
     /// are u and v, and 1 − u − v for a triangle, otherwise 1 − u and 1 − v.
-    fn guards_of_inner<K: Kind>(&self, n: &Vector) -> Vec<Polynomial> {
+    fn guards_of_inner<K: Tables>(&self, n: &Vector) -> Vec<Polynomial> {
         let [u, v] = K::PARAMETERS.map(|index| {
             let side = &K::SIDES[index];
-            let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
-            let area = dot(n, &cross(&x, &y));
+            let area = dot(n, &self.points.areas(side));
             if side.along { area } else { -area }
         });
         let whole = squared_length(n);
@@ -121,14 +166,12 @@ impl Approach {
     }
 }
 
-/// A vector as the product of a common factor of its components, which vanishes when it does, and of a
-/// direction, which vanishes at no time unless the vector is always zero.
-fn factor(vector: Vector) -> (Polynomial, Vector) {
-    let length = common(vector.clone());
-    let direction = if length.coefficients().len() == 1 || length.is_zero() {
-        vector
+/// Polynomials over a common factor of them, if it has roots. So a direction vanishes at no time, unless its
+/// vector is always zero.
+fn over<const N: usize>(polynomials: [Polynomial; N], factor: &Polynomial) -> [Polynomial; N] {
+    if factor.degree() == 0 || factor.is_zero() {
+        polynomials
     } else {
-        vector.map(|component| component.over(&length))
-    };
-    (length, direction)
+        polynomials.map(|polynomial| polynomial.over(factor))
+    }
 }

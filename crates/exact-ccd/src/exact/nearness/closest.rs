@@ -6,17 +6,16 @@ use super::approach::Approach;
 use super::feature::{Feature, Pair};
 use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
-use crate::exact::polynomial::{Vector, cross, dot};
-use crate::impact::Impact;
-use crate::kind::{Kind, Side};
-use crate::point::Point;
+use crate::exact::polynomial::{Vector, dot};
+use crate::tables::{Point, Side, Tables};
+use crate::values::Impact;
 
 /// The parameters of two points, and the direction from that on the second primitive to that on the
 /// first.
 type PointPair = ([f64; 2], Option<Point>);
 
 /// The closest points at the first instant within d.
-pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: &Instant) -> Impact {
+pub(super) fn impact<K: Tables>(approach: &Approach, features: &[Feature], first: &Instant) -> Impact {
     let time = first.round();
     // In a bracket narrower than the resolution of the ratios, approximations prove nearly all of
     // their signs.
@@ -28,9 +27,10 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
     let closest = within.min_by(|one, other| one.compare(other, &instant));
     let closest = closest.expect("some features are within the separation at the first time");
     let (parameters, normal) = match closest.pair {
-        Pair::Vertices(difference, parameters) => {
-            (parameters, instant.direction(approach.difference(difference)))
-        }
+        Pair::Vertices(difference, parameters) => (
+            parameters,
+            approach.direction(approach.difference(difference), &instant),
+        ),
         Pair::VertexEdge(side) => vertex_edge(approach, side, &instant),
         Pair::Inner => inner::<K>(approach, closest, &instant),
     };
@@ -45,7 +45,10 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
 /// direction from it to the vertex that of (e · e) x − (e · x) e.
 fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPair {
     let [a, b] = side.edge;
-    let (x, e) = (approach.difference((side.vertex, a)), approach.difference((b, a)));
+    let (x, e) = (
+        approach.difference((side.vertex, a)),
+        approach.weighted_difference((b, a)),
+    );
     let (along, squared_length) = (dot(&e, &x), dot(&e, &e));
     let s = instant.ratio(&along, &squared_length);
     let is_of_first = side.vertex < a;
@@ -57,20 +60,19 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPa
             -towards_vertex
         }
     });
-    (side.parameters(s), instant.direction(direction))
+    (side.parameters(s), approach.direction(direction, instant))
 }
 
 /// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of
 /// w.
-fn inner<K: Kind>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> PointPair {
-    let [w, e1, e2] = K::SPAN.map(|difference| approach.difference(difference));
-    let n = cross(&e1, &e2);
+fn inner<K: Tables>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> PointPair {
+    let (volume, n) = approach.plane::<K>();
     let squared_length = dot(&n, &n);
     let parameters = K::PARAMETERS.map(|side| instant.ratio(&feature.guards[side], &squared_length));
-    let side = instant.sign(&dot(&w, &n));
+    let side = instant.sign(&volume);
     let direction = match side {
-        Ordering::Greater => instant.direction(n),
-        Ordering::Less => instant.direction(n.map(|component| -component)),
+        Ordering::Greater => approach.direction(n, instant),
+        Ordering::Less => approach.direction(n.map(|component| -component), instant),
         Ordering::Equal => None,
     };
     (parameters, direction)

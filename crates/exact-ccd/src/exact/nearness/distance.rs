@@ -4,18 +4,17 @@ use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot};
 
 use super::approach::Approach;
-use crate::distance::DistanceBounds;
 use crate::exact::dyadic::{ENOUGH_BITS, rounded_down};
 use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::split::Split;
-use crate::kind::Kind;
-use crate::query::Query;
+use crate::tables::{Points, Tables};
+use crate::values::DistanceBounds;
 
 /// The distance of the primitives at a time of the step, by the integral part of a square root.
-pub(crate) fn distance_at<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
-    let approach = Approach::at(query, t);
+pub(crate) fn distance_at<K: Tables>(points: &Points<f64>, t: f64) -> DistanceBounds {
+    let approach = Approach::at(points, t);
     // All polynomials are constant.
     let now = Narrowing::new(Instant::At(Split::START));
     let closest = approach

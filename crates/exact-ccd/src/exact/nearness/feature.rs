@@ -11,7 +11,7 @@ use crate::exact::intervals::{Event, Passage};
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::roots::roots_of;
-use crate::kind::{Difference, Side};
+use crate::tables::{Difference, Side};
 
 /// Two features, one of each primitive.
 #[derive(Clone, Copy, Debug)]
@@ -102,6 +102,12 @@ impl Feature {
     /// Numerator and denominator of the squared distance.
     pub(super) fn squared_distance(&self) -> [&Polynomial; 2] {
         [&self.numerator, &self.denominator]
+    }
+
+    /// The numerator less d² times the denominator.
+    #[cfg(test)]
+    pub(super) fn excess(&self) -> &Polynomial {
+        &self.excess
     }
 
     /// Returns true if the quotient is the squared distance of two points of the primitives.

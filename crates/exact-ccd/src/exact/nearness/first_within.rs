@@ -5,15 +5,14 @@ use alloc::vec::Vec;
 use super::approach::Approach;
 use super::feature::Feature;
 use super::{STEP, closest, is_within_at};
-use crate::distance::Separation;
 use crate::exact::instant::Instant;
 use crate::exact::intervals::{Event, Passage, intervals_of};
+use crate::exact::points::MovingPoints;
 use crate::exact::split::Split;
-use crate::impact::Impact;
-use crate::interval::Intervals;
-use crate::kind::Kind;
-use crate::query::Query;
-use crate::time::ContactTime;
+#[cfg(test)]
+use crate::tables::Points;
+use crate::tables::Tables;
+use crate::values::{ContactTime, Impact, Intervals, Separation};
 
 /// The first time at which the primitives are within d, with the polynomials that it follows from.
 #[derive(Clone, Debug)]
@@ -26,9 +25,15 @@ pub(crate) struct FirstWithin {
 }
 
 impl FirstWithin {
+    /// The first time of a query within d, if there is one.
+    #[cfg(test)]
+    pub(crate) fn of<K: Tables>(points: &Points<f64>, d: Separation) -> Option<Self> {
+        Self::along::<K>(&MovingPoints::along(points), d)
+    }
+
     /// The first time within d, if there is one.
-    pub(crate) fn of<K: Kind>(query: &Query<K>, d: Separation) -> Option<Self> {
-        let approach = Approach::new(query, d);
+    pub(crate) fn along<K: Tables>(points: &MovingPoints, d: Separation) -> Option<Self> {
+        let approach = Approach::new(points, d);
         let features = approach.features::<K>();
         let starts = is_within_at(&features, &STEP[0]);
         let crossings = if starts { Vec::new() } else { crossings(&features) };
@@ -62,7 +67,7 @@ impl FirstWithin {
     }
 
     /// The closest points at the first time.
-    pub(crate) fn impact<K: Kind>(&self) -> Impact {
+    pub(crate) fn impact<K: Tables>(&self) -> Impact {
         let exact = self.time.is_exact();
         let exact = exact.then(|| Instant::At(Split::from_unit(self.time.lower())));
         let earliest = || first_ones(&self.features, &self.crossings).reduce(Instant::earlier);

@@ -11,15 +11,20 @@ mod distance;
 mod feature;
 mod first_within;
 
+#[cfg(test)]
+use alloc::vec::Vec;
+
 pub(crate) use distance::distance_at;
 pub(crate) use first_within::FirstWithin;
 
 use super::instant::Instant;
 use super::narrowing::Narrowing;
+use super::points::MovingPoints;
+#[cfg(test)]
+use super::polynomial::Polynomial;
 use super::split::Split;
-use crate::distance::Separation;
-use crate::kind::Kind;
-use crate::query::Query;
+use crate::tables::Tables;
+use crate::values::Separation;
 use approach::Approach;
 use feature::Feature;
 
@@ -27,8 +32,8 @@ use feature::Feature;
 static STEP: [Split; 2] = [Split::START, Split::END];
 
 /// Returns true if the primitives come within d.
-pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
-    let features = Approach::new(query, d).features::<K>();
+pub(super) fn comes_within<K: Tables>(points: &MovingPoints, d: Separation) -> bool {
+    let features = Approach::new(points, d).features::<K>();
     STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(Feature::crosses)
 }
 
@@ -36,4 +41,15 @@ pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
 fn is_within_at(features: &[Feature], t: &Split) -> bool {
     let instant = &Narrowing::new(Instant::At(t.clone()));
     features.iter().any(|feature| feature.is_within(instant))
+}
+
+/// The degrees of the excesses of all pairs of features.
+#[cfg(test)]
+pub(super) fn excess_degrees<K: Tables>(
+    points: &MovingPoints,
+    d: Separation,
+    degree: impl Fn(&Polynomial) -> usize,
+) -> Vec<usize> {
+    let features = Approach::new(points, d).features::<K>();
+    features.iter().map(|feature| degree(feature.excess())).collect()
 }

@@ -4,8 +4,8 @@
 //! the constant of the bound.
 
 use super::Symbol;
-use crate::filter::number::Points;
-use crate::filter::roundoff::{LARGEST, UNIT};
+use crate::numbers::roundoff::{LARGEST, UNIT};
+use crate::tables::Points;
 
 /// Points that are the opposite of themselves at the other time: magnitudes are equal at both.
 pub(in crate::filter) fn opposite_points(seed: u64) -> Points<f64> {

@@ -12,8 +12,8 @@ use core::fmt::Write;
 use std::path::Path;
 
 use super::symbol::{Operation, Symbol, record};
-use crate::filter::double_double::ROUNDOFF;
-use crate::filter::roundoff::UNIT;
+use crate::numbers::double_double::ROUNDOFF;
+use crate::numbers::roundoff::UNIT;
 
 /// The statement of a script: if all inputs are at most 1 in magnitude, a value is off by at most some error.
 pub(in crate::filter) struct Script<'a> {
@@ -22,7 +22,7 @@ pub(in crate::filter) struct Script<'a> {
     /// The statement in words.
     pub(in crate::filter) about: &'a str,
     /// True for [`Precise<true>`](super::Precise): each operation has an error of at most [`ROUNDOFF`]
-    /// relative to its operands. Otherwise, it is that of f64.
+    /// relative to its operands. Otherwise, each operation has the error of f64.
     pub(in crate::filter) is_twice: bool,
     /// Numbers that stand for all in [0, 1].
     pub(in crate::filter) parameters: &'a [f64],

@@ -3,8 +3,7 @@
 
 use alloc::vec::Vec;
 
-use crate::non_negative::NonNegative;
-use crate::time::ContactTime;
+use crate::values::{ContactTime, NonNegative};
 
 /// All finite numbers of half precision that are not negative: subnormal ones are multiples of 2⁻²⁴, the
 /// others have ten binary digits after the first.

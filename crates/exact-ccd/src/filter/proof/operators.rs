@@ -3,7 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::symbol::{Operation, Rules, Symbol};
-use crate::filter::number::Lanes;
+use crate::numbers::number::Lanes;
 
 impl Add for Symbol {
     type Output = Self;

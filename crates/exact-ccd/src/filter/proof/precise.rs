@@ -3,7 +3,7 @@
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::symbol::{Operation, Rules, Symbol};
-use crate::filter::number::Number;
+use crate::numbers::number::Number;
 
 /// A [`Symbol`] in the place of [`DoubleDouble`](crate::filter::double_double::DoubleDouble): differences of
 /// coordinates are exact, and `roundings` counts operations. Or, if not `TWICE`, in the place of an f64.

@@ -11,21 +11,20 @@ use super::assertions::{assert_bound, assert_counts, assert_in_range, opposite_p
 use super::gappa::exponent;
 use super::{Precise, Script, Symbol};
 use crate::filter::coplanarity::{Coplanarity, Expansion};
-use crate::filter::cubic::{Cubic, Root};
-use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
 use crate::filter::gap::{Touching, Within};
 use crate::filter::hull::{Hull, diagonal_limit};
-use crate::filter::moment::{self, Moment};
-use crate::filter::number::Lanes;
 use crate::filter::planar::Planar;
 use crate::filter::position::NearRoot;
-use crate::filter::precise_cubic::PreciseCubic;
-use crate::filter::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
-use crate::filter::vector::{cross, cross_along, interpolate};
-use crate::filter::window::Window;
-use crate::kind::{EdgeEdge, Kind, VertexFace};
-use crate::predicates::{determinant, error_of_determinant};
-use crate::query::Query;
+use crate::fixed::moment::{self, Moment};
+use crate::fixed::window::Window;
+use crate::numbers::cubic::{Cubic, Root};
+use crate::numbers::determinant::{determinant, error_of_determinant};
+use crate::numbers::double_double::{DoubleDouble, ROUNDOFF};
+use crate::numbers::number::Lanes;
+use crate::numbers::precise_cubic::PreciseCubic;
+use crate::numbers::roundoff::{LARGEST, UNDERFLOW, UNIT, margin};
+use crate::numbers::vector::{cross, cross_along, interpolate};
+use crate::tables::{EdgeEdge, Tables, VertexFace};
 
 /// One of the parameters in [0, 1] at which an interpolation has two equal weights, or one of them.
 const PARAMETERS: [f64; 3] = [0.0, 0.5, 1.0];
@@ -54,7 +53,7 @@ fn the_range_is_between_underflow_and_overflow() {
 
 #[test]
 fn coplanarity_cubics() {
-    fn check<K: Kind>() {
+    fn check<K: Tables>() {
         for seed in SEEDS {
             let planes = Coplanarity::<Symbol>::new::<K>(&symbols(opposite_points(seed)));
             let Cubic { bernstein, magnitude } = planes.cubic;
@@ -80,7 +79,7 @@ fn coplanarity_cubics() {
 
 #[test]
 fn normals() {
-    fn check<K: Kind>() {
+    fn check<K: Tables>() {
         for seed in SEEDS {
             let planes = Coplanarity::<Symbol>::new::<K>(&symbols(opposite_points(seed)));
             let total = |vector: [Symbol; 3]| vector.iter().map(|x| x.permanent).sum::<f64>();
@@ -116,13 +115,13 @@ fn normals() {
 
 #[test]
 fn separating_directions() {
-    fn check<K: Kind>() {
+    fn check<K: Tables>() {
         for seed in SEEDS {
             // The first primitive is a point, the second one the origin: all corners are the same.
             let [start, _] = opposite_points(seed);
             let mut points = [[[0.0; 3]; 4]; 2];
             for now in &mut points {
-                now[..K::FIRST].fill(start[0]);
+                now[..K::CORNERS[0].1].fill(start[0]);
             }
             let hull = Hull::new::<K>(&symbols(points));
             let direction = start[1].map(|x| Symbol::exactly(x).of_degree(2));
@@ -177,9 +176,8 @@ fn quadratics_of_planar_motion() {
     for seed in SEEDS {
         // Not differences of 2, whose product is their sum.
         let points = opposite_points(seed).map(|now| now.map(|[x, y, _]| [4.0 * x, 4.0 * y, 1.0]));
-        let query = Query::<EdgeEdge>::from_finite(points);
         let [x, y] = [(0, 2), (1, 0)];
-        let planar = Planar::new(&query).unwrap();
+        let planar = Planar::new(&points).unwrap();
         let (coefficients, magnitude) = planar.expand::<Precise<false>>(x, y);
         assert_counts(&coefficients.map(|Precise(symbol)| symbol), 6, 2, 3.0 * magnitude);
         let ([q0, .., q1], magnitude) = planar.expand::<Precise<true>>(x, y);
@@ -219,8 +217,8 @@ fn quadratics_in_a_bracket() {
 #[test]
 fn linear_functions_at_a_moment() {
     // The time of a place in a window is the sum of its beginning and a part of its width, both rounded. The
-    // coefficients of the value are rounded once. The terms of 1 − t, counted, add up to 2, so those of the
-    // value to 2 |d₀| + |d₁|.
+    // coefficients of the value are rounded once. The terms of 1 − t, counted, add up to 2, so the terms of
+    // the value add up to 2 |d₀| + |d₁|.
     let [low, width] = [0.25, 0.25].map(|time| Symbol::exactly(time).rounded());
     let t = low + Symbol::exactly(0.5) * width;
     assert_eq!(t.roundings, 3);
@@ -244,8 +242,8 @@ fn linear_functions_at_a_moment() {
         [sign(threshold), sign(threshold + 1.0)],
         [None, Some(Ordering::Greater)]
     );
-    // In a bracket of this radius, the value changes by at most the slope, |d₀| + |d₁|, of which the bound
-    // has twice.
+    // In a bracket of this radius, the value changes by at most the slope, |d₀| + |d₁|. The bound has twice
+    // the slope.
     let wide = Root {
         low: 0.375,
         ..bracket
@@ -273,8 +271,7 @@ fn positions_near_a_root() {
             slope: 1.0,
             before: Ordering::Less,
         };
-        let query = Query::<EdgeEdge>::from_finite(points);
-        let bracket = NearRoot::new(&query, &root);
+        let bracket = NearRoot::new(&points, &root);
         let [x, y] = [(1, 0), (3, 2)].map(|difference| bracket.vector(difference));
         let error = bracket.cross_along(0, &x, &y).error;
         let exact = [(1, 0), (3, 2)].map(|(i, j): (usize, usize)| {
@@ -291,7 +288,7 @@ fn positions_near_a_root() {
             high: 0.75,
             ..root
         };
-        let error = NearRoot::new(&query, &wide).cross_along(0, &x, &y).error;
+        let error = NearRoot::new(&points, &wide).cross_along(0, &x, &y).error;
         let relative = error / cross(exact[0], exact[1])[0].permanent;
         assert!((relative - 3.0).abs() < 1e-9, "{relative}");
     }
@@ -311,7 +308,7 @@ fn volumes() {
 
 #[test]
 fn cubics_in_twice_the_precision() {
-    fn check<K: Kind>() {
+    fn check<K: Tables>() {
         for seed in SEEDS {
             let Expansion {
                 coefficients,
@@ -402,8 +399,7 @@ fn estimates_hold_in_all_of_a_bracket() {
             // Many are zero, at one end of the step or at both.
             let mut number = || unit * f64::from(random.i32(-2..=2) * random.i32(0..=1));
             let points = [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| number())));
-            let query = Query::<EdgeEdge>::from_finite(points);
-            let near = NearRoot::new(&query, &bracket);
+            let near = NearRoot::new(&points, &bracket);
             let [a, b] = edges.map(|difference| near.vector(difference));
             for t in [0.25, 0.5, 0.75] {
                 // Without rounding.

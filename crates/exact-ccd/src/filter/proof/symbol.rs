@@ -5,7 +5,7 @@ use core::cell::RefCell;
 use std::thread_local;
 use std::vec::Vec;
 
-use crate::filter::roundoff::LARGEST;
+use crate::numbers::roundoff::LARGEST;
 
 /// An operation of the code, on the places of its operands in the record.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -22,7 +22,7 @@ use exact_ccd::batch::{self, Trajectories};
 use exact_ccd::predicates::{EdgeFace, orient3d};
 use exact_ccd::{
     CONTACT, Collision, ContactTime, EdgeEdge, Kind, Point, Query, Separation, Stage, VertexEdge, VertexFace,
-    environment, exact,
+    environment,
 };
 
 /// The smallest subnormal number.
@@ -166,9 +166,9 @@ impl Coplanar {
         let collide = queries.map(|[t0, t1]| {
             let start = ALLOCATOR.used.load(Relaxed);
             let vertex_face =
-                Query::<VertexFace>::new(t0, t1).is_ok_and(|query| exact::collides(&query, CONTACT));
+                Query::<VertexFace>::new(t0, t1).is_ok_and(|query| query.exactly().collides(CONTACT));
             let edge_edge =
-                Query::<EdgeEdge>::new(t0, t1).is_ok_and(|query| exact::collides(&query, CONTACT));
+                Query::<EdgeEdge>::new(t0, t1).is_ok_and(|query| query.exactly().collides(CONTACT));
             ALLOCATOR.used.store(start, Relaxed);
             [vertex_face, edge_edge]
         });

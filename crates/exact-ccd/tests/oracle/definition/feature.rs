@@ -10,10 +10,8 @@ use super::polynomial::Polynomial;
 use super::root::{self, Function, Root};
 use super::time::Time;
 
-/// A point: for each axis, the coordinates at both ends of the step.
-pub(crate) type Moving = [[IBig; 2]; 3];
-
-type Vector = [Polynomial; 3];
+/// A point: its coordinates at time t.
+pub(crate) type Vector = [Polynomial; 3];
 
 /// Two features at the distance √(N / M), if their closest points lie inside of both: if M > 0 and all guards
 /// are at least 0.
@@ -28,8 +26,7 @@ pub(crate) struct Feature {
 }
 
 /// All pairs of features of two primitives.
-pub(crate) fn all(primitives: Primitives, points: &[Moving], d: &IBig) -> Vec<Feature> {
-    let p: Vec<Vector> = points.iter().map(path).collect();
+pub(crate) fn all(primitives: Primitives, p: &[Vector], d: &Polynomial) -> Vec<Feature> {
     let pairs = |vertices: &[[usize; 2]], edges: &[[usize; 3]]| -> Vec<Feature> {
         let vertices = vertices.iter().map(|&[i, j]| vertex_vertex(&p[i], &p[j], d));
         let edges = edges.iter().map(|&[i, j, k]| vertex_edge(&p[i], &p[j], &p[k], d));
@@ -52,26 +49,26 @@ pub(crate) fn all(primitives: Primitives, points: &[Moving], d: &IBig) -> Vec<Fe
     all
 }
 
-fn vertex_vertex(p: &Vector, a: &Vector, d: &IBig) -> Feature {
+fn vertex_vertex(p: &Vector, a: &Vector, d: &Polynomial) -> Feature {
     let one = Polynomial::new(vec![IBig::ONE]);
     Feature::new(minus(p, a).into(), one, vec![], d)
 }
 
-fn vertex_edge(p: &Vector, a: &Vector, b: &Vector, d: &IBig) -> Feature {
+fn vertex_edge(p: &Vector, a: &Vector, b: &Vector, d: &Polynomial) -> Feature {
     let (x, e) = (minus(p, a), minus(b, a));
     let (along, measure) = (dot(&e, &x), dot(&e, &e));
     let guards = vec![along.clone(), measure.minus(&along)];
     Feature::new(cross(&e, &x).into(), measure, guards, d)
 }
 
-fn vertex_face(p: &Vector, a: &Vector, b: &Vector, c: &Vector, d: &IBig) -> Feature {
+fn vertex_face(p: &Vector, a: &Vector, b: &Vector, c: &Vector, d: &Polynomial) -> Feature {
     let n = cross(&minus(b, a), &minus(c, a));
     let inside = |x: &Vector, y: &Vector| dot(&n, &cross(&minus(y, x), &minus(p, x)));
     let guards = vec![inside(a, b), inside(b, c), inside(c, a)];
     Feature::new(vec![dot(&n, &minus(p, a))], dot(&n, &n), guards, d)
 }
 
-fn edge_edge(a: &Vector, b: &Vector, c: &Vector, e: &Vector, d: &IBig) -> Feature {
+fn edge_edge(a: &Vector, b: &Vector, c: &Vector, e: &Vector, d: &Polynomial) -> Feature {
     let (first, second, w) = (minus(b, a), minus(e, c), minus(c, a));
     let n = cross(&first, &second);
     let measure = dot(&n, &n);
@@ -82,15 +79,15 @@ fn edge_edge(a: &Vector, b: &Vector, c: &Vector, e: &Vector, d: &IBig) -> Featur
 
 impl Feature {
     /// N is the sum of the squares of the terms.
-    fn new(terms: Vec<Polynomial>, measure: Polynomial, guards: Vec<Polynomial>, d: &IBig) -> Self {
+    fn new(terms: Vec<Polynomial>, measure: Polynomial, guards: Vec<Polynomial>, d: &Polynomial) -> Self {
         let zero = Polynomial::new(vec![]);
-        let is_contact = *d == IBig::ZERO;
+        let is_contact = d.is_zero();
         let excess = if is_contact {
             terms.iter().fold(zero, |gcd, term| gcd.gcd(term))
         } else {
             let squares = terms.iter().map(|term| term.times(term));
             let squares = squares.fold(zero, |sum, square| sum.plus(&square));
-            squares.minus(&measure.scaled(&(d * d)))
+            squares.minus(&measure.times(&d.times(d)))
         };
         Self {
             excess: Function::new(excess),
@@ -124,14 +121,6 @@ impl Feature {
             && root.sign_of(&self.measure) == Greater
             && self.guards.iter().all(|guard| root.sign_of(guard) != Less)
     }
-}
-
-/// The coordinates at time t: a + t (b − a).
-fn path(point: &Moving) -> Vector {
-    from_fn(|axis| {
-        let [a, b] = &point[axis];
-        Polynomial::new(vec![a.clone(), b - a])
-    })
 }
 
 fn minus(a: &Vector, b: &Vector) -> Vector {

@@ -9,7 +9,7 @@
 //! Also a module of other test targets.
 
 mod feature;
-mod polynomial;
+pub(crate) mod polynomial;
 mod root;
 mod sturm;
 mod time;
@@ -21,7 +21,9 @@ use dashu_int::ops::Gcd;
 use dashu_ratio::RBig;
 use exact_ccd::Point;
 
-use feature::{Feature, Moving};
+use feature::Feature;
+pub(crate) use feature::Vector;
+use polynomial::Polynomial;
 use root::Root;
 use time::Time;
 
@@ -45,7 +47,17 @@ pub(crate) fn intervals(
     d: f64,
 ) -> Vec<([Moment; 2], bool)> {
     let (points, d) = in_integers([start, end], d);
-    let features: Vec<Feature> = feature::all(primitives, &points, &d)
+    intervals_of(primitives, &points, &Polynomial::new(vec![d]))
+}
+
+/// The same for points whose coordinates are polynomials, and for a distance that is one, not negative in the
+/// step.
+pub(crate) fn intervals_of(
+    primitives: Primitives,
+    points: &[Vector],
+    d: &Polynomial,
+) -> Vec<([Moment; 2], bool)> {
+    let features: Vec<Feature> = feature::all(primitives, points, d)
         .into_iter()
         .filter(Feature::is_ever_near)
         .collect();
@@ -99,7 +111,7 @@ fn insert(events: &mut Vec<Root>, mut root: Root) {
 
 /// All points, and d, as integers: in the largest unit of which all of them are multiples. Contact does not
 /// change if an axis is stretched, so that for d = 0 each axis has its own unit.
-fn in_integers([start, end]: [&[Point]; 2], d: f64) -> (Vec<Moving>, IBig) {
+fn in_integers([start, end]: [&[Point]; 2], d: f64) -> (Vec<Vector>, IBig) {
     let on_axis = |axis: usize| start.iter().chain(end).map(move |point| point[axis]);
     let units = if d == 0.0 {
         [0, 1, 2].map(|axis| unit(on_axis(axis)))
@@ -108,8 +120,13 @@ fn in_integers([start, end]: [&[Point]; 2], d: f64) -> (Vec<Moving>, IBig) {
         [unit.clone(), unit.clone(), unit]
     };
     let integer = |x: f64, axis: usize| (exactly(x) / &units[axis]).numerator().clone();
-    let moving =
-        |(a, b): (&Point, &Point)| [0, 1, 2].map(|axis| [integer(a[axis], axis), integer(b[axis], axis)]);
+    let moving = |(a, b): (&Point, &Point)| {
+        [0, 1, 2].map(|axis| {
+            let [a, b] = [a, b].map(|point| integer(point[axis], axis));
+            let change = &b - &a;
+            Polynomial::new(vec![a, change])
+        })
+    };
     (start.iter().zip(end).map(moving).collect(), integer(d, 0))
 }
 

@@ -1,5 +1,5 @@
-// The interface of the IPC Toolkit (1.6, or with IPC_BEFORE_1_6 that of 1.4 and 1.5) that
-// exact_ccd/ipc_toolkit.hpp uses, without the toolkit.
+// The interface of the IPC Toolkit that exact_ccd/ipc_toolkit.hpp uses, without the toolkit: version 1.6, or
+// with IPC_BEFORE_1_6 versions 1.4 and 1.5.
 
 #pragma once
 

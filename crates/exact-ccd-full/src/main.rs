@@ -1,0 +1,7 @@
+//! The `exact-ccd` program with all commands, for `cargo full` in a checkout.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    exact_ccd_cli::main_of_process(std::env::args_os())
+}

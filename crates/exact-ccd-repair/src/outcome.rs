@@ -1,0 +1,58 @@
+//! The outcome of a repair.
+
+use exact_ccd_mesh::{Intersection, Pair, Point};
+
+use crate::change::Change;
+use crate::progress::Phase;
+
+/// The outcome of a repair.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// The mesh is free of intersections and of contact at rest.
+    Repaired(Repaired),
+    /// It is not.
+    Unrepaired(Unrepaired),
+}
+
+/// Positions in which a mesh is free.
+///
+/// No two faces, edges or vertices have more in common than the vertices and edges that they share, see
+/// [`Meeting`](exact_ccd_mesh::Meeting), and no pair is within the minimum distance. This was decided exactly, for
+/// the positions as they are.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Repaired {
+    /// The positions. They have the bits of the given ones if the mesh was free before.
+    pub positions: Vec<Point>,
+    /// The pairs of an edge and a face that crossed before.
+    pub crossings: usize,
+    /// The change.
+    pub change: Change,
+}
+
+/// The state at the end of a repair that has not succeeded.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Unrepaired {
+    /// The last positions. They may intersect.
+    pub positions: Vec<Point>,
+    /// The edges that pass through faces in these positions.
+    pub crossings: Vec<Intersection>,
+    /// The pairs within the minimum distance in these positions.
+    pub contacts: Vec<Pair>,
+    /// The reason.
+    pub reason: Reason,
+}
+
+/// The reason why a repair has not succeeded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Reason {
+    /// Pinned vertices alone intersect, or are within the minimum distance: the crossings and contacts are theirs.
+    Pinned,
+    /// A phase has had as many rounds as the options allow. The mesh may have no free positions near, or none at
+    /// all, as a Klein bottle or linked bodies.
+    Rounds(Phase),
+    /// The caller has stopped it.
+    Stopped(Phase),
+}

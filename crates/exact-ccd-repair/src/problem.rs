@@ -1,0 +1,98 @@
+//! A mesh to repair, and the exact decisions about its positions at rest.
+
+use std::sync::Arc;
+
+use exact_ccd_mesh::{
+    Bvh, Contact, Detector, Intersection, IntersectionOptions, Meeting, Options, Point, Separation,
+    TriangleMesh, check_positions, intersections,
+};
+
+use crate::error::RepairError;
+use crate::options::RepairOptions;
+use crate::outcome::Reason;
+use crate::progress::{Phase, Progress};
+use crate::size::Size;
+use crate::system::Unknowns;
+
+/// A mesh to repair.
+pub(crate) struct Problem<'a> {
+    pub(crate) mesh: &'a TriangleMesh,
+    /// The given positions.
+    pub(crate) given: &'a [Point],
+    pub(crate) options: &'a RepairOptions<'a>,
+    pub(crate) size: Size,
+    pub(crate) unknowns: Unknowns,
+    pub(crate) detector: Detector,
+    crossing: IntersectionOptions,
+}
+
+/// The end of a phase: positions that are free in its sense, or the last positions and the reason.
+pub(crate) type Ended = Result<Vec<Point>, (Vec<Point>, Reason)>;
+
+impl<'a> Problem<'a> {
+    pub(crate) fn new(
+        mesh: &'a Arc<TriangleMesh>,
+        given: &'a [Point],
+        options: &'a RepairOptions<'a>,
+    ) -> Result<Self, RepairError> {
+        let vertex_count = mesh.vertex_count();
+        check_positions(vertex_count, given)?;
+        let mut is_pinned = vec![false; vertex_count];
+        for &vertex in &options.pinned {
+            let place = is_pinned.get_mut(vertex as usize);
+            *place.ok_or(RepairError::Pinned { vertex, vertex_count })? = true;
+        }
+        let crossing = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        Ok(Self {
+            mesh,
+            given,
+            options,
+            size: Size::new(mesh, given),
+            unknowns: Unknowns::new(&is_pinned),
+            detector: Detector::new(mesh.clone()).with_can_collide(options.can_collide.clone()),
+            crossing: crossing.with_can_collide(options.can_collide.clone()),
+        })
+    }
+
+    /// The edges that pass through faces. With no such pair and no [contact](Self::contacts), the mesh is free: see
+    /// [`Meeting`].
+    pub(crate) fn crossings(&self, x: &[Point]) -> Result<Vec<Intersection>, RepairError> {
+        Ok(intersections(self.mesh, x, &Bvh, &self.crossing)?)
+    }
+
+    /// The pairs within a distance.
+    pub(crate) fn contacts(
+        &mut self,
+        x: &[Point],
+        distance: Separation,
+    ) -> Result<Vec<Contact>, RepairError> {
+        Ok(self
+            .detector
+            .collisions(x, x, Options::within(distance).until(0.0))?)
+    }
+
+    /// Returns true if a pair is within a distance.
+    pub(crate) fn has_contacts(&mut self, x: &[Point], distance: Separation) -> Result<bool, RepairError> {
+        Ok(self
+            .detector
+            .collides(x, x, Options::within(distance).until(0.0))?)
+    }
+
+    /// The reason to end a phase before its next round.
+    pub(crate) fn ends(&self, phase: Phase, round: usize, pairs: usize) -> Option<Reason> {
+        let progress = Progress { phase, round, pairs };
+        if self.options.stop.is_some_and(|stop| stop(progress)) {
+            Some(Reason::Stopped(phase))
+        } else {
+            (round >= self.options.max_rounds).then_some(Reason::Rounds(phase))
+        }
+    }
+}
+
+/// Positions with displacements times a factor.
+pub(crate) fn moved(x: &[Point], displacements: &[Point], factor: f64) -> Vec<Point> {
+    let places = x.iter().zip(displacements);
+    places
+        .map(|(x, d)| [0, 1, 2].map(|axis: usize| x[axis] + factor * d[axis]))
+        .collect()
+}

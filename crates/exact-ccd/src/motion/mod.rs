@@ -1,0 +1,23 @@
+//! Motion on curves, decided exactly: Bézier curves, rigid bodies, chains of joints.
+//!
+//! A point of a [`Bezier`] motion moves on a polynomial curve; free fall has degree 2. A [`RigidMotion`]
+//! turns a body by a linear quaternion, and a [`Chain`] is a product of rigid motions. The place of every
+//! point is a quotient of polynomials in t, so that the answers are exact, as those for straight motion: no
+//! contact is missed, none is invented, and times are rounded down. `docs/curved-motion.md` has the
+//! definition and the degrees.
+//!
+//! The integers of [`Query::exactly`](crate::Query::exactly) decide each query: a millisecond or so.
+
+mod bezier;
+mod chain;
+mod curved_query;
+mod error;
+mod pose;
+mod rigid_motion;
+
+pub use bezier::Bezier;
+pub use chain::Chain;
+pub use curved_query::CurvedQuery;
+pub use error::InvalidMotion;
+pub use pose::Pose;
+pub use rigid_motion::RigidMotion;

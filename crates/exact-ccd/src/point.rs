@@ -1,4 +1,0 @@
-//! Points.
-
-/// A point in space.
-pub type Point = [f64; 3];
