@@ -75,7 +75,7 @@ fn a_pressed_sphere_arrives() {
             assert!(
                 statistics.converged && statistics.script_lag == 0.0,
                 "{statistics:?}"
-            )
+            );
         })
         .last()
         .unwrap()
