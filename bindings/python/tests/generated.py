@@ -1,4 +1,4 @@
-"""Generated queries with small integer coordinates, of which many are degenerate."""
+"""Generated queries with small integer coordinates; many of them are degenerate."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from exact_ccd.queries import POINTS
 
 
 def queries(kind: str, count: int, seed: int = 0) -> NDArray[np.float64]:
-    """Points of queries of a kind: those at t = 0, then the same at t = 1."""
+    """The points of queries of a kind, at t = 0, then at t = 1."""
     random = np.random.default_rng(seed)
     return random.integers(-3, 4, (count, 2 * POINTS[kind], 3)).astype(np.float64)
 
@@ -34,7 +34,7 @@ def of_points(kind: str, points) -> Queries:
 
 
 def of_vertices(kind: str, points: NDArray[np.float64]) -> tuple:
-    """The arguments of the same queries by the indices of vertices, each of which has one."""
+    """The arguments of the same queries by the indices of vertices; each vertex belongs to one query."""
     count, both, _ = points.shape
     half = both // 2
     vertices = np.arange(count * half, dtype=np.uint32).reshape(count, half)

@@ -25,9 +25,8 @@ def test_the_first_violation() -> None:
     assert (report.frames, report.violation.frame, report.violation.contact.time) == (3, 1, 0.25)
     assert sum(done) == 3
     report = audit(frames(0, 1), FACES)
-    # The tip touches the face: no edge passes through it.
-    assert (report.frames, report.violation.frame, report.violation.intersection) == (1, 0, None)
-    assert report.violation.contact.kind == "vf"
+    assert (report.frames, report.violation.frame, report.violation.contact) == (1, 0, None)
+    assert report.violation.intersection[1] == 0
     # Two points at rest in one place.
     rods = audit(np.zeros((1, 4, 3)), np.empty((0, 3), int), edges=[[0, 1], [2, 3]])
     assert (rods.violation.frame, rods.violation.contact.kind) == (0, "ee")
@@ -87,7 +86,7 @@ def test_files(tmp_path) -> None:
 
 
 def test_stl_files_are_welded(tmp_path) -> None:
-    # Two faces with a common edge, of which copies would touch, and one that falls through them.
+    # Two faces with a common edge, whose copies would touch, and one that falls through them.
     faces = [[0, 1, 2], [2, 1, 3], [4, 5, 6]]
     below = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0]]
     positions = np.array([[*below, [1, 1, z], [1, 2, z + 4], [2, 1, z + 4]] for z in (3, 1, -3)], float)

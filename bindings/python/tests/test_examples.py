@@ -45,7 +45,7 @@ def test_notebook() -> None:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
     assert done.returncode == 0, done.stderr
     outputs = [output for cell in cells for output in cell["outputs"]]
-    # The printed numbers are those in the notebook, which also has the pictures.
+    # The printed numbers are the same as in the notebook, which also has the pictures.
     printed = "".join("".join(output.get("text", "")) for output in outputs)
     assert done.stdout == printed
     assert sum("image/png" in output.get("data", {}) for output in outputs) == 3

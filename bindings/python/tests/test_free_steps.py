@@ -43,7 +43,7 @@ def test_steps_are_free(settings: dict, rule: str) -> None:
 
 
 def test_the_step_of_the_documentation_in_rust() -> None:
-    """The numbers are those of the example of `Detector::free_steps`."""
+    """The numbers are the same as in the example of `Detector::free_steps`."""
     x0 = np.array([*FACE, [0.25, 0.25, 1], [5, 0, 1]])
     x1 = x0.copy()
     x1[3:, 2] = -1.0
@@ -54,7 +54,7 @@ def test_the_step_of_the_documentation_in_rust() -> None:
 
 
 def test_what_pinned_vertices_forbid_is_blocked() -> None:
-    """A face moves onto a vertex at rest: the numbers are those of a test of `Detector::free_steps`."""
+    """A face moves onto a vertex at rest: the numbers are the same as in a test of `Detector::free_steps`."""
     x0 = np.array([*FACE, [0.25, 0.25, 1]])
     x1 = x0.copy()
     x1[:3, 2] = 2.0
@@ -104,7 +104,7 @@ def test_wrong_arguments() -> None:
 
 
 def test_the_bits_are_those_of_rust() -> None:
-    """The number is that of the same test in Rust, `sizes_and_positions_have_the_bits_of_other_languages`."""
+    """The number is the same as in the test in Rust, `sizes_and_positions_have_the_bits_of_other_languages`."""
     state = 1
 
     def following(count: int) -> np.ndarray:

@@ -17,7 +17,7 @@ COUNT = 5
 
 
 def matrix(seed: int) -> np.ndarray:
-    """A symmetric matrix, of which the diagonal has both values."""
+    """A symmetric matrix whose diagonal has both values."""
     upper = np.triu(np.random.default_rng(seed).random((COUNT, COUNT)) < 0.5)
     return upper | upper.T
 

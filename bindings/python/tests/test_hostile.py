@@ -67,7 +67,7 @@ def test_steps_of_ipc(name: str) -> None:
         dim = int(random.integers(2, 4))
         edges, faces = integers(random, 6, 4, 2), integers(random, 6, 2 if dim == 3 else 0, 3)
         try:
-            # Those of faces, too.
+            # The edges of faces, too.
             edges = np.concatenate([ipc.edges(faces), edges])
         except (TypeError, ValueError):
             pass

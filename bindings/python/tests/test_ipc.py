@@ -144,7 +144,7 @@ def test_the_narrow_phase_of_ipctk() -> None:
 
 
 def test_loose_points_and_edges() -> None:
-    """A point meets another one, or a rod; the numbers of the vertices are those of the mesh."""
+    """A point meets another one, or a rod; the vertices have their numbers in the mesh."""
     x0 = np.array([[9.0, 0, 0], [9, 1, 0], [-1, 0, 0], [1, 0, 0], [0, 0, 1]])
     x1 = x0.copy()
     x1[4, 2] = -1.0

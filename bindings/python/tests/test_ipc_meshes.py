@@ -76,7 +76,7 @@ def test_the_lists() -> None:
     for wrong in (len(every), -len(every) - 1):
         with pytest.raises(IndexError, match=f"candidate {wrong}, but there are only {len(every)}"):
             candidates[wrong]
-    # The vertices of the items are those of the pairs.
+    # The items have the vertices of the pairs.
     rows = [item.vertex_ids(mesh.edges, mesh.faces) for item in every]
     assert rows == [row for kind in ("vv", "ve", "ee", "vf") for row in candidates.pairs[kind].tolist()]
     assert len({*every}) == len(every) and EdgeEdgeCandidate(0, 3) != FaceVertexCandidate(0, 3)

@@ -71,6 +71,6 @@ def test_a_contact_at_the_start() -> None:
 
 @pytest.mark.parametrize("name", PAIRS)
 def test_a_rescaling_of_single_precision(name: str) -> None:
-    """The time is a float, at most that of the contact."""
+    """The time is a float, at most the time of the contact."""
     hit, time = getattr(ipc, name)(*PAIRS[name], conservative_rescaling=np.float32(1.0))
     assert hit and type(time) is float and time == THIRD

@@ -47,7 +47,7 @@ def earliest_in_the_plane(edges, x0: np.ndarray, x1: np.ndarray) -> Optional[flo
 
 
 def check(mesh, x0: np.ndarray, x1: np.ndarray, expected: Optional[float]) -> None:
-    """The answers of both ways are those of all pairs."""
+    """Both ways agree with the times of all pairs."""
     candidates = ipc.Candidates()
     candidates.build(mesh, x0, x1)
     for way in (ipc, candidates):

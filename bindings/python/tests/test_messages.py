@@ -1,4 +1,4 @@
-"""Messages for wrong arguments are those of this package, and name the argument."""
+"""Messages for wrong arguments come from this package, and name the argument."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The answers for the published data sets are those of the truth."""
+"""The answers for the published data sets agree with the ground truth."""
 
 from __future__ import annotations
 

@@ -238,7 +238,7 @@ def test_the_program(cluster, tmp_path) -> None:
     def run(*arguments: object) -> tuple[int, str, str]:
         command = [sys.executable, "-m", "exact_ccd.ray_program", "--address", cluster.address, *map(str, arguments)]
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-        # Relative paths are those of this process, not of the processes of the cluster.
+        # Relative paths begin at the working directory of this process, not of the processes of the cluster.
         done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, env=environment, timeout=300)
         return done.returncode, done.stdout, done.stderr
 

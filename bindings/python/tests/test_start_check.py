@@ -54,7 +54,7 @@ def test_touching_is_no_crossing() -> None:
 
 
 def test_random_steps() -> None:
-    """Successive steps, of which the start may be known: the check is that of `intersections`."""
+    """Successive steps, whose start may be known: the check agrees with `intersections`."""
     random = np.random.default_rng(2)
     mesh = Mesh(9, [[0, 1, 2], [3, 4, 5], [6, 7, 8]])
     plain, checked = Detector(mesh), Detector(mesh, start_check=True)

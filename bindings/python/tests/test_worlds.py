@@ -1,4 +1,4 @@
-"""Many worlds at a time: the answers are those of a detector for each."""
+"""Many worlds at a time: the same answers as by a detector for each world."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ COUNT = 7
 
 
 def worlds_of(seed: int) -> tuple[Mesh, np.ndarray, np.ndarray]:
-    """One mesh, of which some worlds move little, and are free."""
+    """One mesh; some worlds move little, and are free."""
     mesh, x0, x1 = soup(seed, triangles=8)
     random = np.random.default_rng(seed)
     speeds = np.linspace(0.0, 1.0, COUNT)[:, None, None]

@@ -5,8 +5,8 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 
 use crate::size::Size;
 
-/// The change of a mesh in numbers. Displacements are relative to the diagonal of the box around the mesh before,
-/// stretches to the lengths of edges before. Edges of length 0 before do not count.
+/// The change of a mesh in numbers. Displacements are relative to the diagonal of the box around the mesh
+/// before, stretches to the lengths of edges before. Edges of length 0 before do not count.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Change {

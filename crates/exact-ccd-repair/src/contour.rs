@@ -51,10 +51,10 @@ const LEAST_ANGLE: f64 = 1e-9;
 /// An edge with direction E pierces a face with normal N at one point of the contour. In each face beside the
 /// edge, the contour goes on from there in the direction R of the line in which that face meets the pierced
 /// one. If the edge moves relative to the pierced face by a vector m, the point moves in the plane of the
-/// pierced face by m − (N · m / N · E) E, and each of these parts of the contour becomes longer by −R times this.
-/// So the contour becomes shorter fastest along Σ R − (E · R / E · N) N, the sum over the faces beside the edge.
-/// The second term frees an edge along the normal of the face; the authors take it twice, and so does this function.
-/// An edge of no face has no contour, and does not move.
+/// pierced face by m − (N · m / N · E) E, and each of these parts of the contour becomes longer by −R times
+/// this. So the contour becomes shorter fastest along Σ R − (E · R / E · N) N, the sum over the faces beside
+/// the edge. The second term frees an edge along the normal of the face; the authors take it twice, and so
+/// does this function. An edge of no face has no contour, and does not move.
 pub(crate) fn contour_gradient(
     mesh: &TriangleMesh,
     wings: &Wings,
@@ -117,7 +117,8 @@ mod tests {
 
     use super::*;
 
-    /// A large face in the plane z = 0, and two smaller ones beside the edge 3 4, which pierces it at the origin.
+    /// A large face in the plane z = 0, and two smaller ones beside the edge 3 4, which pierces it at the
+    /// origin.
     fn pierced(x: &[Point]) -> (TriangleMesh, Vec<Intersection>) {
         let faces = vec![[0, 1, 2], [3, 4, 5], [4, 3, 6]];
         let mesh = TriangleMesh::new(7, faces).expect("the indices are in range");

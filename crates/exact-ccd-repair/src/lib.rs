@@ -1,12 +1,13 @@
-//! Repair of a mesh that intersects itself: positions near the given ones in which it does not, decided exactly.
+//! Repair of a mesh that intersects itself: positions near the given ones in which it does not, decided
+//! exactly.
 //!
 //! [`repair`] keeps vertices, edges and faces, and moves vertices in three phases (`docs/repair.md`):
 //!
 //! 1. *Loosen*: along the smoothed gradient of the length of the curves in which the mesh intersects itself
 //!    (Volino and Magnenat-Thalmann 2006), until no edge passes through a face and no pair touches.
 //! 2. *Separate*: apart, until no pair is within the minimum distance, if there is one.
-//! 3. *Return*: towards the given positions and the given shape, as far as it goes. Each step is certified to be free
-//!    of contact, so that nothing intersects any more.
+//! 3. *Return*: towards the given positions and the given shape, as far as it goes. Each step is certified to
+//!    be free of contact, so that nothing intersects any more.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -19,16 +20,15 @@
 //! let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
 //! let x = [floor, [[2.0, 2.0, -0.5], [2.0, 1.0, 4.0], [1.0, 2.0, 4.0]]].concat();
 //!
-//! let options = RepairOptions::default().with_pinned(vec![0, 1, 2]);
-//! let Outcome::Repaired(repaired) = repair(&mesh, &x, &options)? else { panic!("the triangle is free to move") };
-//! assert_eq!(repaired.crossings, 2);
-//! assert_eq!(repaired.positions[..3], floor);
+//! let options = RepairOptions::default().with_pinned(vec![0, 1, 2]); let Outcome::Repaired(repaired) =
+//! repair(&mesh, &x, &options)? else { panic!("the triangle is free to move") };
+//! assert_eq!(repaired.crossings, 2); assert_eq!(repaired.positions[..3], floor);
 //! assert!(repaired.positions[3][2] > 0.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The result is a function of the mesh, the positions and the options: it does not depend on the number of threads.
-//! It is not promised to be the same on other machines, as the answers of collision detection are.
+//! The result is a function of the mesh, the positions and the options: it does not depend on the number of
+//! threads. It is not promised to be the same on other machines, as the answers of collision detection are.
 
 mod change;
 mod contour;

@@ -9,8 +9,8 @@ use crate::offsets::offsets;
 use crate::problem::{Ended, Problem, moved};
 use crate::progress::Phase;
 
-/// The smoothing of the gradient: (1 + `SMOOTHING` L)⁻¹, with L the Laplacian of the graph of edges. It spreads the
-/// displacement of a vertex over about √30 edges around it. With 5, tangled knots stay tangled.
+/// The smoothing of the gradient: (1 + `SMOOTHING` L)⁻¹, with L the Laplacian of the graph of edges. It
+/// spreads the displacement of a vertex over about √30 edges around it. Less leaves knots tangled.
 const SMOOTHING: f64 = 30.0;
 
 /// The smoothing of the displacement from the given positions. Each round takes the mean of both.
@@ -19,7 +19,8 @@ const FAIRING: f64 = 0.5;
 /// The largest component of a displacement in a round, relative to the mean length of edges.
 const PACE: f64 = 0.25;
 
-/// The first offset, relative to the diagonal: pairs that touch exactly have no direction in which they come apart.
+/// The first offset, relative to the diagonal: pairs that touch exactly have no direction in which they come
+/// apart.
 const OFFSET: f64 = 1e-7;
 
 /// Positions without intersections and contact.

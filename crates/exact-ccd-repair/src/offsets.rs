@@ -5,9 +5,9 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 
 use crate::system::Unknowns;
 
-/// Displacements of length 1 to 2 against the normals, of another length for each component: closed surfaces that
-/// touch from outside come apart, and so do surfaces that coincide, whatever their orientations. A small part is
-/// another direction for each vertex, for surfaces that touch themselves.
+/// Displacements of length 1 to 2 against the normals, of another length for each component: closed surfaces
+/// that touch from outside come apart, and so do surfaces that coincide, whatever their orientations. A small
+/// part is another direction for each vertex, for surfaces that touch themselves.
 pub(crate) fn offsets(mesh: &TriangleMesh, unknowns: &Unknowns, x: &[Point]) -> Vec<Point> {
     let mut normals = vec![[0.0; 3]; x.len()];
     for &[a, b, c] in mesh.faces() {

@@ -10,8 +10,8 @@ use crate::progress::Progress;
 #[derive(Clone)]
 #[non_exhaustive]
 pub struct RepairOptions<'a> {
-    /// The distance at which primitives touch: the repaired positions have no pair within it. The default is 0,
-    /// which is contact.
+    /// The distance at which primitives touch: the repaired positions have no pair within it. The default is
+    /// 0, which is contact.
     pub min_distance: Separation,
     /// The vertices that stay where they are, such as those of obstacles. The default is none.
     pub pinned: Vec<u32>,

@@ -17,8 +17,8 @@ pub enum Outcome {
 /// Positions in which a mesh is free.
 ///
 /// No two faces, edges or vertices have more in common than the vertices and edges that they share, see
-/// [`Meeting`](exact_ccd_mesh::Meeting), and no pair is within the minimum distance. This was decided exactly, for
-/// the positions as they are.
+/// [`Meeting`](exact_ccd_mesh::Meeting), and no pair is within the minimum distance. This was decided
+/// exactly, for the positions as they are.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Repaired {
@@ -48,10 +48,11 @@ pub struct Unrepaired {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Reason {
-    /// Pinned vertices alone intersect, or are within the minimum distance: the crossings and contacts are theirs.
+    /// Pinned vertices alone intersect, or are within the minimum distance: the crossings and contacts are
+    /// theirs.
     Pinned,
-    /// A phase has had as many rounds as the options allow. The mesh may have no free positions near, or none at
-    /// all, as a Klein bottle or linked bodies.
+    /// A phase has had as many rounds as the options allow. The mesh may have no free positions near, or none
+    /// at all, as a Klein bottle or linked bodies.
     Rounds(Phase),
     /// The caller has stopped it.
     Stopped(Phase),

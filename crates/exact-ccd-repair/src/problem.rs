@@ -54,8 +54,8 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// The edges that pass through faces. With no such pair and no [contact](Self::contacts), the mesh is free: see
-    /// [`Meeting`].
+    /// The edges that pass through faces. With no such pair and no [contact](Self::contacts), the mesh is
+    /// free: see [`Meeting`].
     pub(crate) fn crossings(&self, x: &[Point]) -> Result<Vec<Intersection>, RepairError> {
         Ok(intersections(self.mesh, x, &Bvh, &self.crossing)?)
     }

@@ -19,6 +19,7 @@ pub struct Progress {
     pub phase: Phase,
     /// The number of rounds of this phase so far.
     pub round: usize,
-    /// The pairs of an edge and a face that intersect, or the pairs within the minimum distance; 0 in the return.
+    /// The pairs of an edge and a face that intersect, or the pairs within the minimum distance; 0 in the
+    /// return.
     pub pairs: usize,
 }

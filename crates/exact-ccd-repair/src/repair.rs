@@ -14,8 +14,8 @@ use crate::progress::Phase;
 use crate::restore::restore;
 use crate::separate::separate;
 
-/// Moves vertices of a mesh, as little as the method finds, until no edge passes through a face and no pair is within
-/// the minimum distance. See the [crate](crate) for the method.
+/// Moves vertices of a mesh, as little as the method finds, until no edge passes through a face and no pair
+/// is within the minimum distance. See the [crate](crate) for the method.
 ///
 /// # Errors
 /// [`RepairError`] names the positions that do not fit the mesh, or the pinned vertex that it does not have.

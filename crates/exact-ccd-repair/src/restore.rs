@@ -21,8 +21,9 @@ const STILL: f64 = 1e-5;
 /// The distance beyond the minimum distance at which a pair is near, relative to the mean length of edges.
 const NEAR: f64 = 0.05;
 
-/// Positions that a free motion reaches from `x`, near the given ones and near their shape: a descent of the energy
-/// of [`Shape`], each step of which is certified to be free of contact. A stop by the caller ends it early.
+/// Positions that a free motion reaches from `x`, near the given ones and near their shape: a descent of the
+/// energy of [`Shape`], each step of which is certified to be free of contact. A stop by the caller ends it
+/// early.
 pub(crate) fn restore(problem: &mut Problem<'_>, mut x: Vec<Point>) -> Result<Vec<Point>, RepairError> {
     let Problem {
         mesh,

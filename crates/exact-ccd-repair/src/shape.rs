@@ -12,9 +12,9 @@ use crate::system::{System, Unknowns};
 ///
 /// E(x) = `ATTRACTION` Σ |xᵢ − sᵢ|² + Σ wᵢⱼ |(xᵢ − xⱼ) − R (sᵢ − sⱼ)|²,
 ///
-/// the second sum over edges. R is the mean of the rotations at the ends of the edge, each the best fit to the
-/// edges of its vertex (as rigid as possible, Sorkine and Alexa 2007), and w the mean length of edges divided by
-/// the length of the edge, so that short edges keep their lengths. The minimum of E is s.
+/// the second sum over edges. R is the mean of the rotations at the ends of the edge, each the best fit to
+/// the edges of its vertex (as rigid as possible, Sorkine and Alexa 2007), and w the mean length of edges
+/// divided by the length of the edge, so that short edges keep their lengths. The minimum of E is s.
 pub(crate) struct Shape<'a> {
     mesh: &'a TriangleMesh,
     given: &'a [Point],

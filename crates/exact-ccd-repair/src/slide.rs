@@ -26,9 +26,9 @@ struct Near {
     least: f64,
 }
 
-/// Changes displacements so that each near pair keeps a part of its gap beyond the minimum distance, to first order:
-/// projected Gauss-Seidel for the nearest displacements with this property. It proves nothing; the certified step
-/// that follows decides.
+/// Changes displacements so that each near pair keeps a part of its gap beyond the minimum distance, to first
+/// order: projected Gauss-Seidel for the nearest displacements with this property. It proves nothing; the
+/// certified step that follows decides.
 pub(crate) fn slide(problem: &Problem<'_>, contacts: &[Contact], displacements: &mut [Point]) {
     let near: Vec<Near> = contacts
         .iter()
@@ -42,8 +42,8 @@ pub(crate) fn slide(problem: &Problem<'_>, contacts: &[Contact], displacements: 
     }
 }
 
-/// Displacements that move the primitives of each near pair apart, to a distance `wanted` to first order; the mean of
-/// all pairs of a vertex.
+/// Displacements that move the primitives of each near pair apart, to a distance `wanted` to first order; the
+/// mean of all pairs of a vertex.
 pub(crate) fn part(problem: &Problem<'_>, contacts: &[Contact], wanted: f64) -> Vec<Point> {
     let mut sums = vec![([0.0; 3], 0.0); problem.given.len()];
     for near in contacts.iter().filter_map(|contact| Near::new(problem, contact)) {
@@ -91,8 +91,8 @@ impl Near {
         weights.filter(|&(vertex, _)| !unknowns.is_pinned(vertex as usize))
     }
 
-    /// Moves the vertices along the normal by as much as the distance lacks, and back by as much as earlier pushes
-    /// were too many.
+    /// Moves the vertices along the normal by as much as the distance lacks, and back by as much as earlier
+    /// pushes were too many.
     fn resolve(&self, unknowns: &Unknowns, push: &mut f64, displacements: &mut [Point]) {
         let mass: f64 = self.free(unknowns).map(|(_, weight)| weight * weight).sum();
         if mass <= 0.0 {

@@ -35,12 +35,14 @@ impl Unknowns {
         self.of_vertex[vertex].is_none()
     }
 
-    /// The system I + `weight` L, with L the Laplacian of the graph of edges. Pinned vertices have the value 0.
+    /// The system I + `weight` L, with L the Laplacian of the graph of edges. Pinned vertices have the value
+    /// 0.
     pub(crate) fn smoothing(&self, mesh: &TriangleMesh, weight: f64) -> Result<System, RepairError> {
         self.system(1.0, mesh.edges().iter().map(|&edge| (edge, weight)))
     }
 
-    /// The system of the quadratic form `mass` Σ |xᵢ|² + Σ k |xᵢ − xⱼ|², the second sum over edges and their k.
+    /// The system of the quadratic form `mass` Σ |xᵢ|² + Σ k |xᵢ − xⱼ|², the second sum over edges and their
+    /// k.
     pub(crate) fn system(
         &self,
         mass: f64,

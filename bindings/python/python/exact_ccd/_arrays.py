@@ -84,8 +84,8 @@ def _first_row(differs: NDArray[np.bool_]) -> int:
 def positions(name: str, values: ArrayLike, shape: Shape, rows: Optional[NDArray[np.intp]] = None) -> Positions:
     """The same numbers as an array of this shape, without a copy of float64 and float32 with any strides.
 
-    The exceptions are those of :func:`floats`. `rows` has the numbers by which errors name the rows, by default
-    those from 0 on.
+    Raises the same exceptions as :func:`floats`. Errors name a row by its number in `rows`, by default by its
+    index.
     """
     if type(values) is np.ndarray and values.dtype in _IN_PLACE and values.flags.aligned:
         return values if _fits(values.shape, shape) else _checked(name, values, shape, "f", "real numbers")
@@ -194,7 +194,7 @@ def integer(name: str, value: object, low: int, high: int) -> int:
 
 
 def thread_count(threads: Optional[int]) -> Optional[int]:
-    """A number of threads; None for that of the cores."""
+    """A number of threads; None for the number of cores."""
     return None if threads is None else integer("threads", threads, 1, MOST_THREADS)
 
 

@@ -75,7 +75,7 @@ def audit(
     progress : callable, optional
         Called with the number of frames examined since its last call, as ``tqdm.update``.
     threads : int, optional
-        The number of threads; by default that of the cores. The result does not depend on it.
+        The number of threads; by default the number of cores. The result does not depend on it.
     view : path, optional
         An HTML file to write, which shows the frames that were examined and the violation in a browser. It
         needs no network.

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from .meshes import Mesh
 
 PAIR = np.dtype([("kind", "U2"), ("first", np.uint32), ("second", np.uint32), ("vertices", np.int64, (4,))])
-"""The fields of a pair of primitives of a mesh, the first ones of :class:`Contact`."""
+"""The fields of a pair of primitives of a mesh: the first fields of :class:`Contact`."""
 
 CONTACT = np.dtype([*PAIR.descr, *IMPACT.descr, ("distance", np.float64, (2,))])
-"""The fields of a contact of a mesh, those of :class:`Contact` but for its places."""
+"""The fields of a contact of a mesh: all fields of :class:`Contact` except `places`."""
 
 PairColumns = tuple[NDArray[np.uint8], NDArray[np.uint32], NDArray[np.int64]]
 """The columns of pairs: kinds, indices of both primitives, vertices."""

@@ -86,9 +86,10 @@ class Detector(Searcher):
     """Finds contact in successive steps of one mesh, in which each vertex moves in a straight line.
 
     The detector keeps memory and order between steps; no answer depends on earlier steps. A call while it
-    works for another thread, or from the rule that it calls, raises RuntimeError: each needs its own.
+    works for another thread, or from the rule that it calls, raises RuntimeError: each needs its own detector.
 
-    Two detectors are equal if their meshes and settings are. One that is pickled has these, and no memory.
+    Two detectors are equal if their meshes and settings are. A pickled detector keeps both, but not the memory
+    of earlier steps.
 
     Parameters
     ----------
@@ -97,19 +98,20 @@ class Detector(Searcher):
     min_distance : float or array of shape (V,)
         Primitives that come within this distance of each other count as touching, in all that follows; in
         the unit of the coordinates, taken exactly. Or a thickness for each vertex: a primitive has the
-        largest of its vertices, and the distance of a pair is the sum of both, rounded up.
+        largest thickness of its vertices, and the minimum distance of a pair is the sum of both thicknesses,
+        rounded up.
         A vertex and an edge of rods that another edge connects touch at distance 0 only (docs/pairs.md).
     inner_distance : float, optional
-        A smaller distance in place of `min_distance` for pairs that start within that: for a line search that
-        has to move on from there. One that is not smaller changes nothing.
+        A smaller distance that replaces `min_distance` for pairs that start within `min_distance`: a line search
+        can then move on from there. A distance that is not smaller changes nothing.
     threads : int, optional
-        The number of threads; by default that of the cores, and 1 in a rule `can_collide`. The answers do not
-        depend on it.
+        The number of threads; by default the number of cores, and 1 for a call from inside a rule
+        `can_collide`. The answers do not depend on it.
     start_check : bool
-        Refuse a step that begins with an edge that passes through a face, by a :class:`CrossingError`. This
-        takes a pass over the mesh at rest, which is not repeated for a start that is the one before, or the
-        end of a step that was found free. With `groups` or a rule `can_collide`, only for
-        the one before.
+        Refuse a step at whose start an edge passes through a face, by a :class:`CrossingError`. This takes a
+        pass over the mesh at rest. The pass is not repeated if the start is the same as in the step before, or
+        the end of a step that was found free. With `groups` or a rule `can_collide`, only an
+        equal start saves the pass.
 
     Raises
     ------
@@ -129,10 +131,10 @@ class Detector(Searcher):
     is not one position for each vertex, or if one is not finite, CrossingError with `start_check`, and
     KeyboardInterrupt after Ctrl-C.
 
-    A contact is that of a vertex and a face, of two edges, or of points and rods. An edge that pierces a face
-    at rest, away from its boundary, is none of these: a step from such a start may be free of contact, and
-    `free_step` may return the size 1. With `start_check`, it is an error. `intersections` finds such edges,
-    and :func:`audit` begins with them.
+    A contact is between a vertex and a face, between two edges, or between points and rods. An edge that
+    pierces a face at rest, away from the boundary of the face, is none of these: a step from such a start may
+    be free of contact, and `free_step` may return the size 1. With `start_check`, such a start is an error.
+    `intersections` finds such edges, and :func:`audit` begins with them.
     ``docs/pairs.md`` lists all pairs that are never in contact.
 
     Examples
@@ -264,8 +266,8 @@ class Detector(Searcher):
         Returns
         -------
         float64 array of shape (V,)
-            The least distance of a pair of primitives of which one has the vertex, rounded down, and at most
-            `cut_off`.
+            For each vertex, the least distance of the pairs in which a primitive has this vertex, rounded down, and
+            at most `cut_off`.
 
         Raises
         ------
@@ -318,14 +320,15 @@ class Detector(Searcher):
         x0, x1 : array of shape (V, 3)
             As for :meth:`collides`.
         keep : float
-            The part of the time of a contact that its vertices take, above 0 and at most 1; its power k in the k-th round that holds vertices back.
+            Above 0 and at most 1. In the k-th round that holds vertices back, a contact at the time t multiplies the
+            sizes of its vertices by t times the k-th power of `keep`.
         pinned : array of shape (N,), optional
-            The indices of vertices that go all the way, such as those of obstacles and scripts.
+            The indices of vertices that move the whole step, such as the vertices of obstacles and scripts.
 
         Returns
         -------
         FreeSteps
-            No size is below that of :meth:`free_step`, if no vertex is pinned.
+            If no vertex is pinned, no size is below the size from :meth:`free_step`.
 
         Raises
         ------
@@ -412,12 +415,13 @@ class Detector(Searcher):
         Returns
         -------
         bytes
-            The contents of a file: those that ``exact-ccd step --certificate`` writes for the same positions.
+            The contents of the file that ``exact-ccd step --certificate`` writes for the same positions.
 
         Raises
         ------
         UncertifiedError
-            If some pairs have no proof: `missing` of `pairs`, of which `first` is the name of one.
+            If some pairs have no proof: `missing` is their number, `pairs` the number of all pairs, and `first` the
+            name of one without a proof.
         CrossingError
             If an edge passes through a face at `x0`.
         ValueError
@@ -450,6 +454,6 @@ class Detector(Searcher):
         Returns
         -------
         uint32 array of shape (M, 2)
-            The index of the edge in :attr:`Mesh.edges` and that of the face, sorted.
+            The index of the edge in :attr:`Mesh.edges` and the index of the face, sorted.
         """
         return self._native.intersections(self._world("x", x))

@@ -131,7 +131,7 @@ class FileFrames:
             self._faces, self._edges, self.kept = welded(first._native, self, style, apart)
 
     def _within(self, file: str) -> Iterator[tuple[str, int]]:
-        """The frames of a file: that of a mesh, those in arrays, or the files of a collection."""
+        """The frames of a file: the frame of a mesh file, the frames in arrays, or the files of a collection."""
         if self._filesystem is not None:
             yield file, 0
             return

@@ -29,8 +29,8 @@ class Place(NamedTuple):
     kind : {"vertex", "edge", "face"}
         The kind of primitive.
     id : int
-        Its index among the primitives of this kind that the body has: that in a :class:`Mesh` of the body alone, if
-        no face belongs to several bodies.
+        Its index among the primitives of this kind that the body has. If no face belongs to several bodies, it is
+        the index in a :class:`Mesh` of the body alone.
 
     Examples
     --------
@@ -69,7 +69,7 @@ def names_of(names: Optional[Sequence[str]], groups: Optional[Indices]) -> Optio
     if names is None:
         return None
     if groups is None:
-        raise TypeError("names are those of groups, but groups is missing: give the number of the group of each vertex")
+        raise TypeError("names are for groups, but groups is missing: give the number of the group of each vertex")
     given = (names,) if isinstance(names, str) else tuple(names)
     for number, name in enumerate(given):
         if not isinstance(name, str):

@@ -84,7 +84,7 @@ class Mesh:
     >>> mesh.loose_edges.tolist()
     [[2, 3], [3, 4]]
 
-    Three bodies, of which the first two do not collide with each other.
+    Three bodies; the first two do not collide with each other.
 
     >>> import numpy as np
     >>> rule = ~np.eye(3, dtype=bool)
@@ -245,12 +245,12 @@ def read_mesh(path: Union[str, PathLike[str]], *, weld: Weld = None) -> MeshFile
     Parameters
     ----------
     path : path
-        The file; its format is that of the extension.
+        The file; its extension determines the format.
     weld : bool, optional
-        Make one vertex of several in the same place, as the option ``--weld`` of the program does: of the ends of
-        edges that coincide, as exporters split them at seams of textures and normals. By default of STL files only,
-        in which all vertices in the same place are one: they have no shared vertices. With False, an STL file reads as
-        three vertices for each face.
+        Make one vertex of several in the same place, as the option ``--weld`` of the program does, if they are ends
+        of edges that coincide: exporters split vertices at seams of textures and normals. By default, vertices are
+        welded in STL files only, which have no shared vertices; there, all vertices in the same place become one.
+        With False, an STL file reads as three vertices for each face.
 
     Returns
     -------

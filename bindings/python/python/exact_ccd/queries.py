@@ -39,7 +39,7 @@ Arrays = tuple[int, Positions, Positions, Optional[Indices]]
 class Intervals(NamedTuple):
     """The times at which the primitives of many queries touch, as maximal closed intervals.
 
-    Those of query ``i`` are ``times[offsets[i]:offsets[i + 1]]``.
+    The intervals of query ``i`` are ``times[offsets[i]:offsets[i + 1]]``.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Intervals(NamedTuple):
 
 
 def check_kind(kind: object, place: str = "") -> None:
-    """Refuse a name that is not that of a kind; `place` is a prefix of the message."""
+    """Refuse anything but the name of a kind; `place` is a prefix of the message."""
     if not isinstance(kind, str):
         raise TypeError(f"{place}kind is of type {type(kind).__name__}, expected one of {_NAMES}")
     if kind not in POINTS:
@@ -157,7 +157,7 @@ class Queries:
             The last time that counts: primitives that first touch later do not collide. The exact time is
             compared, not the rounded one.
         threads : int, optional
-            The number of threads, from 1 to 1024; by default that of the cores. No answer depends on it.
+            The number of threads, from 1 to 1024; by default the number of cores. No answer depends on it.
 
         Returns
         -------
@@ -266,7 +266,7 @@ class Queries:
         Returns
         -------
         structured array of shape (N,)
-            The fields are those of :data:`IMPACT`. ``time`` is that of :meth:`time_of_impact`. The others are
+            The fields of :data:`IMPACT`. ``time`` equals :meth:`time_of_impact`. The other fields are
             approximate: ``u`` and ``v``, in [0, 1], are within 2**-32. The primitives meet at
             (1 - u - v) v1 + u v2 + v v3, or at (1 - u) a0 + u a1 and (1 - v) b0 + v b1, where a vertex counts
             as an edge of length zero. ``normal`` is a unit vector from the second primitive to the first, NaN

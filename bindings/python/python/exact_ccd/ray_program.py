@@ -100,7 +100,7 @@ def _message(error: Exception) -> str:
     for one in (getattr(error, "cause", None), error):
         if isinstance(one, (ValueError, TypeError, OSError)):
             return str(one)
-    # The text of an error of Ray contains that of its causes.
+    # The text of an error of Ray contains the texts of its causes.
     return f"{type(error).__name__}: {error}"
 
 
@@ -116,7 +116,7 @@ def main() -> None:
         sys.stderr.write(f"error: {error}; pip install 'ray[data]' pyarrow\n")
         status = 2
     except Exception as error:
-        # Also those of Ray: a lost cluster or a failed task is no violation.
+        # Errors of Ray too: a lost cluster or a failed task is no violation.
         sys.stderr.write(f"error: {_message(error)}\n")
         status = 2
     sys.exit(status)

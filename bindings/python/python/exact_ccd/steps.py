@@ -99,20 +99,21 @@ class FreeSteps(NamedTuple):
     """A step for each vertex, such that together they are certified to be free of contact.
 
     The straight motion from the start to `positions` has been decided exactly: no two primitives touch, except
-    those of `blocked`.
+    the pairs in `blocked`.
 
     Attributes
     ----------
     sizes : float64 array of shape (V,)
-        The part of its displacement that each vertex takes, from 0 to 1. It is 1 if the vertex is pinned, or if
-        no contact held it back in any round.
+        The fraction of its displacement by which each vertex moves, from 0 to 1. It is 1 if the vertex is pinned,
+        or if no contact held it back in any round.
     positions : float64 array of shape (V, 3)
-        The positions at the ends of these parts.
+        The positions after these moves.
     rounds : int
         The number of searches for contact.
     blocked : structured array of shape (M,)
-        The pairs that touch, whatever the sizes of the vertices that are not pinned: those that touch at the
-        start, and those whose other vertices stay at the start. Sorted, with the fields of :data:`PAIR`.
+        The pairs that touch, whatever the sizes of the vertices that are not pinned: pairs that touch at
+        the start, and pairs that touch even if their vertices that are not pinned stay at the start. Sorted,
+        with the fields of :data:`PAIR`.
     """
 
     sizes: NDArray[np.float64]

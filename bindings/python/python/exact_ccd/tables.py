@@ -34,8 +34,8 @@ def answer_table(
 ) -> _Table:
     """Decide the queries of a table, and return it with their answers as further columns.
 
-    The columns ``kind`` and ``points`` are those of the Parquet files of ``exact-ccd convert``, and so are the
-    answers ``count`` and ``toi``. All other columns are passed on.
+    The columns ``kind`` and ``points`` and the answers ``count`` and ``toi`` are the same as in the Parquet files
+    of ``exact-ccd convert``. All other columns are passed on.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def answer_table(
           the same at t = 1, in the order of :class:`Queries`. Lists of fixed size serve as well. float64 and
           float32 values are read where they are.
     answers : iterable of {"collides", "count", "toi"}
-        The columns to add, each of which replaces one of the same name:
+        The columns to add; each replaces a column of the same name:
 
         - ``collides``, bool: contact or none, as of :meth:`Queries.collides`;
         - ``count``, int64: the number of contact times, as of :meth:`Queries.count`;

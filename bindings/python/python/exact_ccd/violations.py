@@ -78,8 +78,9 @@ def examine(
 ) -> tuple[int, Optional[Violation]]:
     """The number of the last frame examined, plus 1, and the first violation in frames from `first` on.
 
-    Frame 0 is examined at rest; with groups or a rule, every frame. `examined` is called with each frame that is examined. The certificates of
-    steps are added to `parts`: put together, those of all frames from 0 on are one certificate.
+    Frame 0 is examined at rest; with groups or a rule, every frame. `examined` is called with each frame that is
+    examined. The certificates of steps are added to `parts`: the parts of all frames from 0 on, put together, are
+    one certificate.
     """
     last: Optional[NDArray[np.float64]] = None
     done = first

@@ -18,7 +18,7 @@ Style = Literal["everywhere", "along edges"]
 
 
 class Welded(NamedTuple):
-    """The primitives with the new vertices, and the first of the vertices in place of which each new one is."""
+    """The primitives with the new vertices, and for each new vertex the first of the vertices that it replaces."""
 
     faces: Indices
     edges: Indices

@@ -15,7 +15,7 @@ from .detectors import Searcher
 
 @by_value
 class Contacts(NamedTuple):
-    """The contacts of many worlds; those of world ``w`` are ``contacts[offsets[w]:offsets[w + 1]]``.
+    """The contacts of many worlds; world ``w`` has ``contacts[offsets[w]:offsets[w + 1]]``.
 
     Attributes
     ----------
@@ -71,10 +71,11 @@ class StepReports(NamedTuple):
 
 
 class Worlds(Searcher):
-    """Finds contact in steps of many worlds, which have one mesh, and positions of their own.
+    """Finds contact in steps of many worlds, which share one mesh and have their own positions.
 
-    The primitives of a world touch only each other. Each answer is that of a :class:`Detector` for the
-    positions of the world, whatever the number of worlds. The worlds are decided in parallel.
+    The primitives of a world touch only each other. Each answer equals the answer of a
+    :class:`Detector` for the positions of the world, whatever the number of worlds. The worlds are decided in
+    parallel.
 
     Parameters
     ----------
@@ -97,8 +98,8 @@ class Worlds(Searcher):
     Notes
     -----
     Positions are arrays of shape (W, V, 3), at t = 0 and at t = 1. float64 and float32 with any strides are
-    read where they are, and must not be changed by another thread meanwhile. The exceptions are those of a
-    :class:`Detector`; the message names the first world that is wrong.
+    read where they are, and must not be changed by another thread meanwhile. The exceptions are the same as
+    for a :class:`Detector`; the message names the first world with an error.
 
     Examples
     --------
@@ -151,7 +152,7 @@ class Worlds(Searcher):
         Returns
         -------
         structured array of shape (W,)
-            The fields are those of :data:`CONTACT`. For a world that is free, ``kind`` is empty, ``first``,
+            The fields of :data:`CONTACT`. For a world that is free, ``kind`` is empty, ``first``,
             ``second`` and ``vertices`` are 0, and the other numbers NaN.
         """
         return earliest(self._native.collision(*self._ends(x0, x1), number("until", until)))

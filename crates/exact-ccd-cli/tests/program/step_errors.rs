@@ -88,7 +88,7 @@ fn a_face_index_out_of_range() {
 }
 
 #[test]
-fn a_face_of_two_corners() {
+fn a_face_of_too_few_corners() {
     let off = off(&tip_above_square(-2.0));
     assert_error(
         "end.off",
@@ -96,11 +96,7 @@ fn a_face_of_two_corners() {
         &["face 2", "at least 3"],
     );
     let obj = obj(&tip_above_square(-2.0));
-    assert_error(
-        "end.obj",
-        obj.replace("f 5 6 7", "f 5 6"),
-        &["face 3", "at least 3"],
-    );
+    assert_error("end.obj", obj.replace("f 5 6 7", "f 5"), &["face 3", "at least"]);
 }
 
 /// A polygon is the fan of its triangles: another mesh than one triangle.

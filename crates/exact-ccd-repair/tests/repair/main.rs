@@ -1,4 +1,5 @@
-//! Repairs of generated meshes: the result is free by the crate's own search, and by brute force over all pairs.
+//! Repairs of generated meshes: the result is free by the crate's own search, and by brute force over all
+//! pairs.
 
 mod shapes;
 

@@ -61,8 +61,8 @@ pub(crate) fn joined<const N: usize>(bodies: [Body; N]) -> Body {
     Body::new(positions, faces)
 }
 
-/// A surface over a grid of `[m, n]` cells, closed in the directions that wrap; a direction may be reversed at the
-/// seam of the other one.
+/// A surface over a grid of `[m, n]` cells, closed in the directions that wrap; a direction may be reversed
+/// at the seam of the other one.
 fn surface(
     [m, n]: [usize; 2],
     wraps: [bool; 2],

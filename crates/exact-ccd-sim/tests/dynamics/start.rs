@@ -56,7 +56,7 @@ fn errors_name_the_primitives_that_intersect_at_the_start() {
 /// An audit of the motion would report them too.
 #[test]
 fn intersections_of_obstacles_are_errors() {
-    let steep = triangle(0.0).placed(|[x, y, z]| [x, y + x, z]);
+    let steep = triangle(0.0).placed(|[x, y, z]| [x + 0.5, y + x, z + 0.25]);
     let primitives = primitives(&[triangle(0.0), steep]);
     let primitives = primitives.map(|of_body| of_body.primitive);
     assert!(matches!(

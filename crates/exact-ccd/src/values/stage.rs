@@ -40,7 +40,7 @@ pub enum Stage {
     /// The distance falls below d > 0 between two adjacent f64, or is proved to stay above d until the last
     /// time that counts.
     Crossing,
-    /// No filter decides: [`exact`](crate::exact).
+    /// No filter decides: the exact path does.
     Exact,
 }
 

@@ -220,12 +220,13 @@ fn equal_motions_are_at_rest<K: Kind>() {
         let quaternions = motion.quaternions().map(|q| q.map(|x| 2.0 * x));
         let other = RigidMotion::new(quaternions, motion.places()).expect("a motion");
         let query = bodies::<K>(points, &motion.into(), &other.into());
-        for options in options() {
-            let intervals = query.intervals(options);
-            let rest = Query::<K>::new(points, points).expect("finite points");
-            assert_eq!(intervals, rest.intervals(options), "{query:?}");
+        let rest = Query::<K>::new(points, points).expect("finite points");
+        // Vertices at rest are rarely nearer.
+        let far = Separation::new(3.0).expect("a distance").into();
+        for options in options().into_iter().chain([far]) {
+            assert_eq!(query.intervals(options), rest.intervals(options), "{query:?}");
         }
-        query.collides(options()[1])
+        query.collides(far)
     });
 }
 

@@ -21,7 +21,7 @@ Where they differ from ipctk:
 - The lists of :class:`Candidates` have all pairs whose boxes meet; ``can_collide`` restricts the answers only.
 - Static planes (``CollisionMesh.planes``) are refused.
 - In ipctk 1.6, `can_collide` gets the wrong numbers of vertices for pairs of codimensional vertices; here it gets
-  those of the mesh.
+  their numbers in the mesh.
 
 ``ExactCCD`` is a subclass of ``ipctk.NarrowPhaseCCD``, where ipctk is installed, for the other functions of
 ipctk that take a narrow phase. See its documentation before use: one call at a time through Python is several

@@ -34,8 +34,8 @@ _STENCILS: dict[Kind, tuple[Callable[[int, int], Candidate], int]] = {
 class Candidates:
     """Pairs of primitives that come near each other in a step: decided together, as often as needed.
 
-    The methods, the lists and the order of the items are those of ``ipctk.Candidates``. The pairs of a step
-    hold for every step from the same start to positions on the way.
+    The methods, the lists and the order of the items are the same as in ``ipctk.Candidates``. The pairs
+    of a step are also sufficient for every step from the same start to positions on the way.
 
     In three dimensions, a rod may also fold through the rod before it: a vertex that has edges meets the edge
     of a rod. Such pairs are compared for contact, whatever the distance, and are not in the lists of ipctk.

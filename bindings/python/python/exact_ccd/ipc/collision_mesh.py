@@ -23,7 +23,8 @@ class CollisionMesh:
     rest_positions : array of shape (V, 2) or (V, 3)
         The positions of the vertices. Only their number and dimension are used.
     edges : int array of shape (E, 2), optional
-        The edges, those of the faces too; by default only those. Others are codimensional: rods.
+        All edges, including the edges of faces; by default the edges of faces. An edge of no face is codimensional:
+        a rod.
     faces : int array of shape (F, 3), optional
         The faces. A vertex of no edge is codimensional: a point.
     displacement_map : None
@@ -187,7 +188,7 @@ class CollisionMesh:
         return int(self._full[id])
 
     def vertices(self, full_positions: ArrayLike) -> NDArray[np.float64]:
-        """Take the positions of the vertices from those of the full mesh.
+        """Take the positions of the vertices of this mesh from the positions of the full mesh.
 
         Parameters
         ----------
@@ -197,7 +198,7 @@ class CollisionMesh:
         Returns
         -------
         float64 array of shape (V, 2) or (V, 3)
-            Those of the vertices of this mesh.
+            The positions of the vertices of this mesh.
         """
         return floats("full_positions", full_positions, (self._full_count, self.dim))[self._full]
 

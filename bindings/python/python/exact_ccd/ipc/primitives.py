@@ -89,7 +89,7 @@ def primitives(mesh: SurfaceMesh) -> Primitives:
 
 
 def sides(faces: NDArray[np.uint32]) -> NDArray[np.uint32]:
-    """The edges of faces, those of two faces twice."""
+    """The edges of faces; an edge of two faces twice."""
     return faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
 
 
@@ -123,7 +123,7 @@ def _numbers(edges: NDArray[np.uint32]) -> NDArray[np.uint64]:
 
 
 def ends(mesh: SurfaceMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike) -> tuple[Floats, Floats, int]:
-    """The positions at both ends, with z = 0 in two dimensions, and the number of dimensions: that of the mesh."""
+    """The positions at both ends, with z = 0 in two dimensions, and the dimension of the mesh."""
     if len(getattr(mesh, "planes", ())):
         raise ValueError("static planes are not supported: add triangles in their place")
     x0, x1 = coordinates("vertices_t0", vertices_t0), coordinates("vertices_t1", vertices_t1)

@@ -20,7 +20,7 @@ def check_rescaling(conservative_rescaling: float) -> float:
 
 
 def choose_rescaling(conservative_rescaling: Optional[float], narrow_phase_ccd: object) -> float:
-    """Return the factor that is given, that of an :class:`ExactCCD` or of its subclass, or the default."""
+    """Return the given factor, the factor of an :class:`ExactCCD` or of its subclass, or the default."""
     if conservative_rescaling is not None:
         return check_rescaling(conservative_rescaling)
     # There is an object of the class only if its module, which needs ipctk, has been imported.

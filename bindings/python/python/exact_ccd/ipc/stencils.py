@@ -25,7 +25,7 @@ class VertexVertexCandidate:
         Parameters
         ----------
         edges, faces : int arrays of shape (E, 2) and (F, 3)
-            Those of the mesh.
+            The edges and the faces of the mesh.
 
         Returns
         -------
@@ -54,12 +54,12 @@ class EdgeVertexCandidate:
         Parameters
         ----------
         edges, faces : int arrays of shape (E, 2) and (F, 3)
-            Those of the mesh.
+            The edges and the faces of the mesh.
 
         Returns
         -------
         list of int
-            The vertex, then those of the edge.
+            The vertex, then the vertices of the edge.
         """
         return [self.vertex_id, *map(int, edges[self.edge_id])]
 
@@ -83,7 +83,7 @@ class EdgeEdgeCandidate:
         Parameters
         ----------
         edges, faces : int arrays of shape (E, 2) and (F, 3)
-            Those of the mesh.
+            The edges and the faces of the mesh.
 
         Returns
         -------
@@ -112,12 +112,12 @@ class FaceVertexCandidate:
         Parameters
         ----------
         edges, faces : int arrays of shape (E, 2) and (F, 3)
-            Those of the mesh.
+            The edges and the faces of the mesh.
 
         Returns
         -------
         list of int
-            The vertex, then those of the face.
+            The vertex, then the vertices of the face.
         """
         return [self.vertex_id, *map(int, faces[self.face_id])]
 

@@ -51,11 +51,11 @@ def audit(
     Parameters
     ----------
     frames, faces, edges, groups, can_collide, names, weld, half_spaces, min_distance
-        As of :func:`exact_ccd.audit`. Files must be at the same place on all machines. An array is sent in
+        As for :func:`exact_ccd.audit`. Files must be at the same place on all machines. An array is sent in
         chunks.
     filesystem : pyarrow.fs.FileSystem, optional
-        The file system of the files and of the results, in place of that of each machine; also given by
-        addresses such as ``s3://bucket/frames`` in `frames`. Its files are meshes with one frame each.
+        The file system of the files and of the results, in place of the file systems of the machines.
+        Addresses such as ``s3://bucket/frames`` in `frames` name one too. Its files are meshes with one frame each.
     steps : int
         The number of steps of a chunk.
     window : int, optional
@@ -75,7 +75,7 @@ def audit(
     Raises
     ------
     ValueError
-        As of :func:`exact_ccd.audit`.
+        As for :func:`exact_ccd.audit`.
     """
     source, identity = _open(frames, faces, edges, filesystem, weld, per_vertex(groups, min_distance))
     if len(source) == 0:
@@ -87,7 +87,7 @@ def audit(
     parts_of(certificate, min_distance, half_spaces, groups, can_collide, weld or None)
     distance = remaining(distances(min_distance, None), source.kept)
     settings = Settings(distance, Rules(groups, can_collide, names), half_spaces)
-    # Errors of the mesh and of the settings are those of the caller.
+    # The caller gets the errors of the mesh and of the settings, before any task begins.
     settings.detector(source, threads=None)
     settings.planes()
     kept: Optional[Results] = None
@@ -146,7 +146,7 @@ class _Work(NamedTuple):
     def run(self, window: int, steps: int) -> tuple[AuditReport, list[bytes]]:
         """The report of the earliest chunk with a violation or an error; of the last one if there is none.
 
-        The parts of the certificate are those of the chunks up to that one, in order.
+        The parts of the certificate come from the chunks up to that one, in order.
         """
         parts: dict[Chunk, bytes] = {}
         coming = chunks(len(self.frames), steps)

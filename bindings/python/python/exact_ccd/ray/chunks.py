@@ -136,7 +136,7 @@ def _places(values: Any) -> Any:
 
 
 def absolute(path: Union[str, PathLike[str]]) -> str:
-    """The path for a process with another working directory, as those of tasks; an address as it is."""
+    """The absolute path, as tasks have other working directories; an address as it is."""
     return fspath(path) if "://" in fspath(path) else os.path.abspath(path)
 
 

@@ -37,12 +37,12 @@ def answer_files(
     Parameters
     ----------
     files : path or iterable of paths
-        Files with the columns of :func:`exact_ccd.answer_table`, and folders, of which all files that end in
-        ``.parquet`` count: at the same place on all machines, or addresses such as ``s3://bucket/queries``.
+        Files with the columns of :func:`exact_ccd.answer_table`. A folder stands for all its files whose names end
+        in ``.parquet``. Paths are valid on all machines, or are addresses such as ``s3://bucket/queries``.
     answers, kind, separation
         As for :func:`exact_ccd.answer_table`.
     filesystem : pyarrow.fs.FileSystem, optional
-        The file system of the files, in place of that of each machine; also given by addresses.
+        The file system of the files, in place of the file systems of the machines. Addresses name one too.
 
     Returns
     -------
