@@ -15,16 +15,12 @@
 //! with the flexural rigidity D, Poisson's ratio ν and the area a of both faces of an edge, of which
 //! either end has half. The rest of constant curvature is 0: the energy is that of a plate then, about
 //! each vertex whose edges show all three components of the curvature. Where they do not, as at a vertex
-//! of the boundary with one inner edge, the energy has the components that they show; a vertex of one face
-//! has none. A vertex inside of four edges along two directions does not show twist: there, the hidden
-//! component is that of the mean over the edges opposite to the vertex too, H = (M C)⁺ M θ + (1 − (M C)⁺ M
-//! C) (N B)⁻¹ N θ, with N and B as M and C for all of them. For constant curvature, this is κ again. Without
-//! it, an inner vertex of four edges has no energy of twist, and every second vertex of a grid with
-//! alternating diagonals is one. This is the principle of the virtual element method, a consistent part and
-//! a stable rest: L. Beirão da Veiga, F. Brezzi, A. Cangiani, G. Manzini, L. Marini, A. Russo, *Basic
-//! principles of virtual element methods*, 2013. The mean is that of O. Stein, E. Grinspun, M. Wardetzky, A.
-//! Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with terms of the
-//! vertices on the boundary too.
+//! with one inner edge, the energy has the components that they show; a vertex of one face has none. This
+//! is the principle of the virtual element method, a consistent part and a stable rest: L. Beirão da
+//! Veiga, F. Brezzi, A. Cangiani, G. Manzini, L. Marini, A. Russo, *Basic principles of virtual element
+//! methods*, 2013. The mean is that of O. Stein, E. Grinspun, M. Wardetzky, A. Jacobson, *Natural
+//! boundary conditions for smoothing in geometry processing*, 2018, with terms of the vertices on the
+//! boundary too.
 
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
@@ -34,7 +30,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, MatrixXx3, RowVector3, Vector3};
 
 use super::hinge::{Fold, Hinge};
-use super::hinges::{Side, hinges};
+use super::hinges::hinges;
 use super::vertex_bend::VertexBend;
 use crate::energy::{Energy, gather};
 
@@ -50,93 +46,42 @@ const LEAST: f64 = 0.01;
 /// The faces and hinges about a vertex.
 #[derive(Default)]
 struct Star {
-    faces: usize,
     area: f64,
     normal: Vector3<f64>,
-    /// The hinges at the vertex.
     sides: Vec<usize>,
-    /// The hinges opposite to the vertex, between a face of it and another one.
-    opposite: Vec<usize>,
     /// True if neighbouring faces have different orientations, so that angles have different signs.
     is_twisted: bool,
 }
 
 impl Star {
-    /// The hinges from which the curvature follows: those of the vertex, and those opposite to it too if the
-    /// vertex is not at the boundary and its own do not show all components of the curvature.
-    fn hinges(&self, points: &[Point], sides: &[Side]) -> Vec<[u32; 4]> {
-        let of = |hinges: &[usize]| {
-            hinges
-                .iter()
-                .map(|&side| sides[side].vertices)
-                .collect::<Vec<_>>()
-        };
-        let own = of(&self.sides);
-        let (means, angles) = self.mean(points, &own);
-        let shown = (means * angles).singular_values();
-        let is_closed = self.sides.len() == self.faces;
-        if !is_closed || shown.iter().all(|value| *value > LEAST) {
-            own
-        } else {
-            [own, of(&self.opposite)].concat()
-        }
-    }
-
-    /// M and C for the hinges with these corners.
-    fn mean(&self, points: &[Point], corners: &[[u32; 4]]) -> (Matrix3xX<f64>, MatrixXx3<f64>) {
+    /// The stiffness of a plate and of the rest by the angles of the hinges with these corners, for D = 1.
+    fn stiffness(&self, points: &[Point], corners: &[[u32; 4]], poisson: f64) -> DMatrix<f64> {
+        let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
         let plane = Plane::of(self);
         let (mut means, mut angles) = (Matrix3xX::zeros(corners.len()), MatrixXx3::zeros(corners.len()));
-        for (place, vertices) in corners.iter().enumerate() {
-            let shape = Fold::of(points, vertices);
-            let corners = gather(points, vertices);
+        for (place, (shape, corners)) in shapes.iter().zip(corners).enumerate() {
+            let corners = gather(points, corners);
             means.set_column(
                 place,
                 &(plane.across(corners[1] - corners[0]) * (0.5 / self.area)),
             );
             angles.set_row(
                 place,
-                &plane.angles(&shape, corners.map(|corner| corner - corners[0])),
+                &plane.angles(shape, corners.map(|corner| corner - corners[0])),
             );
         }
-        (means, angles)
-    }
-
-    /// The stiffness of a plate and of the rest by the angles of the hinges with these corners, for D = 1.
-    /// The rest of hinges opposite to the vertex is that of others.
-    fn stiffness(&self, points: &[Point], corners: &[[u32; 4]], poisson: f64) -> DMatrix<f64> {
-        let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
-        let (means, angles) = self.mean(points, corners);
-        let own = self.sides.len();
-        let (own_means, own_angles) = (means.columns(0, own), angles.rows(0, own));
-        let inverse = inverse(own_means * own_angles);
-        let mut curvature = Matrix3xX::zeros(corners.len());
-        curvature.columns_mut(0, own).copy_from(&(inverse * own_means));
-        if corners.len() > own {
-            let hidden = Matrix3::identity() - inverse * own_means * own_angles;
-            curvature += hidden * self::inverse(&means * &angles) * &means;
-        }
+        let found = (&means * &angles).pseudo_inverse(LEAST);
+        let curvature = found.unwrap_or_else(|_| Matrix3::zeros()) * means;
         let rest = DMatrix::identity(corners.len(), corners.len()) - angles * &curvature;
         let trace = Vector3::new(1.0, 1.0, 0.0);
         let plate = Matrix3::identity() * (1.0 - poisson) + trace * trace.transpose() * poisson;
         let of_rest = DVector::from_iterator(
             shapes.len(),
-            shapes.iter().enumerate().map(|(place, shape)| {
-                let is_own = place < self.sides.len();
-                if is_own {
-                    0.5 * REST * shape.stiffness()
-                } else {
-                    0.0
-                }
-            }),
+            shapes.iter().map(|shape| 0.5 * REST * shape.stiffness()),
         );
         curvature.transpose() * (plate * self.area) * &curvature
             + rest.transpose() * DMatrix::from_diagonal(&of_rest) * &rest
     }
-}
-
-/// The pseudo-inverse of M C. Curvatures that the hinges do not show are 0.
-fn inverse(shown: Matrix3<f64>) -> Matrix3<f64> {
-    shown.pseudo_inverse(LEAST).unwrap_or_else(|_| Matrix3::zeros())
 }
 
 /// The bending energies of a shell with these faces.
@@ -153,7 +98,6 @@ pub(crate) fn bending(
         let normal = (b - a).cross(&(c - a));
         for &corner in face {
             let star = stars.entry(corner).or_default();
-            star.faces += 1;
             star.area += normal.norm() / 6.0;
             star.normal += normal;
         }
@@ -163,10 +107,6 @@ pub(crate) fn bending(
             let star = stars.entry(*end).or_default();
             star.sides.push(number);
             star.is_twisted |= !side.is_oriented;
-        }
-        for corner in &side.vertices[2..] {
-            let star = stars.entry(*corner).or_default();
-            star.opposite.push(number);
         }
     }
     let mut elements: Vec<Arc<dyn Energy>> = Vec::new();
@@ -183,7 +123,7 @@ pub(crate) fn bending(
         .iter()
         .filter(|(_, star)| !star.is_twisted && !star.sides.is_empty());
     for (&vertex, star) in whole {
-        let corners = star.hinges(points, &sides);
+        let corners: Vec<[u32; 4]> = star.sides.iter().map(|&side| sides[side].vertices).collect();
         let stiffness = star.stiffness(points, &corners, poisson) * rigidity;
         elements.push(Arc::new(VertexBend::new(vertex, &corners, points, stiffness)));
     }
