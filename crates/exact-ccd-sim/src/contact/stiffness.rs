@@ -8,10 +8,10 @@ use super::barrier::Barrier;
 ///
 /// Source: *Incremental Potential Contact*, section 4.3, and section 3 of its supplement. There, the least κ
 /// follows from the mean mass m of a vertex, whose inertia resists a displacement in a time step of the
-/// duration h. The elastic stiffness k of a vertex resists it too, by h² k: here, a tenth of h² k takes the
-/// place of m where it is larger. So κ/h², the stiffness of the barrier as an energy, has a limit for long
-/// time steps, and is constant for equilibria. A weight acts whatever the time step: the least κ is also
-/// large enough for the weight of a vertex at half of the contact distance.
+/// duration h. The elastic stiffness k of a vertex resists it too, by h² k: here, a hundredth of h² k takes
+/// the place of m where it is larger. So κ/h², the stiffness of the barrier as an energy, has a limit for
+/// long time steps, and is constant for equilibria. A weight acts whatever the time step: the least κ is
+/// also large enough for the weight of a vertex at half of the contact distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StiffnessRange {
     /// The least κ.
@@ -26,9 +26,9 @@ pub(crate) struct StiffnessRange {
 const LEAST_SCALE: f64 = 1e11;
 
 impl StiffnessRange {
-    /// The range for a scene. `barrier` is that of surfaces without thickness. `size` is that of the scene in
-    /// m, `inertia` the mean of m over its vertices or a tenth of the mean of h² k, in kg, and `weight` the
-    /// mean of h² times the weight, in kg m.
+    /// The range for a scene of this `size` in m. `barrier` is the barrier without thickness, `inertia` the
+    /// mean of m over the vertices or a hundredth of the mean of h² k, in kg, and `weight` the mean of h²
+    /// times the weight, in kg m.
     pub(crate) fn new(size: f64, inertia: f64, weight: f64, barrier: &Barrier) -> Self {
         let distance = barrier.activation_distance();
         let near = (1e-16 * size * size).min(0.25 * distance * distance);

@@ -231,7 +231,7 @@ impl Simulation {
 /// The part of the elastic stiffness of a vertex that counts as much as its inertia for the stiffness of the
 /// barrier. So inertia determines it for rubber in common time steps, as in *Incremental Potential Contact*,
 /// and elasticity in long ones.
-const ELASTIC: f64 = 0.1;
+const ELASTIC: f64 = 0.01;
 
 /// Checks that the numbers of a state are finite, and the stiffness not negative.
 fn check_numbers(state: &State) -> Result<(), OutOfRange> {

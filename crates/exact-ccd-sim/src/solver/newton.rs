@@ -59,7 +59,8 @@ pub(crate) struct Iterate<'a> {
     pub(crate) dirichlet: Dirichlet<'a>,
 }
 
-/// The size of a direction, relative to that of the scene, from which rounding errors cannot be its cause.
+/// The size of a direction, relative to the size of the scene, from which rounding errors cannot be its
+/// cause.
 const SHORT: f64 = 1e-6;
 
 impl Newton<'_> {

@@ -40,8 +40,8 @@ impl System {
     }
 
     /// The mean stiffness at rest of the vertices that [`System::free_mass`] counts, in N/m: for each of
-    /// them, the least eigenvalue of its block of the elastic Hessian, while all others rest. So the
-    /// stiffness of shells and rods is that of bending, and a spring has none. It is 0 for the nodes of
+    /// them, the least eigenvalue of its block of the elastic Hessian, while all others rest. So shells and
+    /// rods have their stiffness in bending, and a spring has none. It is 0 for the nodes of
     /// affine bodies, whose energy keeps them rigid and is no material, and for an elastic Hessian that is
     /// not finite.
     pub(crate) fn mean_stiffness(&self) -> f64 {

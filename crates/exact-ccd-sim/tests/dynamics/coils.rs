@@ -2,8 +2,8 @@
 
 use exact_ccd_sim::{Body, BodyKind, Script, Settings, Simulation, System, Warning, shapes};
 
-/// The warnings about a coil of two turns without a shear modulus or with one, of which scripts hold these
-/// edges.
+/// The warnings about a coil of two turns without a shear modulus or with one, with these edges held by
+/// scripts.
 fn warnings(shear: Option<f64>, held: &[u32], turns: f64) -> usize {
     let mut material = shapes::ROPE;
     material.shear = shear;

@@ -85,5 +85,5 @@ fn a_cube_on_a_floor_of_triangles_does_not_drift() {
         largest = largest.max(drift(cube(), floor(), Formulation::Sum));
     }
     // The sum over all pairs has forces along the floor.
-    assert!(largest > 1e-4, "{largest} m");
+    assert!(largest > 1e-3, "{largest} m");
 }
