@@ -49,10 +49,9 @@ fn an_import_replaces_no_file_without_being_told() {
     let folder = folder();
     folder.write("scene.toml", "changed by hand");
     let run = folder.run(&["import", "scenes/scene.txt", "--output", "scene.toml"]);
-    assert_eq!(
-        run.error(),
-        "scene.toml: the file exists: replace it with --overwrite, or name another file"
-    );
+    let error =
+        "exact-ccd: error: scene.toml: the file exists: replace it with --overwrite, or name another file\n";
+    assert!(run.status == 2 && run.stderr.ends_with(error), "{run:?}");
     assert_eq!(folder.read("scene.toml"), "changed by hand");
     let run = folder.run(&[
         "import",

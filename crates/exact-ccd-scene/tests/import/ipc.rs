@@ -136,8 +136,16 @@ fn relative_lengths_are_those_of_the_box() {
     }
     // The box of a box that turns by 45° about z has the sides 1.5/√2, 1.5/√2 and 1.5.
     let turned = "shapes input 1\nbox.msh 0 1 0  0 0 45  1 1 1\n";
-    let lines = "[settings.contact-distance]\nabsolute = 0.00212132034355964";
-    assert_lines(&folder, "txt", [(turned.to_owned(), lines)]);
+    let imported = folder.import("turned.txt", turned).unwrap();
+    let (_, distance) = imported
+        .toml
+        .split_once("[settings.contact-distance]\nabsolute = ")
+        .unwrap();
+    let distance: f64 = distance.lines().next().unwrap().parse().unwrap();
+    assert!(
+        (distance / (1e-3 * 4.5_f64.sqrt()) - 1.0).abs() < 1e-14,
+        "{distance}"
+    );
 }
 
 #[test]
