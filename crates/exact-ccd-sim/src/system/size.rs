@@ -7,9 +7,9 @@ use super::System;
 
 impl System {
     /// The greatest distance of two vertices of bodies with mass at the start, in m: the unit of relative
-    /// lengths. It does not depend on the axes. For a box it is the diagonal, and for bodies in a box along the
-    /// axes at most its diagonal, the unit of *Incremental Potential Contact*. If it is 0, or no body has mass,
-    /// the unit is [`System::extent`].
+    /// lengths. It does not depend on the axes. For a box it is the diagonal, and for bodies in a box along
+    /// the axes at most its diagonal, the unit of *Incremental Potential Contact*. If it is 0, or no body
+    /// has mass, the unit is [`System::extent`].
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size
@@ -21,8 +21,8 @@ impl System {
         self.extent
     }
 
-    /// The system with its size and its extent. The nodes of affine bodies do not count: their places depend on
-    /// the axes.
+    /// The system with its size and its extent. The nodes of affine bodies do not count: their places depend
+    /// on the axes.
     pub(super) fn measured(self, is_obstacle: &[bool]) -> Self {
         let vertices = self.mesh_vertices();
         let of = |is_counted: &dyn Fn(u32) -> bool| {

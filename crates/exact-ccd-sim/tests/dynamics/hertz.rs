@@ -12,9 +12,9 @@ struct Steps {
     duration: f64,
 }
 
-/// The force of a sphere in quasi-static steps, divided by that of Hertz, 4/3 E / (1 − ν²) √R δ^(3/2). The block
-/// is a quarter, with symmetry at x = 0 and z = 0, of `cells` cells along each axis; they are smallest at
-/// the sphere.
+/// The force of a sphere in quasi-static steps, divided by that of Hertz, 4/3 E / (1 − ν²) √R δ^(3/2). The
+/// block is a quarter, with symmetry at x = 0 and z = 0, of `cells` cells along each axis; they are smallest
+/// at the sphere.
 fn force(cells: u8, steps: Steps) -> f64 {
     let square = |x: f64| x * x;
     let mut block =

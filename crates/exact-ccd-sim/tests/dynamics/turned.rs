@@ -5,8 +5,8 @@ use nalgebra::{Rotation3, Vector3};
 
 use crate::affine::affine_box;
 
-/// The positions after half a second, in the frame that turns with the scene, and its size: of an elastic and an
-/// affine block on a slope, from which they rest in the contact distance, and slide.
+/// The positions after half a second, in the frame that turns with the scene, and the size of the scene: an
+/// elastic and an affine block start within the contact distance of a slope, and slide.
 fn motion(turn: &Rotation3<f64>) -> (Vec<Vector3<f64>>, f64) {
     let turned = |vector: [f64; 3]| -> [f64; 3] { (turn * Vector3::from(vector)).into() };
     let placed = |body: Body, shift: f64| body.placed(|[x, y, z]| turned([x, y + 4e-4, z + shift]));
