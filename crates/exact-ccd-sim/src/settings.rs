@@ -180,7 +180,7 @@ pub enum LineSearch {
 pub enum Length {
     /// In m.
     Absolute(f64),
-    /// As a fraction of [`System::size`](crate::System::size): the greatest distance of two vertices of
+    /// As a fraction of [`System::size`](crate::System::size): the diameter of the smallest ball around all
     /// bodies with mass at the start.
     Relative(f64),
 }

@@ -18,7 +18,7 @@ mod obstacles;
 mod parts;
 mod primitive;
 mod selection;
-mod size;
+pub(crate) mod size;
 mod spring_error;
 mod springs;
 

@@ -10,6 +10,7 @@ mod damping;
 mod decisions;
 mod filters;
 mod friction;
+mod friction_lags;
 mod friction_pairs;
 mod half_space;
 mod hertz;
