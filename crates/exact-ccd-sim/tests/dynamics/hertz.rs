@@ -12,7 +12,7 @@ struct Steps {
     duration: f64,
 }
 
-/// The force of a sphere in quasi-static steps, divided by that of Hertz, 4/3 E / (1 − ν²) √R δ^(3/2). The
+/// The force of a sphere in quasi-static steps, divided by Hertz's, 4/3 E / (1 − ν²) √R δ^(3/2). The
 /// block is a quarter, with symmetry at x = 0 and z = 0, of `cells` cells along each axis; they are smallest
 /// at the sphere.
 fn force(cells: u8, steps: Steps) -> f64 {
@@ -85,7 +85,7 @@ fn one_step_of_a_hertz_contact_is_that_of_several() {
     }
 }
 
-/// The force approaches that of the theory from above: linear tetrahedra are too stiff.
+/// The force approaches the theory from above: linear tetrahedra are too stiff.
 #[test]
 fn finer_blocks_approach_the_theory_of_hertz() {
     let steps = Steps {
