@@ -27,6 +27,10 @@ pub(crate) struct Arguments {
     scene: PathBuf,
     #[command(flatten)]
     output: Output,
+    /// Replace the file of --output, which may have changes made by hand. Without it, an existing file is an
+    /// error.
+    #[arg(long, requires = "output")]
+    overwrite: bool,
     /// The folder of the mesh files, by default that of the scene, and the folders above it.
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
@@ -49,6 +53,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut notes = Notes::default();
     facts.iter().for_each(|text| notes.note(text.to_string()));
     arguments.output.check(std::slice::from_ref(&arguments.scene))?;
+    if let Some(file) = arguments
+        .output
+        .file()
+        .filter(|file| file.is_file() && !arguments.overwrite)
+    {
+        let reason = "the file exists: replace it with --overwrite, or name another file";
+        return Err(Failure::of(file, reason));
+    }
     arguments.output.write(&toml)?;
     if let Some(output) = arguments.output.file()
         && output.parent() != Some(&meshes)

@@ -1,12 +1,13 @@
 //! Progress bars on a terminal for work that takes long.
 
 use std::convert::Infallible;
+use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 
 /// The delay before a bar appears.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -21,8 +22,18 @@ pub(crate) fn count(things: &str) -> ProgressBar {
 
 /// A bar for `total` things.
 pub(crate) fn bar(total: usize, things: &str) -> ProgressBar {
-    let template = format!("{{wide_bar}} {{pos}} of {{len}} {things}, {{eta}} left");
-    ProgressBar::new(total as u64).with_style(style(&template))
+    let template = format!("{{wide_bar}} {{pos}} of {{len}} {things}{{left}}");
+    ProgressBar::new(total as u64).with_style(style(&template).with_key("left", left))
+}
+
+/// Writes the time left if the rest takes as long as what is done, on average: nothing before the first thing
+/// is done.
+fn left(state: &ProgressState, text: &mut dyn fmt::Write) {
+    if let (done @ 1.., Some(total)) = (state.pos(), state.len()) {
+        let rest = total.saturating_sub(done) as f64 / done as f64;
+        // A progress bar without this text does not matter.
+        let _ = write!(text, ", {:#} left", HumanDuration(state.elapsed().mul_f64(rest)));
+    }
 }
 
 /// A bar for `total` thousandths of data sets.

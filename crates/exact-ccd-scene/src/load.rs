@@ -207,6 +207,13 @@ impl Parts {
 fn steps(duration: f64, time_step: f64) -> Result<u64, FieldError> {
     // Bounded so that the cast to u64 is exact.
     let steps = (duration / time_step).round();
+    if duration > 0.0 && steps == 0.0 {
+        let message = format!(
+            "the duration is {duration} s, less than half of the time step of {time_step} s, expected at least one \
+             time step: set a longer `duration`, or a shorter `settings.time-step`"
+        );
+        return Err(FieldError::new("duration", message));
+    }
     if duration >= 0.0 && steps < 1e15 {
         return Ok(steps as u64);
     }

@@ -50,7 +50,7 @@ pub(crate) struct Scheme {
     /// The positions in the absence of forces.
     predicted: Vec<Point>,
     /// The factor of the masses: 1 + α duration, or (duration / [`LONG`])² for equilibria.
-    inertia: f64,
+    pub(crate) inertia: f64,
 }
 
 impl Integrator {

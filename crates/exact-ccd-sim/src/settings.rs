@@ -84,7 +84,7 @@ impl Settings {
         let expected = "a length from about 1e-153 to 1e154 m";
         check(square.is_normal(), "contact-distance", distance, expected)?;
         // A larger distance would put all pairs of primitives in contact.
-        let expected = "a length not above the diagonal of the bounding box of the bodies with mass";
+        let expected = "a length not above the size of the bodies with mass";
         check(distance <= size, "contact-distance", distance, expected)?;
         check_positive("tolerance", self.tolerance.meters(size))?;
         check_positive("friction.static-velocity", friction.static_velocity.meters(size))?;
@@ -180,8 +180,8 @@ pub enum LineSearch {
 pub enum Length {
     /// In m.
     Absolute(f64),
-    /// As a fraction of [`System::size`](crate::System::size): the diagonal of the bounding box of all bodies
-    /// with mass at the start.
+    /// As a fraction of [`System::size`](crate::System::size): the diameter of the smallest ball around all
+    /// bodies with mass at the start.
     Relative(f64),
 }
 
@@ -255,13 +255,14 @@ impl Default for Settings {
 }
 
 impl Default for Friction {
-    /// No friction.
+    /// No friction. Three lags: the first one has the forces of the last time step, the second those at the
+    /// end of this one, and the third corrects them.
     fn default() -> Self {
         Self {
             coefficient: 0.0,
             pairs: Vec::new(),
             static_velocity: Length::Relative(1e-3),
-            lags: 1,
+            lags: 3,
         }
     }
 }

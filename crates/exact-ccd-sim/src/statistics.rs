@@ -9,8 +9,12 @@ pub struct Statistics {
     pub step: u64,
     /// The time at its end, in s.
     pub time: f64,
-    /// True if Newton's method reached its tolerance for every friction lag.
+    /// True if Newton's method reached its tolerance for every friction lag, and all scripted vertices their
+    /// targets.
     pub converged: bool,
+    /// True if rounding errors kept Newton's method from its tolerance: time steps in parts do not help, but
+    /// a larger tolerance does.
+    pub stagnated: bool,
     /// The number of Newton iterations, over all friction lags.
     pub iterations: usize,
     /// The accepted step size of each iteration, as a fraction of the Newton direction. 0 if no step was
@@ -38,6 +42,7 @@ impl Statistics {
         self.step_sizes.extend(next.step_sizes);
         Self {
             converged: self.converged && next.converged,
+            stagnated: self.stagnated || next.stagnated,
             iterations: self.iterations + next.iterations,
             step_sizes: self.step_sizes,
             energies: Energies {

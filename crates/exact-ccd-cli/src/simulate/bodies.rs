@@ -21,6 +21,8 @@ struct Row {
 
 /// Writes the table of all bodies, followed by the half spaces.
 pub(super) fn write(file: &Path, system: &System) -> Result<(), Failure> {
+    let vertices = system.mesh_vertices();
+    let place = |vertex: u32| vertices.partition_point(|&other| other < vertex) as u32;
     let names = system.body_names().into_iter().zip(system.body_kinds());
     let mut rows: Vec<Row> = (0..)
         .zip(names.zip(system.body_vertices()))
@@ -28,8 +30,8 @@ pub(super) fn write(file: &Path, system: &System) -> Result<(), Failure> {
             body,
             name,
             kind,
-            first_vertex: vertices.start,
-            vertex_count: vertices.end - vertices.start,
+            first_vertex: place(vertices.start),
+            vertex_count: place(vertices.end) - place(vertices.start),
         })
         .collect();
     for (number, half_space) in system.half_spaces().iter().enumerate() {
@@ -40,7 +42,7 @@ pub(super) fn write(file: &Path, system: &System) -> Result<(), Failure> {
                 name => name.to_owned(),
             },
             kind: "half-space",
-            first_vertex: system.start().len() as u32,
+            first_vertex: vertices.len() as u32,
             vertex_count: 0,
         });
     }

@@ -1,5 +1,6 @@
 //! Lines of progress inside a long time step.
 
+use std::io::Write;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -9,22 +10,27 @@ use indicatif::ProgressBar;
 /// The least time between two lines, and between the start of a time step and its first line.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// The same simulation, which prints a line now and then above a progress bar, if the bar is visible: on a
-/// terminal.
+/// The least time between two lines where no progress bar is visible, as in a file.
+const LONG_INTERVAL: Duration = Duration::from_secs(30);
+
+/// The same simulation, which prints a line now and then above a progress bar, or on standard error if the
+/// bar is not visible.
 pub(super) fn watched(simulation: Simulation, bar: &ProgressBar) -> Simulation {
-    if bar.is_hidden() {
-        return simulation;
-    }
     let bar = bar.clone();
     let last = Mutex::new(Last {
         step: 0,
         time: Instant::now(),
+        interval: if bar.is_hidden() { LONG_INTERVAL } else { INTERVAL },
     });
     simulation.with_watch(move |iteration| {
         // A panic of another thread has ended the run.
         let Ok(mut last) = last.lock() else { return };
         if last.is_due(iteration.step, Instant::now()) {
-            bar.println(line(iteration));
+            if bar.is_hidden() {
+                let _ = writeln!(std::io::stderr(), "exact-ccd: {}", line(iteration));
+            } else {
+                bar.println(line(iteration));
+            }
         }
     })
 }
@@ -34,14 +40,15 @@ pub(super) fn watched(simulation: Simulation, bar: &ProgressBar) -> Simulation {
 struct Last {
     step: u64,
     time: Instant,
+    interval: Duration,
 }
 
 impl Last {
     /// Returns true if an iteration of a time step has a line, and takes its place then.
     fn is_due(&mut self, step: u64, now: Instant) -> bool {
-        let is_due = step == self.step && now.duration_since(self.time) >= INTERVAL;
+        let is_due = step == self.step && now.duration_since(self.time) >= self.interval;
         if is_due || step != self.step {
-            *self = Self { step, time: now };
+            (self.step, self.time) = (step, now);
         }
         is_due
     }
@@ -77,7 +84,11 @@ mod tests {
     #[test]
     fn lines_are_a_second_apart_within_a_time_step() {
         let start = Instant::now();
-        let mut last = Last { step: 0, time: start };
+        let mut last = Last {
+            step: 0,
+            time: start,
+            interval: INTERVAL,
+        };
         let steps = [1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3];
         let due = (0..).zip(steps).filter_map(|(place, step)| {
             let now = start + Duration::from_millis(400 * place);

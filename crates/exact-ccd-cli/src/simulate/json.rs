@@ -28,7 +28,7 @@ pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
     to_json(
         "simulate",
         &Scene {
-            vertices: system.start().len(),
+            vertices: system.mesh_vertices().len(),
             faces: system.surface().faces().len(),
             rod_edges: system.surface().loose_edges().len(),
             particles: system.particles().len(),

@@ -12,7 +12,7 @@ pub(super) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> S
     let system = simulation.system();
     let mut line = format!(
         "{} vertices, {} faces, {}{}; {}",
-        system.start().len(),
+        system.mesh_vertices().len(),
         system.surface().faces().len(),
         rods_and_particles(system),
         lengths(simulation),
@@ -45,29 +45,6 @@ pub(super) fn time_steps(simulation: &Simulation, steps: u64) -> String {
         _ if done + 1 == steps => format!("time step {steps} of {time_step} s"),
         _ if done < steps => format!("time steps {} to {steps} of {time_step} s", done + 1),
         _ => format!("nothing to do: the results have time step {done}, the last step is {steps}"),
-    }
-}
-
-/// The warning that time steps did not converge, if there were any among this number of steps.
-pub(super) fn of_unconverged(unconverged: &[u64], steps: u64) -> Option<String> {
-    unconverged.first()?;
-    let text = of_convergence(unconverged, steps);
-    Some(format!(
-        "{text}: there, the motion is not accurate; \
-         set a smaller `time-step`, a larger `max-iterations`, or `max-substeps`"
-    ))
-}
-
-/// The time steps that did not converge, among this number of steps.
-pub(super) fn of_convergence(unconverged: &[u64], steps: u64) -> String {
-    match unconverged {
-        [] if steps == 1 => "the time step converged".to_owned(),
-        [] => format!("all {steps} time steps converged"),
-        [only] => format!("time step {only} did not converge"),
-        [first, ..] => {
-            let count = unconverged.len();
-            format!("{count} of {steps} time steps did not converge, the first is {first}")
-        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod contact_points;
+mod convergence;
 mod filters;
 mod folder;
 mod grid;
@@ -38,6 +39,7 @@ use crate::notes::Notes;
 use crate::output::print;
 use crate::progress::{self, during};
 use crate::view::View;
+use convergence::Convergence;
 use folder::OutputFolder;
 use pictures::Pictures;
 use queries::QueryFolder;
@@ -225,7 +227,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         None => None,
         Some(folder) => Some(Pictures::begin(folder, &simulation, scene.rendering)?),
     };
-    let mut unconverged = Vec::new();
+    let mut convergence = Convergence::default();
     if command.is_some() {
         simulation = simulation.with_interrupt(interrupt::flag());
     }
@@ -269,15 +271,13 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             // The progress bar is hidden while the line is printed.
             lines.suspend(|| print(&line))?;
             progress(1);
-            if !statistics.converged {
-                let step = statistics.step;
-                unconverged.push(step);
-                if arguments.strict {
-                    return Ok(Ended::Failed(Failure::new(format_args!(
-                        "time step {step} did not converge, expected convergence with --strict: set a smaller \
-                         `time-step`, a larger `max-iterations`, or `max-substeps`"
-                    ))));
-                }
+            convergence.add(&statistics);
+            if !statistics.converged && arguments.strict {
+                return Ok(Ended::Failed(Failure::new(format_args!(
+                    "time step {} did not converge, expected convergence with --strict: {}",
+                    statistics.step,
+                    convergence.remedy()
+                ))));
             }
         }
         Ok(Ended::Complete)
@@ -289,7 +289,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         Ended::Failed(failure) => failure.on_one_line(),
         _ => {
             let left = steps.saturating_sub(simulation.state().step);
-            line::of_convergence(&unconverged, remaining.saturating_sub(left))
+            convergence.text(remaining.saturating_sub(left))
         }
     };
     let finish = || -> Result<(), Failure> {
@@ -311,7 +311,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         }
         _ => finished?,
     }
-    if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
+    if let Some(warning) = convergence.warning(remaining) {
         notes.warn(warning);
     }
     if let Some(queries) = &queries {

@@ -43,6 +43,27 @@ fn a_scene_and_its_import_have_the_same_simulation() {
     }
 }
 
+/// An imported scene may have changes made by hand.
+#[test]
+fn an_import_replaces_no_file_without_being_told() {
+    let folder = folder();
+    folder.write("scene.toml", "changed by hand");
+    let run = folder.run(&["import", "scenes/scene.txt", "--output", "scene.toml"]);
+    let error =
+        "exact-ccd: error: scene.toml: the file exists: replace it with --overwrite, or name another file\n";
+    assert!(run.status == 2 && run.stderr.ends_with(error), "{run:?}");
+    assert_eq!(folder.read("scene.toml"), "changed by hand");
+    let run = folder.run(&[
+        "import",
+        "scenes/scene.txt",
+        "--output",
+        "scene.toml",
+        "--overwrite",
+    ]);
+    assert_eq!(run.status, 0, "{run:?}");
+    assert!(folder.read("scene.toml").starts_with("# Imported from "));
+}
+
 #[test]
 fn errors_of_imports_have_status_2() {
     let folder = folder();

@@ -37,6 +37,7 @@ mod scene_groups;
 mod scenes;
 mod schema;
 mod simulate;
+mod simulate_bodies;
 mod simulate_errors;
 mod simulate_pictures;
 mod simulate_queries;

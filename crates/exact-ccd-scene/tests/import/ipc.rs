@@ -8,6 +8,11 @@ use crate::{Folder, exact};
 /// A scene with one body.
 const ONE: &str = "shapes input 1\nbox.msh 0 1 0  0 0 0  1 1 1\n";
 
+/// A length in fractions of the diagonal of its box.
+fn length(fraction: f64) -> String {
+    format!("absolute = {}", fraction * 3.5_f64.sqrt())
+}
+
 #[test]
 fn a_scene_without_settings_has_the_defaults_of_ipc() {
     let folder = Folder::new("defaults");
@@ -27,17 +32,17 @@ max-substeps = 8
 ccd = "exact"
 
 [settings.contact-distance]
-relative = 0.001
+THOUSANDTH
 
 [settings.friction]
 coefficient = 0.0
 lags = 1
 
 [settings.friction.static-velocity]
-relative = 0.001
+THOUSANDTH
 
 [settings.tolerance]
-relative = 0.01
+HUNDREDTH
 
 [[body]]
 mesh = "box.msh"
@@ -49,7 +54,8 @@ young = 100000.0
 poisson = 0.4
 energy = "neo-hookean"
 "#;
-    assert_eq!(imported.toml, expected);
+    let expected = expected.replace("THOUSANDTH", &length(1e-3));
+    assert_eq!(imported.toml, expected.replace("HUNDREDTH", &length(1e-2)));
     assert!(imported.notes.is_empty(), "{:?}", imported.notes);
 }
 
@@ -73,25 +79,11 @@ fn each_keyword_changes_its_setting() {
         ("selfFric 0.3", "[settings.friction]\ncoefficient = 0.3\nlags = 1"),
         ("fricIterAmt 4", "coefficient = 0.0\nlags = 4"),
         ("fricIterAmt -1", "coefficient = 0.0\nlags = 100"),
-        ("dHat 1e-4", "[settings.contact-distance]\nrelative = 0.0001"),
-        (
-            "epsv 1e-5",
-            "[settings.friction.static-velocity]\nrelative = 0.00001",
-        ),
-        ("tol 2\n1e-3\n1e-3", "[settings.tolerance]\nrelative = 0.001"),
         (
             "useAbsParameters\ndHat 2e-3",
             "[settings.contact-distance]\nabsolute = 0.002",
         ),
         ("useAbsParameters", "[settings.tolerance]\nabsolute = 0.01"),
-        (
-            "tuning 6\n0\n2e-3 2e-3\n1e-9\n3e-3\n3e-3",
-            "[settings.contact-distance]\nrelative = 0.002",
-        ),
-        (
-            "tuning 5\n0\n2e-3\n2e-3\n1e-9\n3e-3",
-            "[settings.friction.static-velocity]\nrelative = 0.003",
-        ),
         (
             "ground 0 0.25",
             "[[half-space]]\npoint = [0.0, 0.25, 0.0]\nnormal = [0.0, 1.0, 0.0]",
@@ -103,7 +95,6 @@ fn each_keyword_changes_its_setting() {
         ("constraintSolver interiorPoint", "duration = 5.0"),
         ("constraintSolver IP", "duration = 5.0"),
         ("selfCollisionOn # a comment", "duration = 5.0"),
-        ("# dHat 1", "[settings.contact-distance]\nrelative = 0.001"),
         ("section SQP QP\ntime 1 0.5\nsection end", "duration = 5.0"),
         ("section SQP\ntime 1 0.5", "duration = 5.0"),
         (
@@ -116,6 +107,45 @@ fn each_keyword_changes_its_setting() {
     ];
     let cases = cases.map(|(keyword, lines)| (format!("{ONE}{keyword}\n"), lines));
     assert_lines(&folder, "txt", cases);
+}
+
+/// Relative lengths are fractions of the diagonal of the box of the solids along the axes, which is not the
+/// size of exact-ccd.
+#[test]
+fn relative_lengths_are_those_of_the_box() {
+    let folder = Folder::new("relative");
+    let cases = [
+        ("dHat 1e-4", "contact-distance", 1e-4),
+        ("epsv 1e-5", "friction.static-velocity", 1e-5),
+        ("tol 2\n1e-3\n1e-3", "tolerance", 1e-3),
+        (
+            "tuning 6\n0\n2e-3 2e-3\n1e-9\n3e-3\n3e-3",
+            "contact-distance",
+            2e-3,
+        ),
+        (
+            "tuning 5\n0\n2e-3\n2e-3\n1e-9\n3e-3",
+            "friction.static-velocity",
+            3e-3,
+        ),
+        ("# dHat 1", "contact-distance", 1e-3),
+    ];
+    for (keyword, name, fraction) in cases {
+        let lines = format!("[settings.{name}]\n{}", length(fraction));
+        assert_lines(&folder, "txt", [(format!("{ONE}{keyword}\n"), lines.as_str())]);
+    }
+    // The box of a box that turns by 45° about z has the sides 1.5/√2, 1.5/√2 and 1.5.
+    let turned = "shapes input 1\nbox.msh 0 1 0  0 0 45  1 1 1\n";
+    let imported = folder.import("turned.txt", turned).unwrap();
+    let (_, distance) = imported
+        .toml
+        .split_once("[settings.contact-distance]\nabsolute = ")
+        .unwrap();
+    let distance: f64 = distance.lines().next().unwrap().parse().unwrap();
+    assert!(
+        (distance / (1e-3 * 4.5_f64.sqrt()) - 1.0).abs() < 1e-14,
+        "{distance}"
+    );
 }
 
 #[test]

@@ -17,6 +17,12 @@ fn errors_name_file_line_and_field() {
             "line 1, the file: the key `duration` is missing, expected a number of seconds",
         ),
         (
+            "duration = 0.1",
+            "duration = 0.009",
+            "line 2, duration: the duration is 0.009 s, less than half of the time step of 0.02 s, expected at least \
+             one time step: ",
+        ),
+        (
             "time-step = 0.02",
             "time-step = -1.0",
             "line 5, settings.time-step: `time-step` is -1, expected a positive number",

@@ -6,7 +6,12 @@ use super::barrier::Barrier;
 
 /// The range of the barrier's stiffness κ, in kg/m², and its adaptation.
 ///
-/// Source: *Incremental Potential Contact*, section 4.3, and section 3 of its supplement.
+/// Source: *Incremental Potential Contact*, section 4.3, and section 3 of its supplement. There, the least κ
+/// follows from the mean mass m of a vertex, whose inertia resists a displacement in a time step of the
+/// duration h. The elastic stiffness k of a vertex resists it too, by h² k: here, a hundredth of h² k takes
+/// the place of m where it is larger. So κ/h², the stiffness of the barrier as an energy, has a limit for
+/// long time steps, and is constant for equilibria. A weight acts whatever the time step: the least κ is
+/// also large enough for the weight of a vertex at half of the contact distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StiffnessRange {
     /// The least κ.
@@ -17,16 +22,20 @@ pub(crate) struct StiffnessRange {
     critical: f64,
 }
 
-/// The stiffness of the softest barrier at a distance of 10⁻⁸ of the scene's size, in mean masses of a
-/// vertex.
+/// The stiffness of the softest barrier at a distance of 10⁻⁸ of the scene's size, in means of m.
 const LEAST_SCALE: f64 = 1e11;
 
 impl StiffnessRange {
-    /// The range for a scene. `barrier` is that of surfaces without thickness. `size` is the diagonal of
-    /// its bounding box in m, `mean_mass` the mean mass of its vertices in kg.
-    pub(crate) fn new(size: f64, mean_mass: f64, barrier: &Barrier) -> Self {
-        let near = (1e-16 * size * size).min(0.25 * barrier.activation_distance().powi(2));
-        let least = LEAST_SCALE * mean_mass / (4.0 * near * barrier.curvature(near));
+    /// The range for a scene of this `size` in m. `barrier` is the barrier without thickness, `inertia` the
+    /// mean of m over the vertices or a hundredth of the mean of h² k, in kg, and `weight` the mean of h²
+    /// times the weight, in kg m.
+    pub(crate) fn new(size: f64, inertia: f64, weight: f64, barrier: &Barrier) -> Self {
+        let distance = barrier.activation_distance();
+        let near = (1e-16 * size * size).min(0.25 * distance * distance);
+        let by_inertia = LEAST_SCALE * inertia / (4.0 * near * barrier.curvature(near));
+        // The force of the barrier at the distance d is −2 d b'(d²) κ.
+        let force = -distance * barrier.slope(0.25 * distance * distance);
+        let least = by_inertia.max(weight / force);
         Self {
             least,
             greatest: 100.0 * least,

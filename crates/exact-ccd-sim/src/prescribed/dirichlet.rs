@@ -125,6 +125,11 @@ impl<'a> Dirichlet<'a> {
         self.mode == Mode::Prescribed
     }
 
+    /// Returns true if all motions have reached their ends.
+    fn has_arrived(&self) -> bool {
+        self.motions.iter().all(|motion| motion.fraction == 1.0)
+    }
+
     /// The places of all motions.
     pub(crate) fn places(&self) -> Vec<usize> {
         (0..self.motions.len()).collect()
@@ -174,11 +179,13 @@ impl<'a> Dirichlet<'a> {
     }
 
     /// Ends a step that moved bodies by these parts of their motions: the next one moves them again, or
-    /// follows after Newton's method has converged. Without progress, bodies stay.
-    pub(crate) fn moved(&mut self, progress: f64) {
+    /// follows after Newton's method has converged. Without progress, bodies stay, unless all surfaces
+    /// were apart before: a body that begins just outside the contact distance moves up to the other one
+    /// first, which it pushes only from then on.
+    pub(crate) fn moved(&mut self, progress: f64, was_apart: bool) {
         self.attempts = self.attempts.saturating_sub(1);
-        let is_done = self.motions.iter().all(|motion| motion.fraction == 1.0);
-        self.mode = if is_done || self.attempts == 0 || progress < PROGRESS {
+        let is_stopped = progress < PROGRESS && !was_apart;
+        self.mode = if self.has_arrived() || self.attempts == 0 || is_stopped {
             Mode::Fixed
         } else {
             Mode::Waiting

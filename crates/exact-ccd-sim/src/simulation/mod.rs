@@ -15,12 +15,14 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
 
 use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
 use crate::error::SimulationError;
 use crate::filter::StepFilter;
 use crate::friction::Coefficients;
+use crate::integrator::Scheme;
 use crate::iteration::{Iteration, Watch};
 use crate::range::{OutOfRange, check, check_finite, check_not_negative};
 use crate::settings::{LineSearch, Settings};
@@ -46,6 +48,8 @@ pub use warning::Warning;
 /// ```
 pub struct Simulation {
     system: System,
+    /// The mean stiffness of a vertex at rest, in N/m.
+    stiffness: f64,
     settings: Settings,
     filter: StepFilter,
     barrier: Barrier,
@@ -119,7 +123,7 @@ impl Simulation {
         start::check(&system, &state)?;
         let distance = settings.contact_distance.meters(system.size());
         let barrier = Barrier::new(distance);
-        if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_valid() {
+        if !StiffnessRange::new(system.size(), system.mean_mass(), 0.0, &barrier).is_valid() {
             let expected =
                 "a length for which the masses give a positive and finite stiffness of the barrier";
             check(false, "contact-distance", distance, expected)?;
@@ -129,6 +133,7 @@ impl Simulation {
         Ok(Self {
             coefficients,
             fingerprint: Fingerprint::of(&system),
+            stiffness: system.mean_stiffness(),
             system,
             settings,
             filter,
@@ -203,12 +208,30 @@ impl Simulation {
         }
     }
 
+    /// The range of the barrier's stiffness for the equations of a time step.
+    fn range(&self, scheme: &Scheme) -> StiffnessRange {
+        let (mass, square) = (self.system.mean_mass(), scheme.duration * scheme.duration);
+        let gravity = Vector3::from(self.settings.gravity).norm();
+        let inertia = (scheme.inertia * mass).max(ELASTIC * square * self.stiffness);
+        StiffnessRange::new(
+            self.system.size(),
+            inertia,
+            square * mass * gravity,
+            &self.barrier,
+        )
+    }
+
     /// The simulated time, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.state.step as f64 * self.settings.time_step
     }
 }
+
+/// The part of the elastic stiffness of a vertex that counts as much as its inertia for the stiffness of the
+/// barrier. So inertia determines it for rubber in common time steps, as in *Incremental Potential Contact*,
+/// and elasticity in long ones.
+const ELASTIC: f64 = 0.01;
 
 /// Checks that the numbers of a state are finite, and the stiffness not negative.
 fn check_numbers(state: &State) -> Result<(), OutOfRange> {

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::Simulation;
-use crate::contact::{Collisions, StiffnessRange};
+use crate::contact::Collisions;
 use crate::elasticity::Twist;
 use crate::integrator::Scheme;
 use crate::prescribed::{Dirichlet, HeldChains, Paths};
@@ -49,7 +49,7 @@ impl<'a> Problem<'a> {
             settings,
             filter: &simulation.filter,
             barrier: *barrier,
-            range: StiffnessRange::new(system.size(), system.mean_mass(), barrier),
+            range: simulation.range(&scheme),
             terms,
             chains: HeldChains::new(paths, &held),
             held,

@@ -32,7 +32,8 @@ impl Simulation {
     /// motion from the start of the time step to its end is a different one, which may have contacts.
     ///
     /// If Newton's method does not converge or fails, the time step is repeated in twice as many parts of
-    /// equal duration, up to [`max_substeps`](crate::Settings::max_substeps). A time step of BDF2 in which
+    /// equal duration, up to [`max_substeps`](crate::Settings::max_substeps), unless rounding errors are the
+    /// cause. A time step of BDF2 in which
     /// bodies begin or cease to touch is repeated as one of implicit Euler. Only the increments of the last
     /// attempt are visited, when it ends.
     ///
@@ -65,7 +66,8 @@ impl Simulation {
                     seconds = seconds.plus(&statistics.seconds);
                     let is_whole = self.state.step > start.step;
                     let is_stuck = || is_whole && self.is_stuck_since(&start);
-                    let is_taken = statistics.converged || is_last || is_stuck();
+                    let is_final = statistics.stagnated && is_whole;
+                    let is_taken = statistics.converged || is_final || is_last || is_stuck();
                     is_taken.then_some(statistics)
                 }
             };
@@ -79,6 +81,7 @@ impl Simulation {
                     }
                     increments.iter().for_each(|positions| visit(positions));
                     return Ok(Statistics {
+                        converged: statistics.converged && self.state.behind.is_empty(),
                         seconds,
                         ..statistics
                     });

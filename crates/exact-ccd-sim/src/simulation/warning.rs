@@ -31,6 +31,12 @@ pub enum Warning {
         /// The contact distance, in m.
         distance: f64,
     },
+    /// A rod without a shear modulus is curved at rest, and scripts hold both ends of a curved part. It moves
+    /// by twist alone, without a force: a coil spring has no stiffness.
+    Coil {
+        /// The rod.
+        body: Designation,
+    },
 }
 
 impl fmt::Display for Warning {
@@ -51,6 +57,12 @@ impl fmt::Display for Warning {
                  them apart; set a smaller `contact-distance`, or place them farther apart",
                 Designation::both(bodies)
             ),
+            Self::Coil { body } => write!(
+                f,
+                "{body} is a rod that is curved at rest and has no `shear`: it twists without a torque, so that a \
+                 coil spring has no stiffness; set `shear`, for an isotropic material \
+                 young / (2 (1 + Poisson's ratio))"
+            ),
         }
     }
 }
@@ -59,7 +71,15 @@ impl Simulation {
     /// Warnings about the settings and the current positions: at most one of each kind.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        self.coarse().into_iter().chain(self.near()).collect()
+        let found = [self.coarse(), self.near(), self.coil()];
+        found.into_iter().flatten().collect()
+    }
+
+    /// The warning about a rod that is curved at rest, held at both ends and without a shear modulus.
+    fn coil(&self) -> Option<Warning> {
+        let body = self.system.coil_without_shear()?;
+        let body = self.system.bodies.designation(body);
+        Some(Warning::Coil { body })
     }
 
     /// The warning that the contact distance is large for the smallest body. Single points have no size.

@@ -10,6 +10,7 @@ mod pattern;
 mod potential;
 mod prescribe;
 mod quadratic;
+mod stagnation;
 #[cfg(test)]
 mod tests;
 mod unknowns;

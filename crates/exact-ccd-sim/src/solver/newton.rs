@@ -10,6 +10,7 @@ use super::couplings::Couplings;
 use super::direction::Direction;
 use super::linear::LinearSolver;
 use super::potential::{Potential, Terms};
+use super::stagnation::Stagnation;
 use super::unknowns::Unknowns;
 use super::vertex_steps::VertexSteps;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
@@ -58,6 +59,10 @@ pub(crate) struct Iterate<'a> {
     pub(crate) dirichlet: Dirichlet<'a>,
 }
 
+/// The size of a direction, relative to the size of the scene, from which rounding errors cannot be its
+/// cause.
+const SHORT: f64 = 1e-6;
+
 impl Newton<'_> {
     /// Minimises the potential from an iterate. Returns true if it converges.
     ///
@@ -75,6 +80,7 @@ impl Newton<'_> {
         let tolerance = self.settings.newton_tolerance(self.system.size());
         // The terms of the last minimisation can be others.
         now.value = None;
+        let mut stagnation = Stagnation::default();
         for iteration in 0..self.settings.max_iterations {
             if self.interrupt.load(Ordering::Relaxed) {
                 let step = self.times.step;
@@ -148,10 +154,17 @@ impl Newton<'_> {
             if moved {
                 visit(&now.positions);
             }
+            let is_short = size <= SHORT * self.system.size();
+            let is_lost = !is_small && is_short && decrease <= potential.noise(now.potential(&potential));
+            let is_idle = !is_small && stagnation.is_reached(size, is_lost);
             // After an increase of κ, the iterate is not a minimum of the new potential.
-            let is_done = !moved || is_small && now.stiffness == stiffness;
-            if is_done && !now.dirichlet.resume() {
-                return Ok(is_small);
+            let is_done = !moved || is_idle || is_small && now.stiffness == stiffness;
+            if is_done {
+                if !now.dirichlet.resume() {
+                    statistics.stagnated |= is_lost;
+                    return Ok(is_small);
+                }
+                stagnation = Stagnation::default();
             }
         }
         Ok(false)

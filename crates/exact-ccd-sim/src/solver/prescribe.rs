@@ -18,6 +18,9 @@ const SHORTER: usize = 8;
 /// The part of all motions together below which each body is moved alone.
 const TOGETHER: f64 = 0.1;
 
+/// The part of the contact distance beyond which surfaces hardly repel each other.
+const APART: f64 = 0.9;
+
 impl Newton<'_> {
     /// Moves the bodies with scripts: all of them together with the Newton direction of all other vertices,
     /// or else alone, or else each body alone, by the parts of their motions that are free. With a line
@@ -33,6 +36,7 @@ impl Newton<'_> {
     ) -> bool {
         let clock = Instant::now();
         let all = now.dirichlet.places();
+        let was_apart = now.collisions.minimal_distance() > APART * self.barrier.activation_distance();
         let mut progress = if self.move_by_vertex(steps, now, &all, direction, potential) {
             1.0
         } else {
@@ -46,7 +50,7 @@ impl Newton<'_> {
                 progress += self.move_bodies(now, &[place], None, potential);
             }
         }
-        now.dirichlet.moved(progress);
+        now.dirichlet.moved(progress, was_apart);
         statistics.seconds.ccd += clock.elapsed().as_secs_f64();
         statistics.step_sizes.push(progress.min(1.0));
         progress > 0.0

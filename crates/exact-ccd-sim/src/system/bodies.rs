@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use exact_ccd_mesh::{Aabb, Point};
-use nalgebra::Vector3;
+use exact_ccd_mesh::Point;
 
+use super::size::diameter;
 use super::{Designation, System};
 use crate::body::{Body, BodyKind};
 use crate::digest::Hash;
@@ -48,21 +48,11 @@ impl Bodies {
         names.zip(self.ranges.iter().map(|range| range.end)).collect()
     }
 
-    /// The diagonals of the bounding boxes of the bodies at these positions, in m.
+    /// The sizes of the bodies at these positions, in m.
     pub(crate) fn sizes(&self, points: &[Point]) -> impl Iterator<Item = f64> {
         let points = |range: &Range<u32>| points[range.start as usize..range.end as usize].iter();
         self.ranges
             .iter()
-            .map(move |range| diagonal(points(range).copied()))
-    }
-}
-
-/// The diagonal of the bounding box of points. 0 without points.
-pub(super) fn diagonal(points: impl Iterator<Item = Point>) -> f64 {
-    let bounds: Aabb = points.collect();
-    if bounds.lower[0] <= bounds.upper[0] {
-        (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
-    } else {
-        0.0
+            .map(move |range| diameter(points(range).copied()))
     }
 }

@@ -13,6 +13,8 @@ pub(crate) struct Elastic {
     pub(crate) elements: Vec<Arc<dyn Energy>>,
     /// The parts of rods that resist twist.
     pub(crate) chains: Vec<Chain>,
+    /// The vertices of the parts of rods without a shear modulus.
+    pub(super) untwisted: Vec<Vec<u32>>,
     pub(super) tetrahedra: Vec<[u32; 4]>,
     pub(super) springs: Vec<Spring>,
     /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.

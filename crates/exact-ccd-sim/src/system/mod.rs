@@ -3,6 +3,7 @@
 mod affine;
 mod bodies;
 mod body_error;
+mod coils;
 mod designation;
 mod elastic;
 mod error;
@@ -17,6 +18,7 @@ mod obstacles;
 mod parts;
 mod primitive;
 mod selection;
+pub(crate) mod size;
 mod spring_error;
 mod springs;
 
@@ -30,7 +32,7 @@ use crate::contact::{Barrier, Collisions, Surface};
 use crate::load::Load;
 use crate::scripted::{Coordinates, Scripted};
 use crate::settings::Formulation;
-use bodies::{Bodies, diagonal};
+use bodies::Bodies;
 use elastic::Elastic;
 use geometry::Geometry;
 use parts::Parts;
@@ -79,13 +81,8 @@ impl System {
         for (number, scripted) in scripts.iter().enumerate() {
             parts.script(number, scripted, &listed)?;
         }
-        let points = parts.start.iter().zip(&parts.outline.is_obstacle);
-        let elastic = points.filter(|(_, is_obstacle)| !**is_obstacle);
-        let size = diagonal(elastic.map(|(point, _)| *point));
-        // A single point has no extent: 1 m.
-        let extent = Some(diagonal(parts.start.iter().copied())).filter(|extent| *extent > 0.0);
-        let extent = extent.unwrap_or(1.0);
-        Ok(Self {
+        let is_obstacle = parts.outline.is_obstacle.clone();
+        let system = Self {
             geometry: Geometry::new(parts.outline, &listed.ranges, &parts.start, &parts.scripts)?,
             bodies: listed,
             start: parts.start,
@@ -95,9 +92,10 @@ impl System {
             scripts: parts.scripts,
             elastic: parts.elastic,
             loads: Vec::new(),
-            size: if size > 0.0 { size } else { extent },
-            extent,
-        })
+            size: 1.0,
+            extent: 1.0,
+        };
+        Ok(system.measured(&is_obstacle))
     }
 
     /// The distance within which two primitives touch: the sum of their offsets.
@@ -137,6 +135,24 @@ impl System {
     #[must_use]
     pub fn surface(&self) -> &TriangleMesh {
         &self.geometry.mesh
+    }
+
+    /// The vertices of the meshes of all bodies, increasing: all but the nodes of affine bodies, which are
+    /// unknowns and no part of a mesh.
+    #[must_use]
+    pub fn mesh_vertices(&self) -> Vec<u32> {
+        let mut is_node = vec![false; self.start.len()];
+        for node in self
+            .carriers
+            .bodies()
+            .iter()
+            .flat_map(|body| self.carriers.nodes(body))
+        {
+            is_node[node as usize] = true;
+        }
+        (0..self.start.len() as u32)
+            .filter(|&vertex| !is_node[vertex as usize])
+            .collect()
     }
 
     /// The vertices that are particles, increasing.
@@ -202,19 +218,5 @@ impl System {
     #[must_use]
     pub fn masses(&self) -> &[f64] {
         &self.masses
-    }
-
-    /// The diagonal of the bounding box of all bodies with mass at the start, in m: the unit of relative
-    /// lengths, as in *Incremental Potential Contact*. If that box is a point, or no body has mass, it is
-    /// [`System::extent`].
-    #[must_use]
-    pub fn size(&self) -> f64 {
-        self.size
-    }
-
-    /// The diagonal of the bounding box of everything at the start, obstacles included, in m.
-    #[must_use]
-    pub fn extent(&self) -> f64 {
-        self.extent
     }
 }

@@ -226,9 +226,12 @@ impl Parts {
             let bend = bend.ok_or(BodyError::Folded { element })?;
             self.elastic.elements.push(Arc::new(bend));
         }
-        if let Some(rigidity) = material.torsional_rigidity() {
-            let chain = |vertices| Chain::new(vertices, &self.start, rigidity);
-            self.elastic.chains.extend(chains(&edges).into_iter().map(chain));
+        match material.torsional_rigidity() {
+            None => self.elastic.untwisted.extend(chains(&edges)),
+            Some(rigidity) => {
+                let chain = |vertices| Chain::new(vertices, &self.start, rigidity);
+                self.elastic.chains.extend(chains(&edges).into_iter().map(chain));
+            }
         }
         self.outline.edges.extend(edges);
         Ok(())

@@ -12,6 +12,7 @@ mod naive;
 mod pairs;
 mod rods;
 mod shells;
+mod size;
 mod springs;
 mod stiffness;
 mod strips;

@@ -18,8 +18,13 @@ use crate::placement::{Placement, Scale};
 /// The angular velocity of the ends in `script twist`, in rad/s.
 const TWIST: f64 = 0.4 * PI;
 
-/// The bodies of a file: its shapes, then its obstacles.
-pub(super) fn bodies(file: &File, meshes: &mut Meshes, notes: &Notes) -> Result<Vec<BodyDescription>, Fault> {
+/// The bodies of a file: its shapes, then its obstacles. The number is the diagonal of the box of the
+/// solids, in m, 0 without solids.
+pub(super) fn bodies(
+    file: &File,
+    meshes: &mut Meshes,
+    notes: &Notes,
+) -> Result<(Vec<BodyDescription>, f64), Fault> {
     let parts: Result<Vec<Part<'_>>, Fault> = file
         .shapes
         .iter()
@@ -31,7 +36,7 @@ pub(super) fn bodies(file: &File, meshes: &mut Meshes, notes: &Notes) -> Result<
     }
     match file.script {
         Motion::Fall => {
-            let shift = Vector3::new(0.0, 0.5 * diagonal(&parts), 0.0);
+            let shift = Vector3::new(0.0, 0.5 * diagonal(&whole(&parts)), 0.0);
             parts
                 .iter_mut()
                 .for_each(|part| part.place(part.body.placement().then(1.0, shift)));
@@ -46,9 +51,12 @@ pub(super) fn bodies(file: &File, meshes: &mut Meshes, notes: &Notes) -> Result<
     for part in &mut parts {
         part.add_motions(file, notes)?;
     }
+    let solids = parts.iter().filter(|part| part.is_solid());
+    let size = diagonal(&solids.flat_map(|part| &part.points).copied().collect());
     let obstacles = file.obstacles.iter().map(|described| obstacle(described, meshes));
     let shapes = parts.into_iter().map(|part| Ok(part.body));
-    shapes.chain(obstacles).collect()
+    let bodies: Result<_, Fault> = shapes.chain(obstacles).collect();
+    Ok((bodies?, size))
 }
 
 /// The box of all vertices.
@@ -56,9 +64,9 @@ fn whole(parts: &[Part<'_>]) -> Aabb {
     parts.iter().flat_map(|part| &part.points).copied().collect()
 }
 
-/// The diagonal of the box of all vertices; 0 without vertices.
-fn diagonal(parts: &[Part<'_>]) -> f64 {
-    let length = Vector3::from(whole(parts).sides()).norm();
+/// The diagonal of the box of some vertices; 0 without vertices.
+fn diagonal(bounds: &Aabb) -> f64 {
+    let length = Vector3::from(bounds.sides()).norm();
     if length.is_finite() { length } else { 0.0 }
 }
 

@@ -109,6 +109,7 @@ impl Default for File {
                 formulation: Formulation::Sum,
                 friction: Friction {
                     static_velocity: Length::Relative(1e-3),
+                    lags: 1,
                     ..Friction::default()
                 },
                 tolerance: Length::Relative(TOLERANCE),

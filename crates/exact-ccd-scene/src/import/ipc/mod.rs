@@ -27,21 +27,23 @@ use file::File;
 /// The scene in the text of a file.
 pub(super) fn import(text: &str, meshes: &mut Meshes, notes: &Notes) -> Result<Description, Fault> {
     let file = File::parse(text, notes)?;
-    let mut body = bodies::bodies(&file, meshes, notes)?;
+    let (mut body, size) = bodies::bodies(&file, meshes, notes)?;
     let mut half_space: Vec<HalfSpace> = file.planes.iter().map(|(plane, _)| plane.clone()).collect();
     let pairs = friction::pairs(&file, &mut body, &mut half_space, notes);
     let stiffness_damping = file.stiffness_damping();
     let mut settings = file.settings;
     settings.stiffness_damping = stiffness_damping;
     settings.friction.pairs = pairs;
-    if file.is_absolute {
+    // The diagonal of a box along the axes is not the size of exact-ccd. Without solids, nothing moves.
+    let unit = if file.is_absolute { 1.0 } else { size };
+    if unit > 0.0 {
         let lengths = [
             &mut settings.contact_distance,
             &mut settings.friction.static_velocity,
             &mut settings.tolerance,
         ];
         for length in lengths {
-            *length = Length::Absolute(length.meters(1.0));
+            *length = Length::Absolute(length.meters(unit));
         }
     }
     Ok(Description {
