@@ -21,7 +21,7 @@ pub(crate) struct CertificateOption {
         long,
         value_name = "FILE",
         value_parser = answer(),
-        conflicts_with_all = ["others", "ignore", "only", "weld", "faces_only", "half_space"]
+        conflicts_with_all = ["others", "ignore", "only", "weld", "faces_only"]
     )]
     certificate: Option<PathBuf>,
 }

@@ -15,7 +15,7 @@ use crate::shortest::numbers;
 pub(crate) struct HalfSpaceOption {
     /// A half space that no vertex of a part that moves may touch, nor come within the minimum distance
     /// of; may be repeated: a point of its boundary, then its outward normal, of any length.
-    #[arg(long, value_name = "X,Y,Z,NX,NY,NZ", value_parser = parse, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z,NX,NY,NZ", value_parser = parse, allow_hyphen_values = true, conflicts_with = "certificate")]
     half_space: Vec<HalfSpace>,
 }
 

@@ -27,6 +27,7 @@ mod queries_errors;
 mod queries_separation;
 mod query_rows;
 mod recognised;
+mod repair;
 mod repeatable;
 mod reports;
 mod round_errors;
