@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
 use exact_ccd::{Point, Separation};
-use exact_ccd_mesh::{PairCounts, TriangleMesh};
+use exact_ccd_mesh::{Meeting, PairCounts, TriangleMesh};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
@@ -296,20 +296,32 @@ impl Detector {
         Ok(found.contains(&true))
     }
 
-    /// The edges and faces that meet at rest, of one world.
-    fn intersections<'py>(&self, py: Python<'py>, x: Positions<'py>) -> PyResult<Table<'py, u32>> {
-        let found = self.each(py, &x, &x, None, |search, x, _| search.intersections(x))?;
+    /// The edges and faces that meet at rest, of one world: all that touch, or the edges that pass through faces.
+    fn intersections<'py>(
+        &self,
+        py: Python<'py>,
+        x: Positions<'py>,
+        crossing: bool,
+    ) -> PyResult<Table<'py, u32>> {
+        let meeting = if crossing {
+            Meeting::Crossing
+        } else {
+            Meeting::Touching
+        };
+        let found = self.each(py, &x, &x, None, |search, x, _| search.intersections(x, meeting))?;
         rows(py, found.iter().flatten().map(|pair| [pair.edge, pair.face]))
     }
 
-    /// Adds the edges and faces that meet in the last frame to a page.
+    /// Adds the edges that pass through faces in the last frame to a page.
     fn show_intersections(
         &self,
         py: Python<'_>,
         mut page: PyRefMut<'_, Page>,
         x: Positions<'_>,
     ) -> PyResult<()> {
-        let found = self.each(py, &x, &x, None, |search, x, _| search.intersections(x))?;
+        let found = self.each(py, &x, &x, None, |search, x, _| {
+            search.intersections(x, Meeting::Crossing)
+        })?;
         page.add_intersections(&found.concat())
     }
 

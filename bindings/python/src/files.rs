@@ -1,11 +1,12 @@
 //! Mesh files.
 
+use std::ffi::CString;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Format, FrameOrder, ParseError, Polygons, ReadError, parse_frame};
+use exact_ccd_files::{Format, FrameOrder, MeshFile, ParseError, Polygons, ReadError};
 use exact_ccd_mesh::Frame;
 use numpy::{PyArray1, PyReadonlyArray2};
-use pyo3::exceptions::PyOSError;
+use pyo3::exceptions::{PyOSError, PyUserWarning};
 use pyo3::prelude::*;
 
 use crate::error::refused;
@@ -15,7 +16,14 @@ use crate::positions::points;
 /// Vertices, faces and loose edges.
 type Arrays<'py> = (Table<'py, f64>, Table<'py, u32>, Table<'py, u32>);
 
-fn arrays(py: Python<'_>, Frame { mesh, positions }: Frame) -> PyResult<Arrays<'_>> {
+/// The arrays of a mesh file, with a warning for each note of its reader.
+fn arrays<'py>(py: Python<'py>, name: &Path, file: MeshFile) -> PyResult<Arrays<'py>> {
+    for note in &file.notes {
+        // A text with a zero byte is no text of C.
+        let text = CString::new(format!("{}: {note}", name.display()).replace('\0', "\u{fffd}"))?;
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 2)?;
+    }
+    let Frame { mesh, positions } = file.frame;
     Ok((
         rows(py, positions)?,
         rows(py, mesh.faces().iter().copied())?,
@@ -33,8 +41,8 @@ fn unread(error: &ReadError) -> PyErr {
 /// The mesh in a file.
 #[pyfunction]
 pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<Arrays<'_>> {
-    let frame = py.detach(|| exact_ccd_files::read_frame(path));
-    arrays(py, frame.map_err(|error| unread(&error))?)
+    let file = py.detach(|| MeshFile::read(&path, Polygons::Triangulate));
+    arrays(py, &path, file.map_err(|error| unread(&error))?)
 }
 
 /// The mesh in the contents of a file, whose name has the format.
@@ -43,8 +51,8 @@ pub(crate) fn parse_mesh<'py>(py: Python<'py>, contents: &[u8], name: PathBuf) -
     let at = |error: ParseError| refused(format_args!("{}: {error}", name.display()));
     let unknown = || refused(format_args!("{}: no known format of meshes", name.display()));
     let format = Format::of_path(&name).ok_or_else(unknown)?;
-    let frame = py.detach(|| parse_frame(contents, format));
-    arrays(py, frame.map_err(at)?)
+    let file = py.detach(|| MeshFile::parse(contents, format, Polygons::Triangulate));
+    arrays(py, &name, file.map_err(at)?)
 }
 
 /// The format that belongs to the extension of a path, if it is that of a mesh file.
@@ -83,7 +91,7 @@ impl FrameSequence {
     /// The mesh of a frame.
     fn read<'py>(&self, py: Python<'py>, frame: usize) -> PyResult<Arrays<'py>> {
         let file = py.detach(|| self.0.read(frame));
-        arrays(py, file.map_err(|error| unread(&error))?.frame)
+        arrays(py, self.0.file(frame), file.map_err(|error| unread(&error))?)
     }
 }
 

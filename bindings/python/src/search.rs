@@ -246,9 +246,9 @@ impl Search {
         Ok(maker.finish()?)
     }
 
-    /// The edges and faces that meet at rest.
-    pub(crate) fn intersections(&self, x: &[Point]) -> Result<Vec<Intersection>, Refusal> {
-        let options = IntersectionOptions::default();
+    /// The edges and faces that meet at rest in this way.
+    pub(crate) fn intersections(&self, x: &[Point], meeting: Meeting) -> Result<Vec<Intersection>, Refusal> {
+        let options = IntersectionOptions::default().with_meeting(meeting);
         let mut found = intersections(self.mesh(), x, &self.broad_phase(), &options).map_err(Refusal::new)?;
         found.retain(|&pair| self.counts(pair));
         Ok(found)

@@ -232,6 +232,15 @@ def test_mesh_files(tmp_path) -> None:
         exact_ccd.read_mesh(file)
 
 
+def test_facts_of_a_file_that_could_change_an_answer_are_warnings(tmp_path) -> None:
+    file = tmp_path / "plane.obj"
+    file.write_text("v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n")
+    with pytest.warns(UserWarning, match="plane.obj: line 1: the vertices have two coordinates"):
+        exact_ccd.read_mesh(file)
+    with pytest.warns(UserWarning, match="plane.obj: line 1: the vertices have two coordinates"):
+        assert exact_ccd.audit([file]).is_free
+
+
 def test_minimum_distance() -> None:
     mesh = Mesh(6, FACES)
     x0, x1 = two_triangles(2.25), two_triangles(0.25)

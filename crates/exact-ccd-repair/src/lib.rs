@@ -20,9 +20,12 @@
 //! let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
 //! let x = [floor, [[2.0, 2.0, -0.5], [2.0, 1.0, 4.0], [1.0, 2.0, 4.0]]].concat();
 //!
-//! let options = RepairOptions::default().with_pinned(vec![0, 1, 2]); let Outcome::Repaired(repaired) =
-//! repair(&mesh, &x, &options)? else { panic!("the triangle is free to move") };
-//! assert_eq!(repaired.crossings, 2); assert_eq!(repaired.positions[..3], floor);
+//! let options = RepairOptions::default().with_pinned(vec![0, 1, 2]);
+//! let Outcome::Repaired(repaired) = repair(&mesh, &x, &options)? else {
+//!     panic!("the triangle is free to move")
+//! };
+//! assert_eq!(repaired.crossings, 2);
+//! assert_eq!(repaired.positions[..3], floor);
 //! assert!(repaired.positions[3][2] > 0.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -43,6 +46,7 @@ mod repair;
 mod restore;
 mod separate;
 mod shape;
+mod single;
 mod size;
 mod slide;
 mod system;
@@ -53,3 +57,4 @@ pub use options::RepairOptions;
 pub use outcome::{Outcome, Reason, Repaired, Unrepaired};
 pub use progress::{Phase, Progress};
 pub use repair::repair;
+pub use single::repair_in_f32;

@@ -1,5 +1,7 @@
 //! The outcome of a repair.
 
+use std::fmt;
+
 use exact_ccd_mesh::{Intersection, Pair, Point};
 
 use crate::change::Change;
@@ -24,8 +26,10 @@ pub enum Outcome {
 pub struct Repaired {
     /// The positions. They have the bits of the given ones if the mesh was free before.
     pub positions: Vec<Point>,
-    /// The pairs of an edge and a face that crossed before.
+    /// The number of pairs of an edge and a face that crossed before.
     pub crossings: usize,
+    /// The number of pairs within the minimum distance before.
+    pub contacts: usize,
     /// The change.
     pub change: Change,
 }
@@ -54,6 +58,34 @@ pub enum Reason {
     /// A phase has had as many rounds as the options allow. The mesh may have no free positions near, or none
     /// at all, as a Klein bottle or linked bodies.
     Rounds(Phase),
+    /// Rounding to `f32` brings pairs within the minimum distance, however wide the distance before was.
+    Rounding,
     /// The caller has stopped it.
     Stopped(Phase),
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let phase = match self {
+            Self::Pinned => return write!(f, "vertices that do not move intersect or touch each other"),
+            Self::Rounding => return write!(f, "rounding to f32 makes pairs touch again"),
+            Self::Rounds(phase) => {
+                write!(f, "the limit of rounds was reached")?;
+                phase
+            }
+            Self::Stopped(phase) => {
+                write!(f, "it was stopped")?;
+                phase
+            }
+        };
+        write!(
+            f,
+            " while {}",
+            match phase {
+                Phase::Loosen => "pairs still intersected",
+                Phase::Separate => "pairs were still within the minimum distance",
+                Phase::Return => "vertices returned to their places",
+            }
+        )
+    }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use exact_ccd_mesh::{
-    Bvh, Contact, Detector, Intersection, IntersectionOptions, Meeting, Options, Point, Separation,
+    Bvh, Contact, Detector, Intersection, IntersectionOptions, Meeting, Options, Pair, Point, Separation,
     TriangleMesh, check_positions, intersections,
 };
 
@@ -69,6 +69,15 @@ impl<'a> Problem<'a> {
         Ok(self
             .detector
             .collisions(x, x, Options::within(distance).until(0.0))?)
+    }
+
+    /// The edges that pass through faces, and the pairs within the minimum distance.
+    pub(crate) fn found(&mut self, x: &[Point]) -> Result<(Vec<Intersection>, Vec<Pair>), RepairError> {
+        let contacts = self.contacts(x, self.options.min_distance)?;
+        Ok((
+            self.crossings(x)?,
+            contacts.into_iter().map(|contact| contact.pair).collect(),
+        ))
     }
 
     /// Returns true if a pair is within a distance.

@@ -25,8 +25,7 @@ pub fn repair(
     options: &RepairOptions<'_>,
 ) -> Result<Outcome, RepairError> {
     let mut problem = Problem::new(mesh, positions, options)?;
-    let crossings = problem.crossings(positions)?;
-    let contacts = problem.contacts(positions, options.min_distance)?;
+    let (crossings, contacts) = problem.found(positions)?;
     let is_pinned = |vertices: &[u32]| {
         vertices
             .iter()
@@ -44,7 +43,7 @@ pub fn repair(
             .collect(),
         contacts: contacts
             .iter()
-            .map(|contact| contact.pair)
+            .copied()
             .filter(|pair| pair.vertices(mesh).is_some_and(|vertices| is_pinned(&vertices)))
             .collect(),
         reason: Reason::Pinned,
@@ -56,6 +55,7 @@ pub fn repair(
         Outcome::Repaired(Repaired {
             change: Change::new(mesh, &problem.size, problem.given, &positions),
             crossings: crossings.len(),
+            contacts: contacts.len(),
             positions,
         })
     };
@@ -72,15 +72,14 @@ pub fn repair(
         Err(ended) => ended,
     };
     // The steps are certified one by one; this is the statement about the result.
-    let crossings = problem.crossings(&positions)?;
-    let contacts = problem.contacts(&positions, options.min_distance)?;
+    let (crossings, contacts) = problem.found(&positions)?;
     if crossings.is_empty() && contacts.is_empty() {
         return Ok(repaired(&problem, positions));
     }
     Ok(Outcome::Unrepaired(Unrepaired {
         positions,
         crossings,
-        contacts: contacts.into_iter().map(|contact| contact.pair).collect(),
+        contacts,
         reason,
     }))
 }

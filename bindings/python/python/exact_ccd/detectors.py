@@ -456,4 +456,8 @@ class Detector(Searcher):
         uint32 array of shape (M, 2)
             The index of the edge in :attr:`Mesh.edges` and the index of the face, sorted.
         """
-        return self._native.intersections(self._world("x", x))
+        return self._native.intersections(self._world("x", x), False)
+
+    def _crossings(self, x: ArrayLike) -> NDArray[np.uint32]:
+        """The :meth:`intersections` whose edges pass through their faces."""
+        return self._native.intersections(self._world("x", x), True)

@@ -266,6 +266,11 @@ def read_mesh(path: Union[str, PathLike[str]], *, weld: Weld = None) -> MeshFile
         If `weld` is no boolean.
     ValueError
         If its contents are wrong; the message names the place.
+
+    Warns
+    -----
+    UserWarning
+        For each fact about the file that could change an answer, such as a part that is not read.
     """
     file = MeshFile(*_native.read_mesh(path))
     style = style_of(weld, _native.mesh_format(path) == "Stl")

@@ -27,7 +27,8 @@ class Violation(NamedTuple):
     contact : Contact or None
         The earliest contact after that frame; its time is 0 at that frame and 1 at the next.
     intersection : tuple of int, or None
-        In place of a contact: the indices of an edge and a face that meet in the frame.
+        In place of a contact: the indices of an edge and of a face that it passes through in the frame. A pair that
+        only touches is a contact.
     half_space : tuple of int, or None
         In place of both: the number of a half space and the index of a vertex that is not apart from it in
         that frame. It reaches the half space in the step that leads there, if there is one.
@@ -123,7 +124,7 @@ def _examine(
     # A rule or groups can leave out the contact by which an edge comes to pass through a face.
     mesh = detector.mesh
     if last is None or mesh.can_collide is not None or mesh.groups is not None:
-        found = detector.intersections(frame)
+        found = detector._crossings(frame)
         if len(found):
             edge, face = found[0].tolist()
             places = mesh.place("edge", edge), mesh.place("face", face)

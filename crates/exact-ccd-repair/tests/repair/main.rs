@@ -10,7 +10,7 @@ use exact_ccd::{CONTACT, EdgeEdge, Options, Query, Separation, VertexFace};
 use exact_ccd_mesh::{
     Bvh, CanCollide, Detector, IntersectionOptions, Point, PositionsError, TriangleMesh, intersections,
 };
-use exact_ccd_repair::{Outcome, Phase, Reason, RepairError, RepairOptions, Repaired, Unrepaired, repair};
+use exact_ccd_repair::{Outcome, Phase, Reason, RepairError, RepairOptions, Repaired, Unrepaired, repair, repair_in_f32};
 use shapes::{Body, boxed, flattened, grid, joined, klein_bottle, limb, sphere, torus, twisted_strip};
 
 fn repaired(body: &Body, options: &RepairOptions<'_>) -> Repaired {
@@ -326,4 +326,22 @@ fn hostile_input_is_an_error_or_an_outcome() {
         [1.5, 0.0, 0.0],
     ];
     assert!(repair(&mesh, &flat, &options).is_ok());
+}
+
+#[test]
+fn positions_in_single_precision_are_free_as_they_are_rounded() {
+    // Far from the origin, where rounding to f32 is coarse.
+    let body = joined([sphere(8, 0.3), boxed(2, 0.4)]).moved([1000.3; 3]);
+    for distance in [0.0, 1e-3] {
+        let distance = Separation::new(distance).expect("it is finite");
+        let options = RepairOptions::default().with_min_distance(distance);
+        let Outcome::Repaired(repaired) = repair_in_f32(&body.mesh, &body.positions, &options).expect("they fit")
+        else {
+            panic!("it is free to move")
+        };
+        let is_single = |x: &f64| f64::from(*x as f32).to_bits() == x.to_bits();
+        assert!(repaired.positions.as_flattened().iter().all(is_single));
+        assert!(repaired.crossings > 0);
+        assert!(is_free(&body.mesh, &repaired.positions, distance));
+    }
 }
