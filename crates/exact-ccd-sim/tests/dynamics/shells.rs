@@ -2,8 +2,7 @@
 
 use exact_ccd_sim::{Body, BodyKind, Settings, Simulation, System, Warning, shapes};
 
-/// The part of the inner vertices in the warning about a grid of 6 × 6 cells, of which some have the other
-/// diagonal.
+/// The part of the inner vertices in the warning about a grid of 6 × 6 cells, some with the other diagonal.
 fn part(is_other: impl Fn(u32) -> bool) -> Option<f64> {
     let Body { points, kind, .. } = shapes::cloth([6, 6], [1.0, 1.0]);
     let BodyKind::Shell { mut faces, material } = kind else {
