@@ -32,7 +32,7 @@ pub(crate) use lame::ElasticModuli;
 pub(crate) use membrane::Membrane;
 pub(crate) use saint_venant_kirchhoff::SaintVenantKirchhoff;
 pub use solid_material::SolidMaterial;
-pub(crate) use star::bending;
+pub(crate) use star::{bending, incomplete_part};
 pub(crate) use strain_limit::StrainLimit;
 pub(crate) use stretch::Stretch;
 pub(crate) use tetrahedron::Tetrahedron;

@@ -29,7 +29,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, MatrixXx3, RowVector3, Vector3};
 
 use super::hinge::{Fold, Hinge};
-use super::hinges::hinges;
+use super::hinges::{Side, hinges};
 use super::vertex_bend::VertexBend;
 use crate::energy::{Energy, gather};
 
@@ -45,6 +45,7 @@ const LEAST: f64 = 0.01;
 /// The faces and hinges about a vertex.
 #[derive(Default)]
 struct Star {
+    faces: usize,
     area: f64,
     normal: Vector3<f64>,
     sides: Vec<usize>,
@@ -53,12 +54,17 @@ struct Star {
 }
 
 impl Star {
-    /// The stiffness of a plate and of the rest by the angles of the hinges with these corners, for D = 1.
-    fn stiffness(&self, points: &[Point], corners: &[[u32; 4]], poisson: f64) -> DMatrix<f64> {
-        let shapes: Vec<Fold> = corners.iter().map(|corners| Fold::of(points, corners)).collect();
+    /// The corners of each of its hinges.
+    fn corners(&self, sides: &[Side]) -> Vec<[u32; 4]> {
+        self.sides.iter().map(|&side| sides[side].vertices).collect()
+    }
+
+    /// M and C for the hinges with these corners.
+    fn mean(&self, points: &[Point], corners: &[[u32; 4]]) -> (Matrix3xX<f64>, MatrixXx3<f64>) {
         let plane = Plane::of(self);
         let (mut means, mut angles) = (Matrix3xX::zeros(corners.len()), MatrixXx3::zeros(corners.len()));
-        for (place, (shape, corners)) in shapes.iter().zip(corners).enumerate() {
+        for (place, corners) in corners.iter().enumerate() {
+            let shape = Fold::of(points, corners);
             let corners = gather(points, corners);
             means.set_column(
                 place,
@@ -66,30 +72,33 @@ impl Star {
             );
             angles.set_row(
                 place,
-                &plane.angles(shape, corners.map(|corner| corner - corners[0])),
+                &plane.angles(&shape, corners.map(|corner| corner - corners[0])),
             );
         }
+        (means, angles)
+    }
+
+    /// The stiffness of a plate and of the rest by the angles of the hinges with these corners, for D = 1.
+    fn stiffness(&self, points: &[Point], corners: &[[u32; 4]], poisson: f64) -> DMatrix<f64> {
+        let (means, angles) = self.mean(points, corners);
         let found = (&means * &angles).pseudo_inverse(LEAST);
         let curvature = found.unwrap_or_else(|_| Matrix3::zeros()) * means;
         let rest = DMatrix::identity(corners.len(), corners.len()) - angles * &curvature;
         let trace = Vector3::new(1.0, 1.0, 0.0);
         let plate = Matrix3::identity() * (1.0 - poisson) + trace * trace.transpose() * poisson;
         let of_rest = DVector::from_iterator(
-            shapes.len(),
-            shapes.iter().map(|shape| 0.5 * REST * shape.stiffness()),
+            corners.len(),
+            corners
+                .iter()
+                .map(|corners| 0.5 * REST * Fold::of(points, corners).stiffness()),
         );
         curvature.transpose() * (plate * self.area) * &curvature
             + rest.transpose() * DMatrix::from_diagonal(&of_rest) * &rest
     }
 }
 
-/// The bending energies of a shell with these faces.
-pub(crate) fn bending(
-    points: &[Point],
-    faces: &[[u32; 3]],
-    rigidity: f64,
-    poisson: f64,
-) -> Vec<Arc<dyn Energy>> {
+/// The hinges of a shell with these faces, and the stars of its vertices.
+fn stars(points: &[Point], faces: &[[u32; 3]]) -> (Vec<Side>, BTreeMap<u32, Star>) {
     let sides = hinges(faces);
     let mut stars = BTreeMap::<u32, Star>::new();
     for face in faces {
@@ -97,6 +106,7 @@ pub(crate) fn bending(
         let normal = (b - a).cross(&(c - a));
         for &corner in face {
             let star = stars.entry(corner).or_default();
+            star.faces += 1;
             star.area += normal.norm() / 6.0;
             star.normal += normal;
         }
@@ -108,6 +118,34 @@ pub(crate) fn bending(
             star.is_twisted |= !side.is_oriented;
         }
     }
+    (sides, stars)
+}
+
+/// The part of the inner vertices of a shell with these faces whose edges do not show all components of the
+/// curvature: mostly those of four edges along two directions, which do not resist twist. 0 without inner
+/// vertices.
+pub(crate) fn incomplete_part(points: &[Point], faces: &[[u32; 3]]) -> f64 {
+    let (sides, stars) = stars(points, faces);
+    let inner: Vec<&Star> = stars
+        .values()
+        .filter(|star| star.sides.len() == star.faces)
+        .collect();
+    let is_incomplete = |star: &&&Star| {
+        let (means, angles) = star.mean(points, &star.corners(&sides));
+        (means * angles).singular_values().min() <= LEAST
+    };
+    let incomplete = inner.iter().filter(is_incomplete).count();
+    incomplete as f64 / inner.len().max(1) as f64
+}
+
+/// The bending energies of a shell with these faces.
+pub(crate) fn bending(
+    points: &[Point],
+    faces: &[[u32; 3]],
+    rigidity: f64,
+    poisson: f64,
+) -> Vec<Arc<dyn Energy>> {
+    let (sides, stars) = stars(points, faces);
     let mut elements: Vec<Arc<dyn Energy>> = Vec::new();
     for side in &sides {
         let ends = side.vertices[..2].iter().filter_map(|end| stars.get(end));
@@ -122,7 +160,7 @@ pub(crate) fn bending(
         .iter()
         .filter(|(_, star)| !star.is_twisted && !star.sides.is_empty());
     for (&vertex, star) in whole {
-        let corners: Vec<[u32; 4]> = star.sides.iter().map(|&side| sides[side].vertices).collect();
+        let corners = star.corners(&sides);
         let stiffness = star.stiffness(points, &corners, poisson) * rigidity;
         elements.push(Arc::new(VertexBend::new(vertex, &corners, points, stiffness)));
     }

@@ -37,6 +37,14 @@ pub enum Warning {
         /// The rod.
         body: Designation,
     },
+    /// Many inner vertices of a shell have four edges along two directions, as in a grid with alternating
+    /// diagonals. They do not resist twist.
+    Twist {
+        /// The shell.
+        body: Designation,
+        /// Their part of all inner vertices.
+        part: f64,
+    },
 }
 
 impl fmt::Display for Warning {
@@ -63,6 +71,13 @@ impl fmt::Display for Warning {
                  coil spring has no stiffness; set `shear`, for an isotropic material \
                  young / (2 (1 + Poisson's ratio))"
             ),
+            Self::Twist { body, part } => write!(
+                f,
+                "{body} is a shell, and {:.0} % of its inner vertices have four edges along two directions, as in a grid \
+                 with alternating diagonals: they do not resist twist, so that the shell is too soft; use parallel \
+                 diagonals, or irregular triangles",
+                100.0 * part
+            ),
         }
     }
 }
@@ -71,8 +86,15 @@ impl Simulation {
     /// Warnings about the settings and the current positions: at most one of each kind.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let found = [self.coarse(), self.near(), self.coil()];
+        let found = [self.coarse(), self.near(), self.coil(), self.twist()];
         found.into_iter().flatten().collect()
+    }
+
+    /// The warning about a shell that does not resist twist everywhere.
+    fn twist(&self) -> Option<Warning> {
+        let (body, part) = self.system.shell_without_twist()?;
+        let body = self.system.bodies.designation(body);
+        Some(Warning::Twist { body, part })
     }
 
     /// The warning about a rod that is curved at rest, held at both ends and without a shear modulus.

@@ -18,6 +18,7 @@ mod obstacles;
 mod parts;
 mod primitive;
 mod selection;
+mod shells;
 pub(crate) mod size;
 mod spring_error;
 mod springs;

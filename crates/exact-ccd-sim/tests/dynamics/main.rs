@@ -28,6 +28,7 @@ mod rods;
 mod script_starts;
 mod scripted_axes;
 mod scripts;
+mod shells;
 mod springs;
 mod start;
 mod strain_limit;
