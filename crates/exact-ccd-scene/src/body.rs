@@ -9,8 +9,15 @@ use super::description::{BodyDescription, RegionDescription};
 use super::field_error::FieldError;
 use super::mesh::Mesh;
 
-/// The described body, and the groups of its mesh.
-pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, Vec<Group>), FieldError> {
+/// A body, the groups of its mesh, and the facts about its file that could change an answer.
+pub(super) struct Loaded {
+    pub(super) body: Body,
+    pub(super) groups: Vec<Group>,
+    pub(super) notes: Vec<String>,
+}
+
+/// The described body.
+pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Loaded, FieldError> {
     let materials = described.materials();
     if let [first, second, ..] = materials[..] {
         let message = format!("the body has both `{first}` and `{second}`, expected at most one material");
@@ -22,6 +29,7 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, 
         edges,
         tetrahedra,
         groups,
+        notes,
     } = mesh(described, folder)?;
     let regions = regions(&described.region, described.solid.is_some(), &groups)?;
     let cells = match (faces.is_empty(), edges.is_empty()) {
@@ -79,7 +87,7 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, 
         angular_velocity: described.angular_velocity,
         offset: described.offset,
     };
-    Ok((body, groups))
+    Ok(Loaded { body, groups, notes })
 }
 
 /// Checks that a name has no control characters.

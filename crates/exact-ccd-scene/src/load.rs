@@ -6,7 +6,7 @@ use exact_ccd_sim::{
     Body, Checkpoint, Load, Scripted, Settings, Simulation, SimulationError, StepFilter, System,
 };
 
-use super::body::{check_name, load};
+use super::body::{Loaded, check_name, load};
 use super::description::{Axis, BodyDescription, Description, Selection};
 use super::document::{Document, SceneError};
 use super::field_error::FieldError;
@@ -35,6 +35,8 @@ pub struct Scene {
     pub rendering: Rendering,
     /// The entries of a scene of another program that are ignored.
     pub notes: Vec<Note>,
+    /// Facts about the mesh files that could change the result, each with its file.
+    pub mesh_notes: Vec<String>,
 }
 
 impl Scene {
@@ -127,6 +129,7 @@ impl Scene {
             steps: 0,
             rendering: description.render,
             notes: Vec::new(),
+            mesh_notes: parts.notes,
         };
         // A simulation checks the settings: the number of steps needs a positive time step.
         let simulation = scene.simulation();
@@ -163,11 +166,17 @@ struct Parts {
     scripts: Vec<Scripted>,
     loads: Vec<Load>,
     vertex_count: u32,
+    notes: Vec<String>,
 }
 
 impl Parts {
     fn add(&mut self, described: &BodyDescription, folder: &Path) -> Result<(), FieldError> {
-        let (body, groups) = load(described, folder)?;
+        let Loaded {
+            body,
+            groups,
+            mut notes,
+        } = load(described, folder)?;
+        self.notes.append(&mut notes);
         let selected = |selection: &Selection, number| {
             let selected = selection.vertices(&body.points, &groups, self.vertex_count);
             selected.map_err(|message| FieldError::new(format!("{number}.vertices"), message))

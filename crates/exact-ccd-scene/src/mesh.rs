@@ -17,6 +17,8 @@ pub(super) struct Mesh {
     pub(super) tetrahedra: Vec<[u32; 4]>,
     /// The groups of the file.
     pub(super) groups: Vec<Group>,
+    /// The facts about the file that could change an answer.
+    pub(super) notes: Vec<String>,
 }
 
 impl Mesh {
@@ -28,18 +30,22 @@ impl Mesh {
                 points: mesh.positions().to_vec(),
                 faces: mesh.surface().to_vec(),
                 tetrahedra: mesh.tetrahedra().to_vec(),
-                edges: Vec::new(),
                 groups,
+                ..Self::default()
             });
         }
         let file = MeshFile::read(path, Polygons::Triangulate);
-        let MeshFile { frame, groups, .. } = file.map_err(|error| error.to_string())?;
+        let MeshFile {
+            frame, groups, notes, ..
+        } = file.map_err(|error| error.to_string())?;
+        let note = |note| format!("{}: {note}", path.display());
         Ok(Self {
             faces: frame.mesh.faces().to_vec(),
             edges: frame.mesh.loose_edges().to_vec(),
             points: frame.positions,
-            tetrahedra: Vec::new(),
+            notes: notes.iter().map(note).collect(),
             groups,
+            ..Self::default()
         })
     }
 

@@ -190,6 +190,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     }
     let mut notes = Notes::default();
     scene.notes.iter().for_each(|text| notes.note(text.to_string()));
+    scene.mesh_notes.iter().for_each(|text| notes.note(text.clone()));
     let (simulation, mut folder) = open(&scene, arguments)?;
     let most = arguments.dump_most as usize;
     let (mut simulation, mut queries) = match &arguments.dump_queries {
