@@ -4,17 +4,19 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::bezier::Bezier;
+use super::body_pair::BodyPair;
 use super::chain::Chain;
-use super::rigid_motion::RigidMotion;
-use crate::exact::{First, MovingPoints, Turn};
+use super::curved_exactly::CurvedExactly;
+use crate::exact::{First, MovingPoints};
+use crate::filter::{self, CurvedDecision};
 use crate::kind::Kind;
 use crate::query::NonFinite;
 use crate::tables::Point;
-use crate::values::{Impact, Intervals, Options};
+use crate::values::{ContactTime, Impact, Intervals, Options};
 
 /// Two primitives that move on curves: as [`Query`](crate::Query), with other paths of the points.
 ///
-/// All answers are exact, and decided in integers.
+/// All answers are exact. Floating-point filters answer first, where their error bounds prove the same.
 ///
 /// ```
 /// use exact_ccd::motion::{Chain, CurvedQuery, RigidMotion};
@@ -36,7 +38,7 @@ pub struct CurvedQuery<K: Kind>(Paths<K>);
 #[derive(Clone, PartialEq)]
 enum Paths<K: Kind> {
     Bezier(Bezier<K>),
-    Bodies { points: K::Points, chains: [Chain; 2] },
+    Bodies { points: K::Points, pair: BodyPair },
 }
 
 impl<K: Kind> From<Bezier<K>> for CurvedQuery<K> {
@@ -47,24 +49,34 @@ impl<K: Kind> From<Bezier<K>> for CurvedQuery<K> {
 
 impl<K: Kind> CurvedQuery<K> {
     /// The query of points of two rigid bodies, in the order of the kind: those of the first primitive in the
-    /// coordinates of the first body, and those of the second one in the coordinates of the second body.
+    /// coordinates of the first body, and those of the second one in the coordinates of the second body. For
+    /// many queries of the same bodies, a [`BodyPair`] is faster.
     ///
     /// # Errors
     /// [`NonFinite`] names the first coordinate that is infinite or not a number.
     pub fn of_bodies(points: K::Points, first: Chain, second: Chain) -> Result<Self, NonFinite> {
+        Self::of_pair(points, BodyPair::new(first, second))
+    }
+
+    pub(super) fn of_pair(points: K::Points, pair: BodyPair) -> Result<Self, NonFinite> {
         NonFinite::check(&[points.as_ref()])?;
-        let chains = [first, second];
-        Ok(Self(Paths::Bodies { points, chains }))
+        Ok(Self(Paths::Bodies { points, pair }))
+    }
+
+    /// The same query, answered in integers alone.
+    #[must_use]
+    pub fn exactly(&self) -> CurvedExactly<'_, K> {
+        CurvedExactly { query: self }
     }
 
     /// Returns true if the primitives touch at some time of the step.
     #[must_use]
     pub fn collides(&self, options: impl Into<Options>) -> bool {
         let options = options.into();
-        if options.until >= 1.0 {
-            First::<K>::exists_along(self.points(), options.separation)
-        } else {
-            self.first(options).is_some()
+        match self.filtered(&options) {
+            CurvedDecision::Free => false,
+            CurvedDecision::Touching([_, end]) if end <= options.until => true,
+            _ => self.exactly().collides(options),
         }
     }
 
@@ -72,6 +84,12 @@ impl<K: Kind> CurvedQuery<K> {
     #[must_use]
     pub fn time_of_impact(&self, options: impl Into<Options>) -> Option<f64> {
         self.first(options).map(|first| first.time().lower())
+    }
+
+    /// The first time at which the primitives touch, if they do.
+    #[must_use]
+    pub fn first_time(&self, options: impl Into<Options>) -> Option<ContactTime> {
+        self.first(options).map(|first| first.time())
     }
 
     /// All times of the step at which the primitives touch; none if the first is after the last time that
@@ -89,25 +107,48 @@ impl<K: Kind> CurvedQuery<K> {
         self.first(options).map(|first| first.impact())
     }
 
+    /// A time until which the primitives certainly do not touch, and one by which they certainly do, if the
+    /// filters decide: both are infinite if the primitives do not touch until the last time that counts.
+    /// `None` if integers are needed.
+    #[must_use]
+    pub fn bracket(&self, options: impl Into<Options>) -> Option<[f64; 2]> {
+        match self.filtered(&options.into()) {
+            CurvedDecision::Free => Some([f64::INFINITY; 2]),
+            CurvedDecision::Touching(times) => Some(times),
+            CurvedDecision::Unknown => None,
+        }
+    }
+
     fn first(&self, options: impl Into<Options>) -> Option<First<K>> {
         let options = options.into();
-        First::along(self.points(), options.separation)?.until(options.until)
+        match self.filtered(&options) {
+            CurvedDecision::Free => None,
+            _ => self.exactly().first(options),
+        }
+    }
+
+    /// The decision of the filters.
+    fn filtered(&self, options: &Options) -> CurvedDecision {
+        match &self.0 {
+            Paths::Bezier(motion) => {
+                let control = motion.control().iter().map(four::<K>);
+                filter::decide_curved::<K>(control, options)
+            }
+            Paths::Bodies { points, pair } => match pair.relative() {
+                Some(relative) => filter::decide_of_bodies::<K>(&four::<K>(points), relative, options),
+                None => CurvedDecision::Unknown,
+            },
+        }
     }
 
     /// x₀ … x₃ in integers.
-    fn points(&self) -> MovingPoints {
+    pub(super) fn points(&self) -> MovingPoints {
         match &self.0 {
             Paths::Bezier(motion) => {
                 let control: Vec<_> = motion.control().iter().map(four::<K>).collect();
                 MovingPoints::along(&control)
             }
-            Paths::Bodies { points, chains } => {
-                let turns = [0, 1].map(|body: usize| {
-                    let motions = chains[body].motions().iter();
-                    motions.map(RigidMotion::turn).collect::<Vec<Turn<'_>>>()
-                });
-                MovingPoints::of_bodies::<K>(&four::<K>(points), [&turns[0], &turns[1]])
-            }
+            Paths::Bodies { points, pair } => pair.points::<K>(&four::<K>(points)),
         }
     }
 }
@@ -116,10 +157,10 @@ impl<K: Kind> fmt::Debug for CurvedQuery<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Paths::Bezier(motion) => motion.fmt(f),
-            Paths::Bodies { points, chains } => f
+            Paths::Bodies { points, pair } => f
                 .debug_struct("Bodies")
                 .field("points", points)
-                .field("chains", chains)
+                .field("chains", pair.chains())
                 .finish(),
         }
     }
