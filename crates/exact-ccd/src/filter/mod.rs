@@ -30,7 +30,9 @@ mod statements;
 mod within;
 
 pub(crate) use contact::Contact;
-pub(crate) use curved::{CurvedDecision, Relative, decide_curved, decide_of_bodies};
+pub(crate) use curved::{
+    CurvedDecision, Relative, decide_curved, decide_of_bodies, time_of_bodies, time_on_curves,
+};
 pub(crate) use decision::{Decision, Proved};
 pub(crate) use gap::{Gap, Touching, Within};
 pub(crate) use hull::{Hull, diagonal_limit};

@@ -75,7 +75,7 @@ impl<K: Kind> CurvedQuery<K> {
         let options = options.into();
         match self.filtered(&options) {
             CurvedDecision::Free => false,
-            CurvedDecision::Touching([_, end]) if end <= options.until => true,
+            CurvedDecision::Touching { times, .. } if times[1] <= options.until => true,
             _ => self.exactly().collides(options),
         }
     }
@@ -83,13 +83,25 @@ impl<K: Kind> CurvedQuery<K> {
     /// The largest f64 not above the first time at which the primitives touch, if they do.
     #[must_use]
     pub fn time_of_impact(&self, options: impl Into<Options>) -> Option<f64> {
-        self.first(options).map(|first| first.time().lower())
+        self.first_time(options).map(ContactTime::lower)
     }
 
     /// The first time at which the primitives touch, if they do.
     #[must_use]
     pub fn first_time(&self, options: impl Into<Options>) -> Option<ContactTime> {
-        self.first(options).map(|first| first.time())
+        let options = options.into();
+        let rounded = match self.filtered(&options) {
+            CurvedDecision::Free => return None,
+            CurvedDecision::Touching {
+                times,
+                is_simple: true,
+            } => self.rounded(times),
+            CurvedDecision::Touching { .. } | CurvedDecision::Unknown => None,
+        };
+        match rounded {
+            Some(time) => time.is_at_most(options.until).then_some(time),
+            None => self.exactly().first(options).map(|first| first.time()),
+        }
     }
 
     /// All times of the step at which the primitives touch; none if the first is after the last time that
@@ -114,7 +126,7 @@ impl<K: Kind> CurvedQuery<K> {
     pub fn bracket(&self, options: impl Into<Options>) -> Option<[f64; 2]> {
         match self.filtered(&options.into()) {
             CurvedDecision::Free => Some([f64::INFINITY; 2]),
-            CurvedDecision::Touching(times) => Some(times),
+            CurvedDecision::Touching { times, .. } => Some(times),
             CurvedDecision::Unknown => None,
         }
     }
@@ -124,6 +136,19 @@ impl<K: Kind> CurvedQuery<K> {
         match self.filtered(&options) {
             CurvedDecision::Free => None,
             _ => self.exactly().first(options),
+        }
+    }
+
+    /// The time of the only contact between two times, if twice the precision of f64 suffices.
+    fn rounded(&self, times: [f64; 2]) -> Option<ContactTime> {
+        match &self.0 {
+            Paths::Bezier(motion) => {
+                let control: Vec<_> = motion.control().iter().map(four::<K>).collect();
+                filter::time_on_curves::<K>(&control, times)
+            }
+            Paths::Bodies { points, pair } => {
+                filter::time_of_bodies::<K>(&four::<K>(points), pair.relative()?, times)
+            }
         }
     }
 

@@ -2,29 +2,32 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// An f64, computed from exact numbers by sums and products.
+use crate::numbers::number::Number;
+
+/// A number in f64 or in twice the precision, computed from exact numbers by sums and products.
 ///
 /// It is a sum of products of the inputs, each with at most `roundings` factors from 1 − u to 1 + u, and
 /// `magnitude` is the sum of their magnitudes: the error is at most γₙ times the magnitude, n being the
-/// number of roundings (`docs/filters.md`, "The model"). The magnitude has no more roundings than the value,
-/// which the margin of n covers.
+/// number of roundings (`docs/filters.md`, "The model"). u is the unit roundoff, or
+/// [`ROUNDOFF`](crate::numbers::double_double::ROUNDOFF) in twice the precision. The magnitude, in f64, has no
+/// more roundings than the value, which the margin of n covers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Counted {
-    pub(super) value: f64,
+pub(super) struct Counted<N = f64> {
+    pub(super) value: N,
     pub(super) magnitude: f64,
     pub(super) roundings: u32,
 }
 
-impl Counted {
+impl<N: Number<Real = f64>> Counted<N> {
     pub(super) fn exactly(value: f64) -> Self {
         Self {
-            value,
+            value: N::difference(value, 0.0),
             magnitude: value.abs(),
             roundings: 0,
         }
     }
 
-    fn sum(self, other: Self, value: f64) -> Self {
+    fn sum(self, other: Self, value: N) -> Self {
         Self {
             value,
             magnitude: self.magnitude + other.magnitude,
@@ -33,7 +36,7 @@ impl Counted {
     }
 }
 
-impl Add for Counted {
+impl<N: Number<Real = f64>> Add for Counted<N> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -41,7 +44,7 @@ impl Add for Counted {
     }
 }
 
-impl Sub for Counted {
+impl<N: Number<Real = f64>> Sub for Counted<N> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -49,7 +52,7 @@ impl Sub for Counted {
     }
 }
 
-impl Mul for Counted {
+impl<N: Number<Real = f64>> Mul for Counted<N> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -61,7 +64,7 @@ impl Mul for Counted {
     }
 }
 
-impl Neg for Counted {
+impl<N: Neg<Output = N>> Neg for Counted<N> {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -72,7 +75,7 @@ impl Neg for Counted {
     }
 }
 
-impl Mul<f64> for Counted {
+impl<N: Mul<f64, Output = N>> Mul<f64> for Counted<N> {
     type Output = Self;
 
     /// A power of two does not round.

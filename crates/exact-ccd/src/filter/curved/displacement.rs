@@ -7,18 +7,16 @@ use core::ops::{Div, Mul, Neg};
 
 use arrayvec::ArrayVec;
 
+use super::time::{Twice, on_curve};
 use crate::numbers::number::Ring;
 
 /// The largest number of coefficients: degree 8.
 pub(super) const MOST: usize = 9;
 
 /// A number of the filters: an f64 with a count, or a symbol of a proof.
-pub(super) trait Coefficient:
-    Ring + Neg<Output = Self> + Mul<f64, Output = Self> + Div<f64, Output = Self>
-{
-}
+pub(super) trait Coefficient: Ring + Neg<Output = Self> + Mul<f64, Output = Self> {}
 
-impl<T: Ring + Neg<Output = T> + Mul<f64, Output = T> + Div<f64, Output = T>> Coefficient for T {}
+impl<T: Ring + Neg<Output = T> + Mul<f64, Output = T>> Coefficient for T {}
 
 /// A polynomial.
 pub(super) type Polynomial<T> = ArrayVec<T, MOST>;
@@ -28,9 +26,28 @@ type Quaternion<T> = [Polynomial<T>; 4];
 
 /// The motion of a body in a step, as in `exact/turn.rs`. A rotation that does not change has one quaternion,
 /// a place at rest has one control point.
+#[derive(Clone, Debug)]
 pub(super) struct Turning<T> {
     pub(super) quaternions: ArrayVec<[T; 4], 2>,
     pub(super) places: ArrayVec<[T; 3], 4>,
+}
+
+impl Turning<f64> {
+    /// The motion in other numbers.
+    pub(super) fn map<T>(&self, number: impl Fn(f64) -> T + Copy) -> Turning<T> {
+        Turning {
+            quaternions: self.quaternions.iter().map(|q| q.map(number)).collect(),
+            places: self.places.iter().map(|place| place.map(number)).collect(),
+        }
+    }
+
+    /// The quaternion and the place at a time.
+    pub(super) fn at(&self, time: [Twice; 2]) -> Turning<Twice> {
+        Turning {
+            quaternions: [on_curve(&self.quaternions, time)].into_iter().collect(),
+            places: [on_curve(&self.places, time)].into_iter().collect(),
+        }
+    }
 }
 
 /// The displacement that takes v to (Q v + R) Q* / |Q|².
@@ -91,7 +108,7 @@ impl<T: Coefficient> Displacement<T> {
         }
     }
 
-    /// M, c and w in Bernstein form: M v is the vector of Q v Q*, c that of R Q*, and w = |Q|².
+    /// M, c and w: M v is the vector of Q v Q*, c that of R Q*, and w = |Q|².
     pub(super) fn affine(&self) -> Affine<T> {
         let [a, b, c, d] = &self.turn;
         let [aa, bb, cc, dd] = [a, b, c, d].map(|x| product(x, x));
@@ -114,7 +131,6 @@ impl<T: Coefficient> Displacement<T> {
             .chain([&mut weight, &mut x, &mut y, &mut z]);
         for polynomial in all {
             elevate(polynomial, count);
-            to_bernstein(polynomial);
         }
         Affine {
             turn,
@@ -124,9 +140,23 @@ impl<T: Coefficient> Displacement<T> {
     }
 }
 
-/// The binomial coefficient of n and k.
-fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
+impl<T: Coefficient + Div<f64, Output = T>> Affine<T> {
+    /// The control points of the polynomials in place of their coefficients.
+    pub(super) fn into_bernstein(mut self) -> Self {
+        let all = self.turn.iter_mut().flatten().chain(&mut self.shift);
+        for polynomial in all.chain([&mut self.weight]) {
+            to_bernstein(polynomial);
+        }
+        self
+    }
+}
+
+/// The binomial coefficient of n and k, below 2⁵³ and 0 for k > n: exact, as all products and quotients are
+/// integers.
+pub(super) fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, i| {
+        product * n.saturating_sub(i) as f64 / (i + 1) as f64
+    })
 }
 
 /// The polynomial with these control points.
@@ -137,7 +167,7 @@ fn bezier<T: Coefficient>(control: Polynomial<T>) -> Polynomial<T> {
 }
 
 /// The control points of a polynomial in place of its coefficients.
-fn to_bernstein<T: Coefficient>(polynomial: &mut Polynomial<T>) {
+fn to_bernstein<T: Coefficient + Div<f64, Output = T>>(polynomial: &mut Polynomial<T>) {
     let degree = polynomial.len().saturating_sub(1);
     for (k, x) in polynomial.iter_mut().enumerate() {
         *x = *x / binomial(degree, k);

@@ -13,18 +13,20 @@ mod piece;
 mod proof;
 mod relative;
 mod search;
+mod time;
 
 use core::iter::ExactSizeIterator;
 
 use corners::Corners;
 pub(crate) use relative::Relative;
 pub(crate) use search::CurvedDecision;
+use time::{OfBodies, OnCurves};
 
 use super::gap::{Touching, Within};
 use crate::environment;
 use crate::numbers::roundoff::LARGEST;
 use crate::tables::{Point, Tables};
-use crate::values::Options;
+use crate::values::{ContactTime, Options};
 
 /// Decides about points on Bézier curves, as far as the filters can, given the control points of x₀ … x₃ in
 /// order.
@@ -42,6 +44,22 @@ pub(crate) fn decide_of_bodies<K: Tables>(
     options: &Options,
 ) -> CurvedDecision {
     decide::<K>(Corners::of_bodies::<K>(points, relative), options)
+}
+
+/// The time at which points on Bézier curves touch, given their control points in order, if they touch only where
+/// the volume of the corners vanishes between two times, where it has one root.
+pub(crate) fn time_on_curves<K: Tables>(control: &[[Point; 4]], times: [f64; 2]) -> Option<ContactTime> {
+    time::of_root::<K>(&OnCurves(control), times)
+}
+
+/// The same of points of two bodies.
+pub(crate) fn time_of_bodies<K: Tables>(
+    points: &[Point; 4],
+    relative: &Relative,
+    times: [f64; 2],
+) -> Option<ContactTime> {
+    let chains = &relative.chains;
+    time::of_root::<K>(&OfBodies { points, chains }, times)
 }
 
 fn decide<K: Tables>(corners: Option<Corners>, options: &Options) -> CurvedDecision {

@@ -2,8 +2,10 @@
 
 use core::cmp::Ordering;
 
+use arrayvec::ArrayVec;
+
 use super::corners::{Corners, Curves};
-use super::displacement::MOST;
+use super::displacement::{MOST, binomial};
 use crate::filter::coplanarity::length_bound;
 use crate::filter::gap::Gap;
 use crate::filter::hull::approach_origin;
@@ -183,6 +185,42 @@ impl<'a> Piece<'a> {
         })
     }
 
+    /// Returns true if the volume of the first three corners certainly has one root in this part, at whose ends it
+    /// has opposite signs.
+    ///
+    /// Its Bernstein coefficients of degree 3 n are means of volumes of control points, with products of binomial
+    /// coefficients as weights, which are integers below 2⁵³. With one change of sign among the coefficients there
+    /// is one root (Descartes' rule), whatever the sign of one between them that is not certain.
+    pub(super) fn has_one_root(&self) -> bool {
+        let points = self.curves.points;
+        let [a, b, c] = self.first_corners().map(|corner| self.curves.corner(corner));
+        let weights: [f64; MOST] = core::array::from_fn(|k| binomial(points - 1, k));
+        let mut coefficients = [0.0; 3 * MOST];
+        for (j, &y) in b.iter().enumerate() {
+            for (k, &z) in c.iter().enumerate() {
+                let normal = cross(y, z);
+                for (i, &x) in a.iter().enumerate() {
+                    coefficients[i + j + k] += dot(x, normal) * (weights[i] * weights[j] * weights[k]);
+                }
+            }
+        }
+        let [x, y, z] = self.corners.magnitude;
+        let n = of_mean(self.corners.roundings + self.roundings(), points as u32);
+        let error = x * y * z * (6.0 * margin(n) * UNIT) + UNDERFLOW;
+        let degree = 3 * (points - 1);
+        let coefficients = coefficients[..=degree].iter().enumerate();
+        let signs = coefficients.map(|(m, &value)| certain_sign(value, error * binomial(degree, m)));
+        let signs: ArrayVec<Option<Ordering>, { 3 * MOST }> = signs.collect();
+        // Certain ones at the beginning and at the end, and at most one between them that is not.
+        let start = signs.iter().take_while(|&&sign| sign == signs[0]).count();
+        let end = signs
+            .iter()
+            .rev()
+            .take_while(|&&sign| sign == signs[degree])
+            .count();
+        signs[0].is_some() && signs[degree] == signs[0].map(Ordering::reverse) && start + end >= degree
+    }
+
     /// The sign of a component of e₁ × e₂, if it is constant. An edge is a difference of corners, one more
     /// rounding of twice the magnitude.
     fn facing(&self, axis: usize) -> Option<Ordering> {
@@ -239,6 +277,12 @@ pub(super) const fn of_area(n: u32) -> u32 {
 /// sums.
 pub(super) const fn of_volume(n: u32) -> u32 {
     3 * n + 5
+}
+
+/// The roundings of a mean of volumes of vectors with n, by curves with some number of control points: a product,
+/// and fewer sums than there are pairs of control points.
+pub(super) const fn of_mean(n: u32, points: u32) -> u32 {
+    of_volume(n) + 1 + points * points
 }
 
 /// d w, not rounded down, for a weight that is rounded once.

@@ -1,6 +1,7 @@
 //! The bounds of motion on curves, by the numbers of [`proof`](crate::filter::proof).
 
 use alloc::vec::Vec;
+use core::ops::Div;
 
 use fastrand::Rng;
 
@@ -41,7 +42,10 @@ fn given(random: &mut Rng, count: usize, degree: usize) -> Vec<Given> {
     (0..count).map(|_| motion()).collect()
 }
 
-fn relative<T: Coefficient>(chains: &[Vec<Given>; 2], of: [fn(f64) -> T; 2]) -> Vec<Motion<T>> {
+fn relative<T: Coefficient + Div<f64, Output = T>>(
+    chains: &[Vec<Given>; 2],
+    of: [fn(f64) -> T; 2],
+) -> Vec<Motion<T>> {
     let [first, second] = chains.each_ref().map(|chain| {
         let motion = |(quaternions, places): &Given| Turning {
             quaternions: quaternions.iter().map(|q| q.map(of[0])).collect(),
@@ -50,7 +54,7 @@ fn relative<T: Coefficient>(chains: &[Vec<Given>; 2], of: [fn(f64) -> T; 2]) -> 
         chain.iter().map(motion).collect::<Vec<_>>()
     });
     let displacement = Displacement::between(&first, &second);
-    motions(&displacement.expect("a motion").affine())
+    motions(&displacement.expect("a motion").affine().into_bernstein())
 }
 
 fn numbers<T: Copy>(motion: &Motion<T>) -> impl Iterator<Item = T> {

@@ -24,6 +24,8 @@ pub(crate) struct Relative {
     pub(super) turn_magnitude: f64,
     /// The largest magnitude of a term of c, on each axis.
     pub(super) shift_magnitude: [f64; 3],
+    /// The motions of both bodies.
+    pub(super) chains: [Vec<Turning<f64>>; 2],
     /// The largest number of roundings of a [`difference`](super::corners::difference).
     pub(super) roundings: u32,
 }
@@ -46,12 +48,8 @@ impl Relative {
         // A motion of both bodies changes nothing.
         let shared = first.iter().zip(second).take_while(|(one, other)| one == other);
         let shared = shared.count();
-        let mut chains = [first, second].map(|chain| {
-            let own = chain[shared..].iter();
-            own.map(scaled).collect::<Option<Vec<Turning<Counted>>>>()
-        });
-        let [first, second] = [0, 1].map(|i: usize| chains[i].take());
-        let (mut first, second) = (first?, second?);
+        let own = |chain: &[Turn<'_>]| chain[shared..].iter().map(scaled).collect::<Option<Vec<_>>>();
+        let [mut first, second] = [own(first)?, own(second)?];
         if first.is_empty() && second.is_empty() {
             first.push(at_rest());
         }
@@ -61,10 +59,16 @@ impl Relative {
         if 2 * turns + shifts.unwrap_or(0) >= MOST {
             return None;
         }
-        Some(Self::of(&Displacement::between(&first, &second)?.affine()))
+        let chains = [first, second];
+        let counted = |chain: &Vec<Turning<f64>>| {
+            let motions = chain.iter().map(|motion| motion.map(Counted::exactly));
+            motions.collect::<Vec<_>>()
+        };
+        let displacement = Displacement::between(&counted(&chains[0]), &counted(&chains[1]))?;
+        Some(Self::of(&displacement.affine().into_bernstein(), chains))
     }
 
-    fn of(affine: &Affine<Counted>) -> Self {
+    fn of(affine: &Affine<Counted>, chains: [Vec<Turning<f64>>; 2]) -> Self {
         let motions = motions(affine);
         let coefficients = motions.iter().map(|motion| Motion {
             turn: motion.turn.map(|row| row.map(|x| x.value)),
@@ -83,6 +87,7 @@ impl Relative {
                 let shifts = motions.iter().map(|motion| motion.shift[axis].magnitude);
                 shifts.fold(0.0, largest)
             }),
+            chains,
             roundings: roundings.fold(0, u32::max),
             coefficients: coefficients.collect(),
         }
@@ -103,7 +108,7 @@ pub(super) fn motions<T: Copy>(affine: &Affine<T>) -> Vec<Motion<T>> {
 }
 
 /// A motion in the numbers of the filters, if they are in their range.
-fn scaled(turn: &Turn<'_>) -> Option<Turning<Counted>> {
+fn scaled(turn: &Turn<'_>) -> Option<Turning<f64>> {
     let coordinates = turn.places.as_flattened();
     if coordinates.iter().any(|x| x.abs() > LARGEST) {
         return None;
@@ -114,10 +119,10 @@ fn scaled(turn: &Turn<'_>) -> Option<Turning<Counted>> {
     // In two steps: 2⁻ᵏ itself may be no f64.
     let halves = [-exponent / 2, -exponent - -exponent / 2].map(|half| libm::ldexp(1.0, half));
     let quaternions = turn.quaternions;
-    let quaternions = quaternions.map(|q| q.map(|x| Counted::exactly(x * halves[0] * halves[1])));
+    let quaternions = quaternions.map(|q| q.map(|x| x * halves[0] * halves[1]));
     let is_constant = turn.quaternions[0] == turn.quaternions[1];
     let is_resting = turn.places.iter().all(|place| *place == turn.places[0]);
-    let places = turn.places.iter().map(|place| place.map(Counted::exactly));
+    let places = turn.places.iter().copied();
     Some(Turning {
         quaternions: quaternions
             .into_iter()
@@ -130,9 +135,9 @@ fn scaled(turn: &Turn<'_>) -> Option<Turning<Counted>> {
 }
 
 /// No motion.
-fn at_rest() -> Turning<Counted> {
+fn at_rest() -> Turning<f64> {
     Turning {
-        quaternions: [[1.0, 0.0, 0.0, 0.0].map(Counted::exactly)].into_iter().collect(),
-        places: [[0.0; 3].map(Counted::exactly)].into_iter().collect(),
+        quaternions: [[1.0, 0.0, 0.0, 0.0]].into_iter().collect(),
+        places: [[0.0; 3]].into_iter().collect(),
     }
 }

@@ -18,8 +18,9 @@ const PARTS: usize = 64;
 pub(crate) enum CurvedDecision {
     /// The primitives do not touch until the last time that counts.
     Free,
-    /// The primitives first touch between these two times, and at isolated times only in between.
-    Touching([f64; 2]),
+    /// The primitives first touch between these two times, and only where the volume of the corners vanishes
+    /// there, which it does not at these two. If `is_simple`, it has one root there.
+    Touching { times: [f64; 2], is_simple: bool },
     /// The filters prove neither.
     Unknown,
 }
@@ -46,7 +47,10 @@ pub(super) fn search<K: Tables, G: Gap<f64>>(corners: &Corners, gap: G, until: f
             continue;
         }
         if !G::IS_POSITIVE && part.is_crossed::<K>() {
-            return CurvedDecision::Touching([start, end]);
+            return CurvedDecision::Touching {
+                times: [start, end],
+                is_simple: part.has_one_root(),
+            };
         }
         if part.level() == LEVELS {
             return CurvedDecision::Unknown;
