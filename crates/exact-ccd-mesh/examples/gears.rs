@@ -1,5 +1,5 @@
-//! Two gears turn against each other, in steps of a twelfth of a turn: free for a whole turn, until one turns a
-//! little faster.
+//! Two gears turn against each other, in steps of a twelfth of a turn: free for a whole turn, until one
+//! turns a little faster.
 //!
 //! `cargo run -p exact-ccd-mesh --example gears`
 //!

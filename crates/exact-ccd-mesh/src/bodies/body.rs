@@ -8,7 +8,7 @@ use crate::broad_phase::{Aabb, Boxes, TooManyPrimitives};
 use crate::mesh::{Frame, TriangleMesh, check_positions};
 use crate::vector::{dot, minus};
 
-/// The sets of primitives that are compared with those of other bodies.
+/// The sets of primitives that are compared with sets of other bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Set {
     Vertices,
@@ -81,7 +81,7 @@ impl Body {
         self.boxes_of(set, &self.boxes, 0.0, origin)
     }
 
-    /// The boxes of a set of primitives, given those of the vertices, larger by a distance and relative to an
+    /// The boxes of a set of primitives, given the vertices' boxes, larger by a distance and relative to an
     /// origin.
     pub(super) fn boxes_of(
         &self,

@@ -12,7 +12,7 @@ pub(super) struct Candidate {
     pub(super) kind: AnyKind,
     /// The sets of the first and of the second primitive.
     pub(super) sets: [Set; 2],
-    /// The body of the first primitive, and that of the second one.
+    /// The bodies of the first and of the second primitive.
     pub(super) bodies: [usize; 2],
     pub(super) primitives: [u32; 2],
     /// The motions of both bodies.

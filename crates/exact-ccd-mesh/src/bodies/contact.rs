@@ -17,7 +17,7 @@ pub struct BodyContact {
     pub bodies: [usize; 2],
     /// The index of each primitive in the mesh of its body.
     pub primitives: [u32; 2],
-    /// The time and the place of the first contact. The parameters are those of the primitives in this order;
+    /// The time and the place of the first contact. The parameters are in this order of the primitives;
     /// the normal is in the coordinates of the world.
     pub impact: Impact,
 }

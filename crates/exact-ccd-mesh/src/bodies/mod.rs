@@ -21,11 +21,11 @@ pub use error::BodiesError;
 /// Rigid bodies, each a mesh in coordinates of its own, and the contacts between them in steps in which each
 /// moves by a [`Chain`] of rigid motions.
 ///
-/// The answers are exact, as those for straight motion: no contact is missed, none is invented, and times are
-/// rounded down. The primitives of two bodies are compared as those of a mesh (see [`Pair`](crate::Pair)):
-/// vertices and faces, edges, and loose vertices and edges. Primitives of one body are not, since a body keeps
-/// its shape. Bodies that intersect at the start, or of which one is inside the other, may be free of contact:
-/// see [`intersections`](crate::intersections) and [`enclosed`](crate::enclosed).
+/// The answers are exact, as those for straight motion: no contact is missed, none is invented, and times
+/// are rounded down. The primitives of two bodies are compared like the primitives of one mesh (see
+/// [`Pair`](crate::Pair)): vertices and faces, edges, and loose vertices and edges. Primitives of one body
+/// are not, since a body keeps its shape. Bodies that intersect at the start, or one inside the other, may
+/// be free of contact: see [`intersections`](crate::intersections) and [`enclosed`](crate::enclosed).
 ///
 /// [`Options`] have the distance at which bodies touch, and the last time that counts. No answer depends on
 /// the number of threads or the order of the bodies.

@@ -193,10 +193,10 @@ impl Hull<f64> {
 /// iteration (An iterative procedure for computing the minimum of a quadratic form on a convex set, 1966)
 /// finds one in a few steps, given the lowest point along a direction and the limit that proves the distance.
 ///
-/// It starts at the point next to the origin, and approaches the point of the hull next to it. Each point is a
-/// direction. The next point is the point next to the origin in a triangle: the point, the lowest one along
-/// it, and the lowest one before (Gilbert, Johnson and Keerthi 1988). If a point is within d, no direction
-/// separates.
+/// It starts at the point next to the origin, and approaches the point of the hull next to it. Each point is
+/// a direction. The next point is the point next to the origin in a triangle: the point, the lowest one
+/// along it, and the lowest one before (Gilbert, Johnson and Keerthi 1988). If a point is within d, no
+/// direction separates.
 ///
 /// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
 /// nothing.

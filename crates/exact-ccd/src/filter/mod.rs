@@ -1,8 +1,8 @@
 //! Floating-point filters: each one proves an answer or returns that it is unknown.
 //!
 //! [`screening`] is the ladder of the filters. Its last stages are in [`near_plane`] for contact, and in
-//! [`within`] for a separation above 0. [`contact`] continues to times and impacts. [`curved`] is for motion on curves. Each bound is derived
-//! beside its code.
+//! [`within`] for a separation above 0. [`contact`] continues to times and impacts. [`curved`] is for motion
+//! on curves. Each bound is derived beside its code.
 //!
 //! # Tangency
 //!

@@ -5,16 +5,14 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::chain::Chain;
-use super::curved_query::CurvedQuery;
 use super::rigid_motion::RigidMotion;
 use crate::exact::{MovingPoints, Turn};
 use crate::filter::Relative;
 use crate::kind::Kind;
-use crate::query::NonFinite;
 use crate::tables::Point;
 
-/// Two bodies with their motions in a step: the motion of the first one relative to the second one is computed
-/// once for all queries of their points.
+/// Two bodies with their motions in a step: the motion of the first one relative to the second one is
+/// computed once for all queries of their points.
 ///
 /// ```
 /// use exact_ccd::motion::{BodyPair, Chain, RigidMotion};
@@ -52,20 +50,11 @@ impl BodyPair {
         &self.0.chains
     }
 
-    /// The query of points of both bodies, in the order of the kind: those of the first primitive in the
-    /// coordinates of the first body, and those of the second one in the coordinates of the second body.
-    ///
-    /// # Errors
-    /// [`NonFinite`] names the first coordinate that is infinite or not a number.
-    pub fn query<K: Kind>(&self, points: K::Points) -> Result<CurvedQuery<K>, NonFinite> {
-        CurvedQuery::of_pair(points, self.clone())
-    }
-
     /// The least and the greatest coordinates of a box around the path of a point of the first body, in the
-    /// coordinates of the second one, rounded outward; infinite where no bound is known, as for a turn of 180°
-    /// in a quarter of the step.
+    /// coordinates of the second one, rounded outward; infinite where no bound is known, as for a turn of
+    /// 180° in a quarter of the step.
     ///
-    /// An edge or a face is in the box around those of its vertices, and a point at most r away is in the box
+    /// An edge or a face is in the box around its vertices' boxes, and a point at most r away is in the box
     /// that is larger by r on all sides.
     #[must_use]
     pub fn bounds(&self, point: Point) -> [Point; 2] {

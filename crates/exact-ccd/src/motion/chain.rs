@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::error::InvalidMotion;
 use super::rigid_motion::RigidMotion;
 
-/// Up to eight rigid motions, which apply from the last to the first, as those of the joints from the base of
+/// Up to eight rigid motions, which apply from the last to the first, such as the joints from the base of
 /// an arm to a body at its end. None are a body at rest in the coordinates of the world; one is a free body.
 ///
 /// A revolute joint is a motion with quaternions about one axis, and with equal control points of its place.

@@ -5,11 +5,19 @@ use crate::exact::First;
 use crate::kind::Kind;
 use crate::values::{Impact, Intervals, Options};
 
-/// A query of curved motion whose answers are computed in integers alone, for audits: those of
-/// [`CurvedQuery`], by the definition. See [`Exactly`](crate::Exactly).
+/// A query of curved motion whose answers are computed in integers alone, for audits: the answers
+/// of [`CurvedQuery`], by the definition. See [`Exactly`](crate::Exactly).
 #[derive(Clone, Copy, Debug)]
 pub struct CurvedExactly<'a, K: Kind> {
     pub(super) query: &'a CurvedQuery<K>,
+}
+
+impl<K: Kind> CurvedQuery<K> {
+    /// The same query, answered in integers alone.
+    #[must_use]
+    pub fn exactly(&self) -> CurvedExactly<'_, K> {
+        CurvedExactly { query: self }
+    }
 }
 
 impl<K: Kind> CurvedExactly<'_, K> {

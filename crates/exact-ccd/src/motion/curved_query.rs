@@ -6,7 +6,6 @@ use core::fmt;
 use super::bezier::Bezier;
 use super::body_pair::BodyPair;
 use super::chain::Chain;
-use super::curved_exactly::CurvedExactly;
 use crate::exact::{First, MovingPoints};
 use crate::filter::{self, CurvedDecision};
 use crate::kind::Kind;
@@ -48,8 +47,8 @@ impl<K: Kind> From<Bezier<K>> for CurvedQuery<K> {
 }
 
 impl<K: Kind> CurvedQuery<K> {
-    /// The query of points of two rigid bodies, in the order of the kind: those of the first primitive in the
-    /// coordinates of the first body, and those of the second one in the coordinates of the second body. For
+    /// The query of points of two rigid bodies, in the order of the kind: the first primitive in the
+    /// coordinates of the first body, and the second one in the coordinates of the second body. For
     /// many queries of the same bodies, a [`BodyPair`] is faster.
     ///
     /// # Errors
@@ -61,12 +60,6 @@ impl<K: Kind> CurvedQuery<K> {
     pub(super) fn of_pair(points: K::Points, pair: BodyPair) -> Result<Self, NonFinite> {
         NonFinite::check(&[points.as_ref()])?;
         Ok(Self(Paths::Bodies { points, pair }))
-    }
-
-    /// The same query, answered in integers alone.
-    #[must_use]
-    pub fn exactly(&self) -> CurvedExactly<'_, K> {
-        CurvedExactly { query: self }
     }
 
     /// Returns true if the primitives touch at some time of the step.
@@ -175,6 +168,17 @@ impl<K: Kind> CurvedQuery<K> {
             }
             Paths::Bodies { points, pair } => pair.points::<K>(&four::<K>(points)),
         }
+    }
+}
+
+impl BodyPair {
+    /// The query of points of both bodies, in the order of the kind: the first primitive in the
+    /// coordinates of the first body, and the second one in the coordinates of the second body.
+    ///
+    /// # Errors
+    /// [`NonFinite`] names the first coordinate that is infinite or not a number.
+    pub fn query<K: Kind>(&self, points: K::Points) -> Result<CurvedQuery<K>, NonFinite> {
+        CurvedQuery::of_pair(points, self.clone())
     }
 }
 

@@ -34,7 +34,8 @@ fn assert_same<K: Kind>(query: &CurvedQuery<K>, random: &mut Rng) -> bool {
         match (query.bracket(options), time) {
             (None, _) => {}
             (Some([start, _]), None) => {
-                // A first time that does not count may be in a part that begins before the last one that does.
+                // A first time that does not count may be in a part that begins before the last one that
+                // does.
                 let is_later = exactly
                     .time_of_impact(options.until(1.0))
                     .is_some_and(|time| start <= time);
@@ -95,7 +96,7 @@ macro_rules! families {
                 });
             }
 
-            /// A common motion, before those of parts. The degrees of some are too large for the filters.
+            /// A common motion, before motions of parts. The degrees of some are too large for the filters.
             #[test]
             fn of_chains() {
                 check::<$kind>(|numbers, random| {

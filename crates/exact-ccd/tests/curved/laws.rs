@@ -66,7 +66,8 @@ fn straight_motion_is_straight<K: Kind>() {
     });
 }
 
-/// Bodies with quaternions that are multiples of one at rest. In one of four queries the places are at rest too.
+/// Bodies with quaternions that are multiples of one at rest. In one of four queries the places are at rest
+/// too.
 fn motion_without_turn_is_straight<K: Kind>() {
     collisions(|numbers, random| {
         let points = numbers.points::<K>(random);

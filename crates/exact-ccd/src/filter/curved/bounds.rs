@@ -6,8 +6,8 @@ use crate::environment;
 use crate::tables::{Point, VertexVertex};
 
 impl Relative {
-    /// The least and the greatest coordinates of a box that contains the path of a point of the first body, in
-    /// the coordinates of the second one; `None` if the filters have no bound.
+    /// The least and the greatest coordinates of a box that contains the path of a point of the first body,
+    /// in the coordinates of the second one; `None` if the filters have no bound.
     ///
     /// The path is a rational Bézier curve. In a part of the step in which the control points of w are
     /// positive, it lies in the hull of the quotients of both. There are four parts.

@@ -1,13 +1,14 @@
 //! F at the corners of the domain, along curves.
 
-use super::displacement::MOST;
-use super::relative::{Motion, Relative};
-use crate::numbers::number::{Lanes, Ring};
+use super::motion::difference;
+use super::polynomial::MOST;
+use super::relative::Relative;
+use crate::numbers::number::Lanes;
 use crate::numbers::roundoff::{LARGEST, UNIT, margin};
 use crate::tables::{Point, Tables};
 
 /// F at the corners of the domain of (u, v), times a weight w that is positive in the step: Bézier curves,
-/// of which only the first ones count.
+/// whose first ones count.
 #[derive(Clone, Copy)]
 pub(super) struct Curves {
     /// The control points of each corner.
@@ -148,27 +149,11 @@ impl Curves {
     }
 }
 
-/// The roundings of [`difference`] after those of M: a product and four sums.
-pub(super) const OF_TURN: u32 = 5;
-
-/// The roundings of [`difference`] after those of c and w: two sums, or a product and a sum.
-pub(super) const OF_OTHERS: u32 = 2;
-
-/// M v + c − w x: a point of the first body minus one of the second one, times w.
-#[inline(always)]
-pub(super) fn difference<T: Ring>(motion: &Motion<T>, v: [T; 3], x: [T; 3]) -> [T; 3] {
-    let component = |axis: usize| {
-        let [a, b, c] = motion.turn[axis];
-        a * v[0] + b * v[1] + c * v[2] + motion.shift[axis] - motion.weight * x[axis]
-    };
-    [component(0), component(1), component(2)]
-}
-
 /// The control points of both halves of a curve.
 #[inline(always)]
 pub(super) fn halved<T: Lanes>(mut row: [T; MOST], count: usize) -> [[T; MOST]; 2] {
     let mut left = row;
-    // Row by row, the first points are those of the left half, and the last ones those of the right half.
+    // Row by row, the first points belong to the left half, and the last ones to the right half.
     for (level, first) in left.iter_mut().enumerate().take(count).skip(1) {
         for k in 0..count - level {
             row[k] = (row[k] + row[k + 1]) * 0.5;

@@ -9,8 +9,8 @@ use crate::numbers::number::Number;
 /// It is a sum of products of the inputs, each with at most `roundings` factors from 1 − u to 1 + u, and
 /// `magnitude` is the sum of their magnitudes: the error is at most γₙ times the magnitude, n being the
 /// number of roundings (`docs/filters.md`, "The model"). u is the unit roundoff, or
-/// [`ROUNDOFF`](crate::numbers::double_double::ROUNDOFF) in twice the precision. The magnitude, in f64, has no
-/// more roundings than the value, which the margin of n covers.
+/// [`ROUNDOFF`](crate::numbers::double_double::ROUNDOFF) in twice the precision. The magnitude, in f64, has
+/// no more roundings than the value, which the margin of n covers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counted<N = f64> {
     pub(super) value: N,

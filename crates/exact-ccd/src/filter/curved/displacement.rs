@@ -3,23 +3,14 @@
 //! A polynomial of degree n has the coefficients of tⁱ sⁿ⁻ⁱ, s = 1 − t: products are convolutions, without
 //! binomial coefficients.
 
-use core::ops::{Div, Mul, Neg};
+use core::ops::Div;
 
 use arrayvec::ArrayVec;
 
-use super::time::{Twice, on_curve};
-use crate::numbers::number::Ring;
-
-/// The largest number of coefficients: degree 8.
-pub(super) const MOST: usize = 9;
-
-/// A number of the filters: an f64 with a count, or a symbol of a proof.
-pub(super) trait Coefficient: Ring + Neg<Output = Self> + Mul<f64, Output = Self> {}
-
-impl<T: Ring + Neg<Output = T> + Mul<f64, Output = T>> Coefficient for T {}
-
-/// A polynomial.
-pub(super) type Polynomial<T> = ArrayVec<T, MOST>;
+use super::polynomial::{
+    Coefficient, Polynomial, bezier, difference, elevate, map, product, sum, to_bernstein,
+};
+use super::twice::{Twice, on_curve};
 
 /// A quaternion, the scalar first. All components have one degree.
 type Quaternion<T> = [Polynomial<T>; 4];
@@ -108,7 +99,7 @@ impl<T: Coefficient> Displacement<T> {
         }
     }
 
-    /// M, c and w: M v is the vector of Q v Q*, c that of R Q*, and w = |Q|².
+    /// M, c and w: M v and c are the vectors of Q v Q* and R Q*, and w = |Q|².
     pub(super) fn affine(&self) -> Affine<T> {
         let [a, b, c, d] = &self.turn;
         let [aa, bb, cc, dd] = [a, b, c, d].map(|x| product(x, x));
@@ -149,63 +140,6 @@ impl<T: Coefficient + Div<f64, Output = T>> Affine<T> {
         }
         self
     }
-}
-
-/// The binomial coefficient of n and k, below 2⁵³ and 0 for k > n: exact, as all products and quotients are
-/// integers.
-pub(super) fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |product, i| {
-        product * n.saturating_sub(i) as f64 / (i + 1) as f64
-    })
-}
-
-/// The polynomial with these control points.
-fn bezier<T: Coefficient>(control: Polynomial<T>) -> Polynomial<T> {
-    let degree = control.len().saturating_sub(1);
-    let terms = control.into_iter().enumerate();
-    terms.map(|(k, x)| x * binomial(degree, k)).collect()
-}
-
-/// The control points of a polynomial in place of its coefficients.
-fn to_bernstein<T: Coefficient + Div<f64, Output = T>>(polynomial: &mut Polynomial<T>) {
-    let degree = polynomial.len().saturating_sub(1);
-    for (k, x) in polynomial.iter_mut().enumerate() {
-        *x = *x / binomial(degree, k);
-    }
-}
-
-fn map<T: Coefficient>(polynomial: &Polynomial<T>, change: impl Fn(T) -> T) -> Polynomial<T> {
-    polynomial.iter().map(|&x| change(x)).collect()
-}
-
-/// A polynomial with more coefficients, by factors t + s.
-fn elevate<T: Coefficient>(polynomial: &mut Polynomial<T>, count: usize) {
-    while let Some(&last) = polynomial.last()
-        && polynomial.len() < count
-    {
-        for k in (1..polynomial.len()).rev() {
-            polynomial[k] = polynomial[k] + polynomial[k - 1];
-        }
-        polynomial.push(last);
-    }
-}
-
-fn sum<T: Coefficient>(a: &Polynomial<T>, b: &Polynomial<T>) -> Polynomial<T> {
-    a.iter().zip(b).map(|(&a, &b)| a + b).collect()
-}
-
-fn difference<T: Coefficient>(a: &Polynomial<T>, b: &Polynomial<T>) -> Polynomial<T> {
-    a.iter().zip(b).map(|(&a, &b)| a - b).collect()
-}
-
-fn product<T: Coefficient>(a: &Polynomial<T>, b: &Polynomial<T>) -> Polynomial<T> {
-    let count = (a.len() + b.len()).saturating_sub(1);
-    (0..count)
-        .filter_map(|k| {
-            let terms = (k.saturating_sub(b.len() - 1)..=k.min(a.len() - 1)).map(|i| a[i] * b[k - i]);
-            terms.reduce(|sum, term| sum + term)
-        })
-        .collect()
 }
 
 fn conjugate<T: Coefficient>([a, b, c, d]: Quaternion<T>) -> Quaternion<T> {

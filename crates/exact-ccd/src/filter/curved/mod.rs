@@ -1,19 +1,22 @@
 //! Filters for motion on curves: Bézier curves, and rigid bodies in the coordinates of each other.
 //!
 //! F, times a positive weight, lies in the hull of the control points of its corners. If that hull does not
-//! reach the origin, the primitives do not touch; otherwise the step is divided. Contact is proved in a part in
-//! which the coplanarity polynomial changes its sign while the normal and all sides have constant ones.
+//! reach the origin, the primitives do not touch; otherwise the step is divided. Contact is proved in a part
+//! in which the coplanarity polynomial changes its sign while the normal and all sides have constant ones.
 
 mod bounds;
 mod corners;
 mod counted;
 mod displacement;
+mod motion;
 mod piece;
+mod polynomial;
 #[cfg(test)]
 mod proof;
 mod relative;
 mod search;
 mod time;
+mod twice;
 
 use core::iter::ExactSizeIterator;
 
@@ -46,8 +49,8 @@ pub(crate) fn decide_of_bodies<K: Tables>(
     decide::<K>(Corners::of_bodies::<K>(points, relative), options)
 }
 
-/// The time at which points on Bézier curves touch, given their control points in order, if they touch only where
-/// the volume of the corners vanishes between two times, where it has one root.
+/// The time at which points on Bézier curves touch, given their control points in order, if they touch only
+/// where the volume of the corners vanishes between two times, where it has one root.
 pub(crate) fn time_on_curves<K: Tables>(control: &[[Point; 4]], times: [f64; 2]) -> Option<ContactTime> {
     time::of_root::<K>(&OnCurves(control), times)
 }

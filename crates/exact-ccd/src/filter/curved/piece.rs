@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use arrayvec::ArrayVec;
 
 use super::corners::{Corners, Curves};
-use super::displacement::{MOST, binomial};
+use super::polynomial::{MOST, binomial};
 use crate::filter::coplanarity::length_bound;
 use crate::filter::gap::Gap;
 use crate::filter::hull::approach_origin;
@@ -153,11 +153,12 @@ impl<'a> Piece<'a> {
 
     /// Returns true if the primitives certainly touch in this part, and only where they are coplanar.
     ///
-    /// The volume c = x₀ · (x₁ × x₂) of the first three corners is that of w, e₁ and e₂ in `exact/motion.rs`:
-    /// the differences of the corners are the edges. Its signs at both ends of the part are opposite, so that
-    /// it vanishes in between. The normal has one sign on an axis, and each side the required one, in all of
-    /// the part: then `touches` holds there. A component of a cross product of two curves is a mean of those
-    /// of their control points, of each with each, with the Bernstein polynomials as positive weights.
+    /// The volume c = x₀ · (x₁ × x₂) of the first three corners equals the volume of w, e₁ and e₂ in
+    /// `exact/motion.rs`: the differences of the corners are the edges. Its signs at both ends of the part
+    /// are opposite, so that it vanishes in between. The normal has one sign on an axis, and each side the
+    /// required one, in all of the part: then `touches` holds there. A component of a cross product of two
+    /// curves is a mean of those of their control points, of each with each, with the Bernstein polynomials
+    /// as positive weights.
     pub(super) fn is_crossed<K: Tables>(&self) -> bool {
         if K::FEATURES.inner.is_none() {
             return false;
@@ -185,12 +186,13 @@ impl<'a> Piece<'a> {
         })
     }
 
-    /// Returns true if the volume of the first three corners certainly has one root in this part, at whose ends it
-    /// has opposite signs.
+    /// Returns true if the volume of the first three corners certainly has one root in this part, at whose
+    /// ends it has opposite signs.
     ///
-    /// Its Bernstein coefficients of degree 3 n are means of volumes of control points, with products of binomial
-    /// coefficients as weights, which are integers below 2⁵³. With one change of sign among the coefficients there
-    /// is one root (Descartes' rule), whatever the sign of one between them that is not certain.
+    /// Its Bernstein coefficients of degree 3 n are means of volumes of control points, with products of
+    /// binomial coefficients as weights, which are integers below 2⁵³. With one change of sign among the
+    /// coefficients there is one root (Descartes' rule), whatever the sign of one between them that is not
+    /// certain.
     pub(super) fn has_one_root(&self) -> bool {
         let points = self.curves.points;
         let [a, b, c] = self.first_corners().map(|corner| self.curves.corner(corner));
@@ -267,20 +269,20 @@ impl<'a> Piece<'a> {
 /// The roundings of a scalar product with a direction: a product and two sums.
 pub(super) const ALONG: u32 = 3;
 
-/// The roundings of a component of a cross product of vectors with n: those of two factors, a product and a
+/// The roundings of a component of a cross product of vectors with n: n for each factor, a product and a
 /// difference.
 pub(super) const fn of_area(n: u32) -> u32 {
     2 * n + 2
 }
 
-/// The roundings of a volume of vectors with n: those of three factors, two products, a difference and two
+/// The roundings of a volume of vectors with n: n for each factor, two products, a difference and two
 /// sums.
 pub(super) const fn of_volume(n: u32) -> u32 {
     3 * n + 5
 }
 
-/// The roundings of a mean of volumes of vectors with n, by curves with some number of control points: a product,
-/// and fewer sums than there are pairs of control points.
+/// The roundings of a mean of volumes of vectors with n, by curves with some number of control points: a
+/// product, and fewer sums than there are pairs of control points.
 pub(super) const fn of_mean(n: u32, points: u32) -> u32 {
     of_volume(n) + 1 + points * points
 }

@@ -5,11 +5,13 @@ use core::ops::Div;
 
 use fastrand::Rng;
 
-use super::corners::{Corners, difference, halved};
+use super::corners::{Corners, halved};
 use super::counted::Counted;
-use super::displacement::{Coefficient, Displacement, MOST, Turning};
+use super::displacement::{Displacement, Turning};
+use super::motion::{Motion, difference, motions};
 use super::piece::{ALONG, across, of_area, of_volume, weighted};
-use super::relative::{Motion, Relative, motions};
+use super::polynomial::{Coefficient, MOST};
+use super::relative::Relative;
 use crate::exact::Turn;
 use crate::filter::proof::{Symbol, power};
 use crate::numbers::roundoff::UNIT;

@@ -3,9 +3,10 @@
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-use super::corners::{OF_OTHERS, OF_TURN};
 use super::counted::Counted;
-use super::displacement::{Affine, Displacement, MOST, Polynomial, Turning};
+use super::displacement::{Affine, Displacement, Turning};
+use super::motion::{Motion, OF_OTHERS, OF_TURN, motions};
+use super::polynomial::MOST;
 use crate::environment;
 use crate::exact::Turn;
 use crate::numbers::roundoff::LARGEST;
@@ -26,16 +27,8 @@ pub(crate) struct Relative {
     pub(super) shift_magnitude: [f64; 3],
     /// The motions of both bodies.
     pub(super) chains: [Vec<Turning<f64>>; 2],
-    /// The largest number of roundings of a [`difference`](super::corners::difference).
+    /// The largest number of roundings of a [`difference`](super::motion::difference).
     pub(super) roundings: u32,
-}
-
-/// M, c and w, or one coefficient of each.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Motion<T = f64> {
-    pub(super) turn: [[T; 3]; 3],
-    pub(super) shift: [T; 3],
-    pub(super) weight: T,
 }
 
 impl Relative {
@@ -92,19 +85,6 @@ impl Relative {
             coefficients: coefficients.collect(),
         }
     }
-}
-
-/// One coefficient of each polynomial after the other.
-pub(super) fn motions<T: Copy>(affine: &Affine<T>) -> Vec<Motion<T>> {
-    let at = |polynomial: &Polynomial<T>, k: usize| polynomial[k];
-    let degrees = 0..affine.weight.len();
-    degrees
-        .map(|k| Motion {
-            turn: affine.turn.each_ref().map(|row| row.each_ref().map(|p| at(p, k))),
-            shift: affine.shift.each_ref().map(|p| at(p, k)),
-            weight: affine.weight[k],
-        })
-        .collect()
 }
 
 /// A motion in the numbers of the filters, if they are in their range.

@@ -5,19 +5,17 @@ use core::cmp::Ordering;
 
 use arrayvec::ArrayVec;
 
-use super::corners::difference;
 use super::counted::Counted;
-use super::displacement::{Displacement, MOST, Polynomial, Turning};
-use super::relative::motions;
+use super::displacement::{Displacement, Turning};
+use super::motion::{difference, motions};
+use super::polynomial::MOST;
+use super::twice::{Twice, on_curve};
 use crate::numbers::double_double::{DoubleDouble, ROUNDOFF};
 use crate::numbers::number::Number;
 use crate::numbers::roundoff::{LARGEST, UNDERFLOW, certain_sign, margin};
 use crate::numbers::vector::{cross, dot, minus};
 use crate::tables::{Point, Tables};
 use crate::values::ContactTime;
-
-/// A number in twice the precision.
-pub(super) type Twice = Counted<DoubleDouble>;
 
 /// The most evaluations: a bisection of all f64 of an octave needs 53 from both ends.
 const STEPS: u32 = 120;
@@ -31,8 +29,9 @@ pub(super) trait Paths {
     fn largest(&self) -> f64;
 }
 
-/// The time at which the volume of the first three corners changes its sign, given that it does so once between
-/// two times, and is not 0 there. `None` if the time is an f64, or so near to one that no sign is certain.
+/// The time at which the volume of the first three corners changes its sign, given that it does so once
+/// between two times, and is not 0 there. `None` if the time is an f64, or so near to one that no sign is
+/// certain.
 pub(super) fn of_root<K: Tables>(paths: &impl Paths, times: [f64; 2]) -> Option<ContactTime> {
     let largest = paths.largest();
     if largest > LARGEST {
@@ -51,7 +50,8 @@ pub(super) fn of_root<K: Tables>(paths: &impl Paths, times: [f64; 2]) -> Option<
         if next >= high {
             return Some(ContactTime::just_above(low));
         }
-        // Secants, with the value of an end that stays halved (Dowell and Jarratt 1971), and in turns the middle.
+        // Secants, with the value of an end that stays halved (Dowell and Jarratt 1971), and in turns the
+        // middle.
         let time = match step % 4 {
             3 => low + 0.5 * (high - low),
             _ => low + (high - low) * (below / (below - above)),
@@ -83,8 +83,8 @@ fn volume<K: Tables>(paths: &impl Paths, t: f64) -> Twice {
 
 /// The sign of a volume, if it is certain.
 ///
-/// Coordinates are at most 2²⁰⁰ and quaternions below 2: what underflows in a corner stays below 2⁻⁸⁰⁰, and is
-/// multiplied by two other corners, each at most 2¹⁰ times the largest coordinate.
+/// Coordinates are at most 2²⁰⁰ and quaternions below 2: what underflows in a corner stays below 2⁻⁸⁰⁰, and
+/// is multiplied by two other corners, each at most 2¹⁰ times the largest coordinate.
 fn sign(volume: Twice, largest: f64) -> Option<Ordering> {
     const OF_CORNER: f64 = f64::from_bits((1023 - 770) << 52);
     let error = margin(volume.roundings) * ROUNDOFF * volume.magnitude;
@@ -92,21 +92,6 @@ fn sign(volume: Twice, largest: f64) -> Option<Ordering> {
         volume.value.high,
         error + largest * largest * OF_CORNER + UNDERFLOW,
     )
-}
-
-/// The point of a Bézier curve at a time, by de Casteljau's scheme.
-pub(super) fn on_curve<const N: usize>(control: &[[f64; N]], [s, t]: [Twice; 2]) -> [Twice; N] {
-    core::array::from_fn(|i| {
-        let row = control.iter().map(|point| Counted::exactly(point[i]));
-        let mut row: Polynomial<Twice> = row.collect();
-        while row.len() > 1 {
-            for k in 1..row.len() {
-                row[k - 1] = s * row[k - 1] + t * row[k];
-            }
-            row.pop();
-        }
-        row[0]
-    })
 }
 
 /// Points on Bézier curves, by their control points in order.
