@@ -33,12 +33,14 @@
 //! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
 //! - [`intersections`] finds the places where a mesh at rest meets itself, [`enclosed`] the components inside
 //!   of closed ones, and an [`Audit`] certifies a sequence of frames.
+//! - [`Bodies`] are rigid bodies that turn and translate, on curves that are decided exactly.
 //! - A [`RigidFit`] is the rotation of a body from one frame to another.
 //!
 //! No result depends on the number of threads, and no input causes a panic.
 
 mod at_rest;
 mod audit;
+mod bodies;
 mod broad_phase;
 mod gathered;
 mod half_space;
@@ -55,6 +57,7 @@ pub use at_rest::{
     intersections,
 };
 pub use audit::{Audit, Violation};
+pub use bodies::{Bodies, BodiesError, BodyContact};
 pub use broad_phase::{
     Aabb, AllPairs, BoxPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,
 };

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
+mod bodies;
 mod broad_phase;
 mod contacts;
 mod coverage;

@@ -127,9 +127,12 @@ impl Polynomial {
         Self(square)
     }
 
-    /// The derivative by t.
+    /// The derivative by t. That of a constant is the constant 0.
     pub(crate) fn velocity(&self) -> Self {
         let degree = self.0.len().saturating_sub(1);
+        if degree == 0 {
+            return Self::constant(IBig::ZERO);
+        }
         let pairs = self.0.windows(2).enumerate();
         Self(
             pairs

@@ -174,38 +174,54 @@ impl Hull<f64> {
         is_beyond(0, 1) || is_beyond(1, 2) || is_beyond(2, 0)
     }
 
-    /// Returns true if Gilbert's iteration (An iterative procedure for computing the minimum of a quadratic
-    /// form on a convex set, 1966) finds a separating direction in a few steps. It starts at the corner next
-    /// to the origin, and approaches the point of the hull next to it. Each point is a direction. The next
-    /// point is the point next to the origin in a triangle: the point, the lowest corner along it, and the
-    /// lowest corner before (Gilbert, Johnson and Keerthi 1988). If a point is within the gap, no direction
-    /// separates.
-    ///
-    /// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
-    /// nothing.
+    /// Returns true if Gilbert's iteration ([`approach_origin`]) finds a separating direction in a few steps.
     #[inline(never)]
     pub(super) fn some_direction_separates<K: Tables>(&self, gap: impl Gap<f64>) -> bool {
-        const STEPS: usize = 5;
-        let d = gap.value(0.0);
         let corner = |i: usize| [0, 1, 2].map(|axis: usize| self.corners[axis][i]);
         let (first, _) = lowest::<K>(|i| dot(corner(i), corner(i)));
-        let mut nearest = corner(first);
-        let mut last = nearest;
-        for _ in 0..STEPS {
-            let values = self.along(nearest);
+        let lowest_along = |direction: Point| {
+            let values = self.along(direction);
             let (lowest, value) = lowest::<K>(|i| values[i]);
-            if value > self.limit_along(nearest, gap) {
-                return true;
-            }
-            if dot(nearest, nearest) <= d * d {
-                return false;
-            }
-            let lowest = corner(lowest);
-            nearest = next_to_origin(nearest, lowest, last);
-            last = lowest;
-        }
-        false
+            (corner(lowest), value)
+        };
+        let limit = |direction: Point| self.limit_along(direction, gap);
+        approach_origin(corner(first), gap.value(0.0), lowest_along, limit).is_some()
     }
+}
+
+/// A direction along which all points of a hull are certainly farther than d from the origin, if Gilbert's
+/// iteration (An iterative procedure for computing the minimum of a quadratic form on a convex set, 1966)
+/// finds one in a few steps, given the lowest point along a direction and the limit that proves the distance.
+///
+/// It starts at the point next to the origin, and approaches the point of the hull next to it. Each point is
+/// a direction. The next point is the point next to the origin in a triangle: the point, the lowest one
+/// along it, and the lowest one before (Gilbert, Johnson and Keerthi 1988). If a point is within d, no
+/// direction separates.
+///
+/// Any direction may be tried: one so long that a value is not finite has no finite limit, and proves
+/// nothing.
+#[inline(always)]
+pub(super) fn approach_origin(
+    start: Point,
+    d: f64,
+    lowest_along: impl Fn(Point) -> (Point, f64),
+    limit: impl Fn(Point) -> f64,
+) -> Option<Point> {
+    const STEPS: usize = 5;
+    let mut nearest = start;
+    let mut last = nearest;
+    for _ in 0..STEPS {
+        let (lowest, value) = lowest_along(nearest);
+        if value > limit(nearest) {
+            return Some(nearest);
+        }
+        if dot(nearest, nearest) <= d * d {
+            return None;
+        }
+        nearest = next_to_origin(nearest, lowest, last);
+        last = lowest;
+    }
+    None
 }
 
 /// The corner with the lowest value, and that value. Where values are not a number, no limit is finite.

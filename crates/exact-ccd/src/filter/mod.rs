@@ -1,8 +1,8 @@
 //! Floating-point filters: each one proves an answer or returns that it is unknown.
 //!
 //! [`screening`] is the ladder of the filters. Its last stages are in [`near_plane`] for contact, and in
-//! [`within`] for a separation above 0. [`contact`] continues to times and impacts. Each bound is derived
-//! beside its code.
+//! [`within`] for a separation above 0. [`contact`] continues to times and impacts. [`curved`] is for motion
+//! on curves. Each bound is derived beside its code.
 //!
 //! # Tangency
 //!
@@ -14,6 +14,7 @@ mod alongside;
 mod coincident;
 mod contact;
 mod coplanarity;
+mod curved;
 mod decision;
 mod gap;
 mod hull;
@@ -29,6 +30,9 @@ mod statements;
 mod within;
 
 pub(crate) use contact::Contact;
+pub(crate) use curved::{
+    CurvedDecision, Relative, decide_curved, decide_of_bodies, time_of_bodies, time_on_curves,
+};
 pub(crate) use decision::{Decision, Proved};
 pub(crate) use gap::{Gap, Touching, Within};
 pub(crate) use hull::{Hull, diagonal_limit};

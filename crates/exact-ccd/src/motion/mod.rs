@@ -6,17 +6,22 @@
 //! contact is missed, none is invented, and times are rounded down. `docs/curved-motion.md` has the
 //! definition and the degrees.
 //!
-//! The integers of [`Query::exactly`](crate::Query::exactly) decide each query: a millisecond or so.
+//! Floating-point filters decide most queries; where they do not, integers do, as in
+//! [`Query::exactly`](crate::Query::exactly).
 
 mod bezier;
+mod body_pair;
 mod chain;
+mod curved_exactly;
 mod curved_query;
 mod error;
 mod pose;
 mod rigid_motion;
 
 pub use bezier::Bezier;
+pub use body_pair::BodyPair;
 pub use chain::Chain;
+pub use curved_exactly::CurvedExactly;
 pub use curved_query::CurvedQuery;
 pub use error::InvalidMotion;
 pub use pose::Pose;

@@ -66,11 +66,16 @@ fn straight_motion_is_straight<K: Kind>() {
     });
 }
 
-/// Bodies with quaternions that are multiples of one at rest.
+/// Bodies with quaternions that are multiples of one at rest. In one of four queries the places are at rest
+/// too.
 fn motion_without_turn_is_straight<K: Kind>() {
     collisions(|numbers, random| {
         let points = numbers.points::<K>(random);
-        let places = [(); 2].map(|()| [(); 2].map(|()| numbers.point(random)));
+        let rests = random.u32(..4) == 0;
+        let places = [(); 2].map(|()| {
+            let start = numbers.point(random);
+            [start, if rests { start } else { numbers.point(random) }]
+        });
         let chains = places.map(|places| {
             let quaternions = [[2.0, 0.0, 0.0, 0.0], [0.7, 0.0, 0.0, 0.0]];
             Chain::from(RigidMotion::new(quaternions, &places).expect("a motion"))

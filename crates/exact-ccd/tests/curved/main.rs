@@ -5,6 +5,7 @@ mod cases;
 #[allow(dead_code, reason = "other test targets need straight motion")]
 mod definition;
 mod errors;
+mod filters;
 mod laws;
 mod oracle;
 mod places;

@@ -1,0 +1,39 @@
+//! The reasons for which bodies or their motions are refused.
+
+use exact_ccd::TimeOutOfStep;
+
+use crate::broad_phase::TooManyPrimitives;
+use crate::mesh::PositionsError;
+
+/// Bodies or their motions are not valid.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BodiesError {
+    /// The positions of a body do not fit its mesh.
+    #[error("body {body}: {error}")]
+    Positions {
+        /// The index of the body, from 0.
+        body: usize,
+        /// The error.
+        error: PositionsError,
+    },
+    /// A body is too large.
+    #[error("body {body}: {error}")]
+    TooManyPrimitives {
+        /// The index of the body, from 0.
+        body: usize,
+        /// The error.
+        error: TooManyPrimitives,
+    },
+    /// There is not one motion for each body.
+    #[error("{motions} motions, expected one for each of {bodies} bodies")]
+    MotionCount {
+        /// The number of motions.
+        motions: usize,
+        /// The number of bodies.
+        bodies: usize,
+    },
+    /// The last time that counts is not in [0, 1].
+    #[error(transparent)]
+    Time(#[from] TimeOutOfStep),
+}
