@@ -1,8 +1,9 @@
 //! Contact in successive steps of a mesh.
 
+use std::array::from_fn;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
-use exact_ccd::{Point, Separation};
+use exact_ccd::{AnyKind, Point, Separation};
 use exact_ccd_mesh::{PairCounts, TriangleMesh};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
@@ -333,12 +334,6 @@ impl Detector {
     }
 }
 
-fn by_kind(counts: PairCounts) -> [i64; 4] {
-    let PairCounts {
-        vertex_face,
-        edge_edge,
-        vertex_edge,
-        vertex_vertex,
-    } = counts;
-    [vertex_face, edge_edge, vertex_edge, vertex_vertex].map(|count| count as i64)
+fn by_kind(counts: PairCounts) -> [i64; AnyKind::ALL.len()] {
+    from_fn(|number| counts[AnyKind::ALL[number]] as i64)
 }

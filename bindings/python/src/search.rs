@@ -47,7 +47,7 @@ impl Rules {
     /// Returns true if a pair can collide.
     fn allow(&self, mesh: &TriangleMesh, pair: Pair) -> bool {
         pair.vertices(mesh).is_some_and(|vertices| {
-            let (a, b) = vertices.split_at(pair.first_len());
+            let (a, b) = vertices.split_at(pair.kind().sizes()[0]);
             self.every.allows(a, b)
         })
     }

@@ -69,7 +69,7 @@ impl Source {
     ///
     /// # Errors
     /// If a file is missing or wrong.
-    pub fn read<K: DataKind + 'static>(&self, most: usize) -> Result<Subjects<K>, DataError> {
+    pub fn read<K: DataKind>(&self, most: usize) -> Result<Subjects<K>, DataError> {
         let mut subjects = Subjects::new(most);
         match &self.queries {
             Queries::Files { folders, rounded } => {
@@ -100,7 +100,7 @@ impl Source {
                 let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
                 let candidates = Candidates::with_options(step, &Bvh, &options);
                 let candidates = candidates.expect("the default distances are 0");
-                let pairs = K::candidates(&candidates).iter();
+                let pairs = candidates.of_kind(K::KIND).iter();
                 for query in pairs.filter_map(|&pair| step.query(pair)) {
                     subjects.add(Subject::new(query, None));
                 }

@@ -3,10 +3,11 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
+use exact_ccd::Kind;
+
 use crate::error::DataError;
 use crate::kind::DataKind;
 use crate::list::list;
-use crate::query_kind::QueryKind;
 use crate::scene::Scene;
 use crate::separation::SeparationFile;
 
@@ -62,7 +63,7 @@ impl DataFolder {
     ///
     /// # Errors
     /// If the folder cannot be read.
-    pub fn separation<K: QueryKind>(&self) -> Result<Vec<SeparationFile>, DataError> {
+    pub fn separation<K: Kind>(&self) -> Result<Vec<SeparationFile>, DataError> {
         let files = list(&self.0.join("separation"))?;
         Ok(files
             .into_iter()

@@ -4,13 +4,12 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use exact_ccd::{Ccd, Decide, Kind, Point, Query, Separation, TimeGuarantee};
+use exact_ccd::{AnyKind, Ccd, Decide, Kind, Point, Query, Separation, TimeGuarantee};
 use exact_ccd_data::{Record, Sample};
 use exact_ccd_methods::parity::{self, Parity, Rounded, RoundingError};
 use exact_ccd_methods::{UnknownMethod, by_name};
 use serde::Serialize;
 
-use super::kind::Kind as AnyKind;
 use crate::failure::Failure;
 use crate::shortest::shortest;
 
@@ -72,13 +71,14 @@ impl Method {
         let method = self.name();
         match (self, kind) {
             (Self::Exact, _) => Ok(()),
-            (_, AnyKind::Ve | AnyKind::Vv) => Err(Failure::new(format_args!(
-                "--kind {kind} needs --method exact: the method {method} has the kinds vf and ee"
-            ))),
-            _ if !d.is_zero() => Err(Failure::new(format_args!(
+            (_, AnyKind::VertexFace | AnyKind::EdgeEdge) if d.is_zero() => Ok(()),
+            (_, AnyKind::VertexFace | AnyKind::EdgeEdge) => Err(Failure::new(format_args!(
                 "--min-distance above 0 needs --method exact: the method {method} decides contact"
             ))),
-            _ => Ok(()),
+            _ => Err(Failure::new(format_args!(
+                "--kind {} needs --method exact: the method {method} has the kinds vf and ee",
+                kind.short()
+            ))),
         }
     }
 

@@ -12,7 +12,7 @@ use super::{Arguments, shared_displacement};
 use crate::failure::Failure;
 use crate::queries::query_files;
 
-pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn round<K: DataKind>(arguments: &Arguments) -> Result<Report, Failure> {
     let inputs = arguments.inputs.iter();
     let mut files = inputs
         .map(|file| read::<K>(file))
@@ -50,7 +50,7 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
 }
 
 /// The queries in a file without their answers, which are not those of the rounded queries.
-fn read<K: DataKind + 'static>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
+fn read<K: DataKind>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
     let records = query_files::records(file, Rounding::Refuse, Seventh::Contact)?;
     let without_answers = |record: Result<Record<K>, _>| {
         let mut record = record?;

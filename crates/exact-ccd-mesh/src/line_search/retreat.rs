@@ -103,7 +103,7 @@ impl Collect for Retreats<'_> {
             };
             let able = self.able(vertices.as_ref());
             let Some(last) = able.iter().map(|&vertex| self.first(vertex)).max() else {
-                stuck.push(K::pair(ids));
+                stuck.push(Pair::new(K::KIND, ids));
                 return;
             };
             // Otherwise, earlier contacts hold back whichever of them this one does.

@@ -70,7 +70,7 @@ impl Collect for AnyContact<'_> {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
-            if !self.is_found() && approach.contact().is_some() && (self.counts)(K::pair(ids)) {
+            if !self.is_found() && approach.contact().is_some() && (self.counts)(Pair::new(K::KIND, ids)) {
                 self.is_found.store(true, Ordering::Relaxed);
             }
         });
@@ -151,13 +151,18 @@ impl Collect for Earliest {
         let mut touching = 0;
         let mut lesser = Vec::new();
         // At the same time, a lesser pair comes first. The kinds are examined in the order of pairs.
-        let is_later = |first| K::pair([0; 2]) > first;
+        let is_later = |first| Pair::new(K::KIND, [0; 2]) > first;
         let (pairs, until) = match self.found() {
             Some((time, first)) if time.is_start() && self.touching.is_none() => {
                 if is_later(first) {
                     return ControlFlow::Break(());
                 }
-                lesser.extend(pairs.iter().copied().filter(|&ids| K::pair(ids) < first));
+                lesser.extend(
+                    pairs
+                        .iter()
+                        .copied()
+                        .filter(|&ids| Pair::new(K::KIND, ids) < first),
+                );
                 (lesser.as_slice(), 0.0)
             }
             Some((time, first)) if is_later(first) => (pairs, time.lower()),
@@ -170,18 +175,18 @@ impl Collect for Earliest {
             if let Some(time) = times.contact
                 && time.lower() <= self.until()
             {
-                self.add(time, K::pair(ids));
+                self.add(time, Pair::new(K::KIND, ids));
             }
         });
         if let Some(all) = &self.touching {
-            K::of(all).fetch_add(touching, Ordering::Relaxed);
+            all[K::KIND].fetch_add(touching, Ordering::Relaxed);
         }
         ControlFlow::Continue(())
     }
 
     fn forget_sample<K: Searched>(&self) {
         if let Some(all) = &self.touching {
-            K::of(all).store(0, Ordering::Relaxed);
+            all[K::KIND].store(0, Ordering::Relaxed);
         }
     }
 }
@@ -224,7 +229,7 @@ impl Collect for AllContacts {
         let mut found = Vec::new();
         narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
             let contact = approach.contact();
-            found.extend(contact.map(|collision| Contact::new(K::pair(ids), &collision)));
+            found.extend(contact.map(|collision| Contact::new(Pair::new(K::KIND, ids), &collision)));
         });
         self.contacts.append(found);
         ControlFlow::Continue(())

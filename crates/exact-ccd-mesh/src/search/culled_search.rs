@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{AnyKind, Point, with_kind};
 
 use super::candidates::Candidates;
 use super::collect::Collect;
@@ -180,10 +180,8 @@ impl CulledSearch {
                 until: collector.until(),
                 screened: None,
             };
-            pass.examine::<VertexFace>(resting, moving)?;
-            pass.examine::<EdgeEdge>(resting, moving)?;
-            pass.examine::<VertexEdge>(resting, moving)?;
-            pass.examine::<VertexVertex>(resting, moving)
+            let mut kinds = AnyKind::ALL.iter();
+            kinds.try_for_each(|&kind| with_kind!(kind, K => pass.examine::<K>(resting, moving)))
         });
     }
 }
@@ -221,10 +219,8 @@ impl CulledSearch {
                 collector,
                 marked,
             };
-            marked.examine::<VertexFace>(moving)?;
-            marked.examine::<EdgeEdge>(moving)?;
-            marked.examine::<VertexEdge>(moving)?;
-            marked.examine::<VertexVertex>(moving)
+            let mut kinds = AnyKind::ALL.iter();
+            kinds.try_for_each(|&kind| with_kind!(kind, K => marked.examine::<K>(moving)))
         });
     }
 }

@@ -1,7 +1,7 @@
 //! The narrow phase: exact tests of candidates, in batches.
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{EdgeEdge, Options, Query, Separation, Separations, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{Options, Query, Separation, Separations, with_kind};
 
 use super::approach::Approach;
 use super::chunks::for_each_chunk;
@@ -118,12 +118,7 @@ impl NarrowPhase {
     /// The contact of a pair; `None` if the pair does not touch in the step, or if `mesh`, the mesh
     /// of the step, does not have it.
     pub(crate) fn contact(&self, mesh: &TriangleMesh, pair: Pair) -> Option<Contact> {
-        match pair {
-            Pair::VertexFace { vertex, face } => self.contact_of::<VertexFace>(mesh, [vertex, face]),
-            Pair::EdgeEdge { a, b } => self.contact_of::<EdgeEdge>(mesh, [a, b]),
-            Pair::VertexEdge { vertex, edge } => self.contact_of::<VertexEdge>(mesh, [vertex, edge]),
-            Pair::VertexVertex { a, b } => self.contact_of::<VertexVertex>(mesh, [a, b]),
-        }
+        with_kind!(pair.kind(), K => self.contact_of::<K>(mesh, pair.ids()))
     }
 
     fn contact_of<K: PairKind>(&self, mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Contact> {
@@ -131,6 +126,6 @@ impl NarrowPhase {
         let query = self.trajectories.query::<K>(vertices)?;
         let collision = query.collision(self.min_distance.between::<K>(mesh, &vertices))?;
         let collision = Approach::new(collision, self.min_distance.inner(), 1.0).contact()?;
-        Some(Contact::new(K::pair(ids), &collision))
+        Some(Contact::new(Pair::new(K::KIND, ids), &collision))
     }
 }

@@ -95,8 +95,8 @@ impl StepReport {
             ..
         } = tallies;
         let tallies = tallies.map(|tally| tally.into_inner().unwrap_or_else(PoisonError::into_inner));
-        let earliest = tallies.into_array().map(|tally| tally.earliest);
-        let earliest = earliest.into_iter().fold(None, earlier);
+        let earliest = tallies.iter().map(|(_, tally)| tally.earliest);
+        let earliest = earliest.fold(None, earlier);
         Ok(Self {
             candidates: tallies.map(|tally| tally.candidates),
             colliding: tallies.map(|tally| tally.colliding),
@@ -149,11 +149,11 @@ impl Receive for Tallies<'_> {
                 let times = approach.times();
                 tally.touching += usize::from(times.starts_within);
                 tally.colliding += usize::from(times.contact.is_some());
-                let contact = times.contact.map(|time| (time, K::pair(ids)));
+                let contact = times.contact.map(|time| (time, Pair::new(K::KIND, ids)));
                 tally.earliest = earlier(tally.earliest, contact);
             });
         {
-            let mut all = K::of(&self.tallies)
+            let mut all = self.tallies[K::KIND]
                 .lock()
                 .unwrap_or_else(PoisonError::into_inner);
             *all = all.merge(tally);
