@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use exact_ccd::{AnyKind, EdgeEdge, Kind, Separation, VertexFace, with_kind};
-use exact_ccd_data::{DataKind, Record, Rounding, Scene};
+use exact_ccd_data::{DataKind, Record, RecordedStep, Rounding};
 use exact_ccd_files::Format;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -17,6 +17,7 @@ use crate::notes::Notes;
 use crate::output::{is_dash, print};
 use crate::progress::{self, during};
 use crate::queries::kind;
+use crate::queries::method::answered;
 use crate::queries::query_files::{self, BATCH, Records};
 use crate::queries::recognise::kind_of;
 
@@ -148,7 +149,7 @@ fn convert<K: Kind>(
     let answered = batches.flat_map(|batch| {
         if arguments.answers {
             let d = arguments.min_distance;
-            let answer = |record: Result<Record<K>, _>| record.map(|record| record.answered(d));
+            let answer = |record: Result<Record<K>, _>| record.map(|record| answered(record, d));
             batch.into_par_iter().map(answer).collect()
         } else {
             batch
@@ -175,7 +176,7 @@ fn scene<K: DataKind>(folder: &Path) -> Result<Records<K>, Failure> {
         &folder.join("frames"),
         "the frames of a scene of the published data sets",
     )?;
-    let scene = Scene::new(folder.to_owned());
+    let scene = RecordedStep::new(folder.to_owned());
     let motion = scene.motion()?;
     let records = scene.records(&motion.step()?)?;
     Ok(Box::new(records.into_iter().map(Ok)))

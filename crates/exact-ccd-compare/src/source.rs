@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_data::{DataError, DataKind, Rounding, Sample, Scene, Seventh, is_parquet, list, open};
+use exact_ccd_data::{DataError, DataKind, RecordedStep, Rounding, Sample, Seventh, is_parquet, list, open};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates};
 use exact_ccd_methods::parity::Rounded;
 
@@ -22,9 +22,9 @@ enum Queries {
     /// The query files in some folders, as they are or with each query shifted and rounded by itself.
     Files { folders: Vec<PathBuf>, rounded: bool },
     /// The queried pairs of a scene, with verdicts.
-    Pairs(Scene),
+    Pairs(RecordedStep),
     /// The candidates of the broad phase in a scene.
-    Candidates(Scene),
+    Candidates(RecordedStep),
 }
 
 /// The depth of the search for data sets below the folder.
@@ -116,7 +116,7 @@ fn collect(folder: &Path, depth: usize, sources: &mut Vec<Source>) -> Result<(),
             file: folder.to_owned(),
             source,
         })?;
-        for scene in Scene::steps(&folder)? {
+        for scene in RecordedStep::steps(&folder)? {
             let name = scene.name();
             if scene.has_pairs() {
                 sources.push(Source {

@@ -8,7 +8,7 @@ use exact_ccd::Kind;
 use crate::error::DataError;
 use crate::kind::DataKind;
 use crate::list::list;
-use crate::scene::Scene;
+use crate::recorded_step::RecordedStep;
 use crate::separation::SeparationFile;
 
 /// The environment variable that names the folder.
@@ -83,10 +83,10 @@ impl DataFolder {
     ///
     /// # Errors
     /// If the folder cannot be read.
-    pub fn scenes(&self) -> Result<Vec<Scene>, DataError> {
+    pub fn scenes(&self) -> Result<Vec<RecordedStep>, DataError> {
         Ok(list(&self.0.join("scenes"))?
             .into_iter()
-            .map(Scene::new)
+            .map(RecordedStep::new)
             .collect())
     }
 }

@@ -2,7 +2,7 @@
 
 mod answer_rows;
 pub(crate) mod kind;
-mod method;
+pub(crate) mod method;
 pub(crate) mod query_files;
 pub(crate) mod recognise;
 mod tally;

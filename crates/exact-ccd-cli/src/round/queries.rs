@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use super::report::Report;
 use super::{Arguments, shared_displacement};
 use crate::failure::Failure;
+use crate::queries::method::answered;
 use crate::queries::query_files;
 
 pub(super) fn round<K: DataKind>(arguments: &Arguments) -> Result<Report, Failure> {
@@ -40,7 +41,7 @@ pub(super) fn round<K: DataKind>(arguments: &Arguments) -> Result<Report, Failur
         if arguments.roots {
             records = records
                 .into_par_iter()
-                .map(|record| record.answered(Separation::default()))
+                .map(|record| answered(record, Separation::default()))
                 .collect();
         }
         let seventh = query_files::seventh(arguments.roots);

@@ -16,14 +16,14 @@ use crate::roots::{Roots, read_roots};
 
 /// A time step of a simulation in the folder of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Scene {
+pub struct RecordedStep {
     folder: PathBuf,
     /// The frame at which the step starts, in a folder with more than two of them.
     start: Option<usize>,
 }
 
-impl Scene {
-    /// The scene in a folder with two frames.
+impl RecordedStep {
+    /// The step in a folder with two frames.
     #[must_use]
     pub fn new(folder: PathBuf) -> Self {
         Self { folder, start: None }
