@@ -18,8 +18,8 @@ pub trait Kind: Tables + Copy + Send + Sync + 'static {
     type Vertices: AsRef<[u32]> + AsMut<[u32]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The number of points of the first primitive, which come first.
     const FIRST: usize = Self::SECOND;
-    /// The index of each of x₀ … x₃ among the points of a query. In a query of fewer points, some occur twice: an
-    /// edge of length zero stands for a vertex.
+    /// The index of each of x₀ … x₃ among the points of a query. In a query of fewer points, some occur
+    /// twice: an edge of length zero stands for a vertex.
     const OF_FOUR: [usize; 4] = Self::LAYOUT;
     /// This kind as a value.
     const KIND: AnyKind;
@@ -122,8 +122,8 @@ macro_rules! kinds {
             }
         }
 
-        /// Evaluates an expression for an [`AnyKind`](crate::AnyKind): in it, a name stands for the type of the
-        /// kind.
+        /// Evaluates an expression for an [`AnyKind`](crate::AnyKind): in it, a name stands for the type of
+        /// the kind.
         ///
         /// ```
         /// use exact_ccd::{AnyKind, Kind, with_kind};

@@ -5,8 +5,8 @@ use exact_ccd::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 use super::other_ends::OtherEnds;
 use crate::mesh::TriangleMesh;
 
-/// A kind of query whose primitives have indices in a mesh: a primitive with one point is a vertex, with two an
-/// edge, with three a face.
+/// A kind of query whose primitives have indices in a mesh: a primitive with one point is a vertex, with two
+/// an edge, with three a face.
 pub trait PairKind: Kind {
     /// True if [`are_connected`](Self::are_connected) holds for some primitives of this kind.
     const CAN_BE_CONNECTED: bool = matches!(Self::OF_FOUR, [0, 0, 1, 2]);

@@ -104,8 +104,8 @@ impl Candidates {
         self.0
     }
 
-    /// The pairs of a kind, by the indices of both primitives, sorted. Of two edges or two vertices, the smaller
-    /// index comes first. [`Pair`] says which pairs there are of each kind.
+    /// The pairs of a kind, by the indices of both primitives, sorted. Of two edges or two vertices, the
+    /// smaller index comes first. [`Pair`] says which pairs there are of each kind.
     #[must_use]
     pub fn of_kind(&self, kind: AnyKind) -> &[[u32; 2]] {
         &self.0[kind]
@@ -211,10 +211,9 @@ impl Decision<'_> {
     }
 
     fn earliest(self) -> Option<Contact> {
-        let mesh = self.step.mesh();
         let earliest = Earliest::new(self.until);
-        let narrow_phase = self.examine(&earliest);
-        narrow_phase.contact(mesh, earliest.pair()?)
+        self.examine(&earliest);
+        earliest.contact()
     }
 
     fn all(self) -> Vec<Contact> {
@@ -224,14 +223,13 @@ impl Decision<'_> {
     }
 
     /// Passes all pairs to a collector.
-    fn examine(self, collector: &impl Collect) -> NarrowPhase {
+    fn examine(self, collector: &impl Collect) {
         // All on threads of the pool: entering it from outside costs a context switch each time.
         rayon::scope(|_| {
             let min_distance = self.min_distance.extended_to(self.step.mesh());
             let narrow_phase = NarrowPhase::of(&self.step, min_distance);
             let _ = self.candidates.examine_all(&self.step, &narrow_phase, collector);
-            narrow_phase
-        })
+        });
     }
 }
 

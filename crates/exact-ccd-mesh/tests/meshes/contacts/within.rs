@@ -113,6 +113,8 @@ fn answers_are_those_of_all_pairs() {
                 );
 
                 let report = StepReport::with_options(step, &Bvh, &options, &|_| ()).unwrap();
+                let listed = StepReport::with_contacts(step, &Bvh, &options, &|_| ()).unwrap();
+                assert_eq!(listed, (report, expected.clone()), "{name}");
                 assert_eq!(report.candidates, candidates.counts(), "{name}");
                 let colliding = expected.iter().map(|contact| contact.pair).collect();
                 assert_eq!(report.colliding, colliding, "{name}");
