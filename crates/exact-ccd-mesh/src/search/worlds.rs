@@ -5,9 +5,9 @@ use std::sync::{Mutex, PoisonError};
 
 use super::detector::Detector;
 
-/// Searches for the steps of many worlds, which have one mesh and positions of their own: a [`Detector`] each,
-/// or a type that has one. There are as many as worlds that are searched at a time, and each keeps its memory
-/// from world to world.
+/// Searches for the steps of many worlds, which have one mesh and positions of their own: a [`Detector`]
+/// each, or a type that has one. There are as many as worlds that are searched at a time, and each keeps its
+/// memory from world to world.
 ///
 /// ```
 /// use exact_ccd::CONTACT;
