@@ -5,7 +5,7 @@
 use arbitrary::{Result, Unstructured};
 use exact_ccd::batch::{Instructions, Queries, Trajectories};
 use exact_ccd::{
-    ContactTime, EdgeEdge, Kind, Options, Query, Separation, VertexEdge, VertexFace, VertexVertex,
+    AnyKind, ContactTime, Kind, Options, Query, Separation, with_kind,
 };
 use exact_ccd_fuzz::{coordinate, positions};
 use libfuzzer_sys::fuzz_target;
@@ -26,10 +26,8 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
         assert!(![x0, x1].concat().as_flattened().iter().all(|x| x.is_finite()));
         return Ok(());
     };
-    check_kind::<VertexFace>(&trajectories, bytes, options)?;
-    check_kind::<EdgeEdge>(&trajectories, bytes, options)?;
-    check_kind::<VertexEdge>(&trajectories, bytes, options)?;
-    check_kind::<VertexVertex>(&trajectories, bytes, options)
+    let mut kinds = AnyKind::ALL.iter();
+    kinds.try_for_each(|&kind| with_kind!(kind, K => check_kind::<K>(&trajectories, bytes, options)))
 }
 
 fn check_kind<K: Kind>(

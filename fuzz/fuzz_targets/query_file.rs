@@ -6,8 +6,8 @@ use std::fmt::Debug;
 
 use arbitrary::{Result, Unstructured};
 use dashu_ratio::RBig;
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{QueryKind, QueryReader, Rounding, Sample};
+use exact_ccd::{AnyKind, Kind, with_kind};
+use exact_ccd_data::{QueryReader, Rounding, Sample};
 use exact_ccd_fuzz::file;
 use libfuzzer_sys::fuzz_target;
 
@@ -41,14 +41,13 @@ fuzz_target!(|bytes: &[u8]| {
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
     let text = file(bytes, WORDS)?;
-    check_kind::<VertexFace>(&text);
-    check_kind::<EdgeEdge>(&text);
-    check_kind::<VertexEdge>(&text);
-    check_kind::<VertexVertex>(&text);
+    for &kind in AnyKind::ALL {
+        with_kind!(kind, K => check_kind::<K>(&text));
+    }
     Ok(())
 }
 
-fn check_kind<K: QueryKind + Debug + PartialEq>(text: &[u8]) {
+fn check_kind<K: Kind + Debug + PartialEq>(text: &[u8]) {
     let exactly = read::<K>(text, Rounding::Refuse);
     let nearly = read::<K>(text, Rounding::ToNearest);
     assert_eq!(
@@ -63,7 +62,7 @@ fn check_kind<K: QueryKind + Debug + PartialEq>(text: &[u8]) {
 }
 
 /// The queries before the first error.
-fn read<K: QueryKind>(text: &[u8], rounding: Rounding) -> Vec<Sample<K>> {
+fn read<K: Kind>(text: &[u8], rounding: Rounding) -> Vec<Sample<K>> {
     QueryReader::<K, _>::new("input", text, rounding)
         .inspect(|record| drop(record.as_ref().map_err(ToString::to_string)))
         .map_while(std::result::Result::ok)
@@ -71,7 +70,7 @@ fn read<K: QueryKind>(text: &[u8], rounding: Rounding) -> Vec<Sample<K>> {
         .collect()
 }
 
-fn rows<K: QueryKind>(sample: &Sample<K>) -> String {
+fn rows<K: Kind>(sample: &Sample<K>) -> String {
     let truth = sample
         .truth
         .map_or(String::new(), |truth| format!(",{}", u8::from(truth)));

@@ -1,5 +1,7 @@
 /** The data of a page, as the crate exact-ccd-view writes it. */
 
+import { type Kind } from "./kinds";
+
 export type Point = readonly [number, number, number];
 
 /** A vertex, an edge or a face of the mesh, or a half space, which has no vertices. */
@@ -67,7 +69,7 @@ export interface History {
 
 /** Two primitives in motion, with the answers about them. */
 export interface Query {
-  kind: "vertex-face" | "edge-edge" | "vertex-edge" | "vertex-vertex";
+  kind: Kind;
   /** The four points at t = 0 and at t = 1. A vertex in place of an edge occurs twice. */
   points: [Point[], Point[]];
   primitives: [Primitive, Primitive];

@@ -1,5 +1,6 @@
 /** The texts of contacts and moments. */
 
+import { KINDS, pointNames } from "./kinds";
 import { type Body, type Contact, type Page, type Primitive } from "./page";
 import { type Moment } from "./frames";
 
@@ -9,17 +10,10 @@ export function short(number: number): string {
   return Number(number.toPrecision(7)).toString();
 }
 
-/** The names of the points of a query, as in its `points`. */
-const POINT_NAMES = {
-  "vertex-face": ["p", "v₁", "v₂", "v₃"],
-  "edge-edge": ["a₀", "a₁", "b₀", "b₁"],
-  "vertex-edge": ["p", "p", "a", "b"],
-  "vertex-vertex": ["p", "p", "q", "q"],
-};
-
 /** The name of a vertex of a primitive: its id in the file, or the name of a point of a query. */
 export function vertexName({ query }: Page, { vertices, labels }: Primitive, i: number): string {
-  return query === null ? String(labels[i]) : POINT_NAMES[query.kind][vertices[i]];
+  if (query === null) return String(labels[i]);
+  return pointNames(query.kind)[KINDS[query.kind].layout[vertices[i]]];
 }
 
 /** The name of a primitive with its vertices, and the body or the half space that it is of, if that has a name. */

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { NumberField } from "../src/web/editor";
-import { POINTS, pointCount, replaced } from "../src/web/entry";
+import { KINDS } from "../src/kinds";
+import { pointCount, replaced } from "../src/web/entry";
 import { rounded } from "../src/web/handles";
 import { Latest } from "../src/web/kernel";
 import { decode, hexadecimal, neighbour, parseNumber } from "../src/web/numbers";
@@ -121,7 +122,7 @@ describe("the examples", () => {
   it("have the coordinates of their kinds, and are different", () => {
     for (const { entry } of PRESETS) expect(entry.coordinates).toHaveLength(6 * pointCount(entry.kind));
     expect(new Set(PRESETS.map(({ name }) => name)).size).toBe(PRESETS.length);
-    expect(new Set(PRESETS.map(({ entry }) => entry.kind))).toEqual(new Set(Object.keys(POINTS)));
+    expect(new Set(PRESETS.map(({ entry }) => entry.kind))).toEqual(new Set(Object.keys(KINDS)));
   });
 });
 

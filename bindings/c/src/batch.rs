@@ -3,12 +3,12 @@
 use core::mem::MaybeUninit;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{Kind, Options, Separations, Thickness};
+use exact_ccd::{Kind, Options, Separations, Thickness, with_kind};
 use rayon::prelude::*;
 
 use crate::border::call;
 use crate::error::{Error, Status};
-use crate::kind::with_kind;
+use crate::kind::query_kind;
 use crate::pointers::{array, ends, places};
 use crate::query::options;
 use crate::threads::Threads;
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn exact_ccd_batch_time_of_impact(
         unsafe {
             let trajectories = trajectories(x0, x1, vertex_count)?;
             let times = places("times", times, query_count)?;
-            with_kind!(kind, K => {
+            with_kind!(query_kind(kind)?, K => {
                 let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
                 threads.run(|| first_times::<K>(&trajectories, vertices, options, times))
             })
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn exact_ccd_batch_time_of_impact_thick(
             let options = Options::from(&thickness).until(until);
             let trajectories = trajectories(x0, x1, vertex_count)?;
             let times = places("times", times, query_count)?;
-            with_kind!(kind, K => {
+            with_kind!(query_kind(kind)?, K => {
                 let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
                 threads.run(|| first_times::<K>(&trajectories, vertices, options, times))
             })

@@ -110,7 +110,7 @@ impl Contact {
             .iter()
             .take_while(|&&vertex| vertex != EXACT_CCD_NONE)
             .count();
-        let (a, b) = vertices[..used].split_at(contact.pair.first_len().min(used));
+        let (a, b) = vertices[..used].split_at(contact.pair.kind().sizes()[0].min(used));
         Self {
             kind,
             first,

@@ -1,5 +1,7 @@
 //! The kinds of query.
 
+use exact_ccd::AnyKind;
+
 use crate::error::Error;
 
 /// The kind of a query: the two primitives, and the order of its points.
@@ -18,27 +20,16 @@ pub enum Kind {
     EdgeFace = 4,
 }
 
-/// Evaluates an expression with a type `$K`, the kind that the number stands for.
-macro_rules! with_kind {
-    ($number:expr, $K:ident => $body:expr) => {
-        $crate::kind::with_kind!($number, $K => $body; VertexFace, EdgeEdge, VertexEdge, VertexVertex)
-    };
-    ($number:expr, $K:ident => $body:expr; $($kind:ident),+) => {
-        match $number {
-            $(number if number == $crate::kind::Kind::$kind as u32 => {
-                type $K = exact_ccd::$kind;
-                $body
-            })+
-            other => Err($crate::kind::unknown(other)),
-        }
-    };
-}
-pub(crate) use with_kind;
+// The kinds of queries have the same numbers in both lists.
+const _: () = assert!(Kind::EdgeFace as usize == AnyKind::ALL.len());
 
-#[cold]
-pub(crate) fn unknown(number: u32) -> Error {
-    Error::argument(format_args!(
-        "kind is {number}, expected the kind of a query, 0 to {}: see exact_ccd_kind_t",
-        Kind::VertexVertex as u32
-    ))
+/// The kind of query that a number stands for.
+pub(crate) fn query_kind(number: u32) -> Result<AnyKind, Error> {
+    let kind = AnyKind::ALL.get(number as usize).copied();
+    kind.ok_or_else(|| {
+        Error::argument(format_args!(
+            "kind is {number}, expected the kind of a query, 0 to {}: see exact_ccd_kind_t",
+            AnyKind::ALL.len() - 1
+        ))
+    })
 }

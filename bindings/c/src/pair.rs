@@ -2,8 +2,6 @@
 
 use exact_ccd_mesh::TriangleMesh;
 
-use crate::kind::Kind;
-
 /// The index of no vertex, no edge and no face.
 pub const EXACT_CCD_NONE: u32 = 0xFFFF_FFFF;
 
@@ -31,20 +29,10 @@ impl Pair {
             *place = vertex;
         }
         Self {
-            kind: kind(pair) as u32,
+            kind: pair.kind() as u32,
             first,
             second,
             vertices,
         }
-    }
-}
-
-fn kind(pair: exact_ccd_mesh::Pair) -> Kind {
-    use exact_ccd_mesh::Pair;
-    match pair {
-        Pair::VertexFace { .. } => Kind::VertexFace,
-        Pair::EdgeEdge { .. } => Kind::EdgeEdge,
-        Pair::VertexEdge { .. } => Kind::VertexEdge,
-        Pair::VertexVertex { .. } => Kind::VertexVertex,
     }
 }

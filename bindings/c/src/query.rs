@@ -1,11 +1,11 @@
 //! Single queries.
 
-use exact_ccd::{Options, Query, Separation};
+use exact_ccd::{Options, Query, Separation, with_kind};
 
 use crate::border::call;
 use crate::contact::{Impact, Interval};
 use crate::error::{Error, Status};
-use crate::kind::with_kind;
+use crate::kind::query_kind;
 use crate::pointers::{Out, fill, places, reference};
 
 /// The points of one end of a step: an array of `double[3]`, as many as the kind has.
@@ -57,7 +57,7 @@ pub unsafe extern "C" fn exact_ccd_collides(
         // SAFETY: the documentation of the function states the promise.
         unsafe {
             let collides = Out::new("collides", collides)?;
-            with_kind!(kind, K => {
+            with_kind!(query_kind(kind)?, K => {
                 collides.write(query::<K>(x0, x1)?.collides(options));
                 Ok(())
             })
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn exact_ccd_time_of_impact(
         // SAFETY: the documentation of the function states the promise.
         unsafe {
             let time = Out::new("time", time)?;
-            with_kind!(kind, K => {
+            with_kind!(query_kind(kind)?, K => {
                 time.write(query::<K>(x0, x1)?.time_of_impact(options).unwrap_or(f64::NAN));
                 Ok(())
             })
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn exact_ccd_impact(
         unsafe {
             let collides = Out::new("collides", collides)?;
             let impact = Out::new("impact", impact)?;
-            with_kind!(kind, K => {
+            with_kind!(query_kind(kind)?, K => {
                 let found = query::<K>(x0, x1)?.impact(options);
                 collides.write(found.is_some());
                 if let Some(found) = found {
@@ -147,7 +147,7 @@ pub unsafe extern "C" fn exact_ccd_intervals(
         unsafe {
             let intervals = places("intervals", intervals, capacity)?;
             let count = Out::new("count", count)?;
-            with_kind!(kind, K => {
+            with_kind!(query_kind(kind)?, K => {
                 let found = query::<K>(x0, x1)?.intervals(options);
                 count.write(found.len());
                 fill(intervals, found.iter().map(Interval::from));
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn exact_ccd_distance_at(
         unsafe {
             let lower = Out::new("lower", lower)?;
             let upper = Out::new("upper", upper)?;
-            with_kind!(kind, K => {
+            with_kind!(query_kind(kind)?, K => {
                 let bounds = query::<K>(x0, x1)?.distance_at(time)?;
                 lower.write(bounds.lower);
                 upper.write(bounds.upper);

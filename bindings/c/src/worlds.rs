@@ -1,7 +1,5 @@
 //! Steps of many worlds, which have one mesh and positions of their own.
 
-use std::sync::{Mutex, PoisonError};
-
 use exact_ccd::Point;
 use rayon::prelude::*;
 
@@ -44,19 +42,16 @@ impl<'a> Worlds<'a> {
     }
 
     /// The results of `work` for the positions of each world, or the error of the first world that has
-    /// one. There are as many detectors as worlds that are searched at a time.
+    /// one.
     fn each<T: Send>(
         &self,
         work: impl Fn(&mut exact_ccd_mesh::Detector, &'a [Point], &'a [Point]) -> Result<T, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
-        let idle = Mutex::new(Vec::new());
-        let idle = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let searches = exact_ccd_mesh::Worlds::default();
         let answer = |world: usize| {
-            let own = idle().pop();
-            let mut detector = own.unwrap_or_else(|| self.detector.inner.clone());
             let of_world = |x: &'a [Point]| &x[world * self.vertex_count..][..self.vertex_count];
-            let answer = work(&mut detector, of_world(self.x0), of_world(self.x1));
-            idle().push(detector);
+            let (x0, x1) = (of_world(self.x0), of_world(self.x1));
+            let answer = searches.search(&self.detector.inner, |detector| work(detector, x0, x1));
             answer.map_err(|error| error.of_world(world))
         };
         self.detector.threads.run(|| {

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use exact_ccd::batch::{self, Trajectories, VertexOutOfRange};
-use exact_ccd::{Collision, Options, Separation};
+use exact_ccd::{Collision, Kind, Options, Separation};
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -11,7 +11,6 @@ use rayon::prelude::*;
 
 use crate::compute::{Watch, compute};
 use crate::error::{refused, room};
-use crate::kind::ArrayKind;
 use crate::positions::{Positions, Rows};
 
 /// The number of queries of a task.
@@ -41,7 +40,7 @@ pub(crate) struct Arrays<'py>(
 pub(crate) struct Settings(f64, f64, Option<usize>);
 
 /// The queries of a batch.
-enum Queries<'a, K: ArrayKind> {
+enum Queries<'a, K: Kind> {
     Points([Rows<'a>; 2]),
     Vertices(&'a [K::Vertices], Trajectories),
 }
@@ -52,7 +51,7 @@ enum Failure {
     Cancelled,
 }
 
-impl<K: ArrayKind> Queries<'_, K> {
+impl<K: Kind> Queries<'_, K> {
     fn count(&self) -> usize {
         match self {
             Self::Points([start, _]) => start.count(),
@@ -75,7 +74,7 @@ impl<K: ArrayKind> Queries<'_, K> {
                     let first = first + BLOCK * block;
                     let rows = first..first + answers.len();
                     points.clear();
-                    points.extend(rows.map(|row| [start, end].map(|rows| K::points(rows, row))));
+                    points.extend(rows.map(|row| [start, end].map(|rows| rows.query::<K>(row))));
                     batch::Queries::<K>::new(&points)
                         .collisions(options, |index, collision| answers[index] = of(&collision))
                         .map_err(|error| Failure::Row(first + error.query, error.source.to_string()))?;
@@ -102,16 +101,13 @@ impl<K: ArrayKind> Queries<'_, K> {
 }
 
 /// An answer for each query: that of its collision, or `none`.
-pub(crate) fn answers<K: ArrayKind, T: Clone + Send>(
+pub(crate) fn answers<K: Kind, T: Clone + Send>(
     py: Python<'_>,
     Arrays(_, x0, x1, vertices): &Arrays<'_>,
     &Settings(separation, until, threads): &Settings,
     none: T,
     of: impl Fn(&Collision<'_, K>) -> T + Sync,
-) -> PyResult<Vec<T>>
-where
-    K::Vertices: Sync,
-{
+) -> PyResult<Vec<T>> {
     let separation = Separation::new(separation);
     let separation = separation.map_err(|error| refused(format_args!("separation: {error}")))?;
     let options = Options::within(separation).until(until);
@@ -123,7 +119,7 @@ where
                 let [x0, x1] = ends.map(|rows| rows.row(0));
                 Trajectories::new(&x0, &x1)
             });
-            Queries::Vertices(K::vertices(vertices.as_slice()?), trajectories.map_err(refused)?)
+            Queries::Vertices(K::queries(vertices.as_slice()?), trajectories.map_err(refused)?)
         }
     };
     let mut answers = room(queries.count())?;

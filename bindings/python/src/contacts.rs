@@ -1,12 +1,11 @@
 //! Contacts as columns.
 
-use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::Point;
 use exact_ccd_mesh::{Contact, Pair, TriangleMesh};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::impact::{COLUMNS, columns};
-use crate::kind::ArrayKind;
 use crate::mesh::{List, Table, rows};
 use crate::queries::offsets;
 
@@ -23,12 +22,7 @@ impl PairRow {
         let vertices = pair.vertices(mesh).unwrap_or_default();
         let vertex = |index| vertices.get(index).copied().map_or(-1, i64::from);
         Self {
-            kind: match pair {
-                Pair::VertexFace { .. } => VertexFace::NUMBER,
-                Pair::EdgeEdge { .. } => EdgeEdge::NUMBER,
-                Pair::VertexEdge { .. } => VertexEdge::NUMBER,
-                Pair::VertexVertex { .. } => VertexVertex::NUMBER,
-            },
+            kind: pair.kind() as u8,
             ids: pair.ids(),
             vertices: [0, 1, 2, 3].map(vertex),
         }
@@ -48,7 +42,7 @@ impl Row {
         let pair = contact.pair;
         // A contact of the step is a pair of its mesh.
         let vertices = pair.vertices(mesh).unwrap_or_default();
-        let (first, second) = vertices.split_at(pair.first_len().min(vertices.len()));
+        let (first, second) = vertices.split_at(pair.kind().sizes()[0].min(vertices.len()));
         Self {
             pair: PairRow::new(mesh, pair),
             impact: columns(&contact.impact, [first, second], ends),

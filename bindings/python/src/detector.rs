@@ -1,9 +1,10 @@
 //! Contact in successive steps of a mesh.
 
+use std::array::from_fn;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
-use exact_ccd::{Point, Separation};
-use exact_ccd_mesh::{Meeting, PairCounts, TriangleMesh};
+use exact_ccd::{AnyKind, Point, Separation};
+use exact_ccd_mesh::{Meeting, PairCounts, TriangleMesh, Worlds};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
@@ -27,8 +28,8 @@ pub(crate) struct Detector {
     mesh: Arc<TriangleMesh>,
     /// A search that has not begun.
     new: Search,
-    /// The searches that no world uses: at work, the detector is locked.
-    idle: Mutex<Idle>,
+    /// The searches: at work, the detector is locked.
+    worlds: Mutex<Worlds<Search>>,
     /// The reference of the detector to the rule of its mesh, which its searches share.
     rule: Option<Arc<Py<PyAny>>>,
     failure: Arc<Mutex<Option<PyErr>>>,
@@ -36,13 +37,11 @@ pub(crate) struct Detector {
     threads: Option<usize>,
 }
 
-type Idle = Mutex<Vec<Search>>;
-
 impl Detector {
     /// The searches, unless the detector works for another call.
-    fn begin(&self) -> PyResult<MutexGuard<'_, Idle>> {
-        match self.idle.try_lock() {
-            Ok(idle) => Ok(idle),
+    fn begin(&self) -> PyResult<MutexGuard<'_, Worlds<Search>>> {
+        match self.worlds.try_lock() {
+            Ok(worlds) => Ok(worlds),
             // A panic ends its own call only.
             Err(TryLockError::Poisoned(error)) => Ok(error.into_inner()),
             Err(TryLockError::WouldBlock) => Err(PyRuntimeError::new_err(
@@ -62,26 +61,24 @@ impl Detector {
         progress: Option<&Py<PyAny>>,
         work: impl Fn(&mut Search, &[Point], &[Point]) -> Result<T, Refusal> + Sync,
     ) -> PyResult<Vec<T>> {
-        let idle = self.begin()?;
+        let mut worlds = self.begin()?;
         let [x0, x1] = Positions::ends(x0, x1)?;
         let count = x0.count();
         let mut results = room(count)?;
         results.resize_with(count, || None);
-        let take = |idle: &Idle| idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
         self.watch.reset();
         let outcome = compute(py, self.threads, progress, &self.watch, || {
-            let idle = &*idle;
+            let worlds = &*worlds;
             results.par_iter_mut().enumerate().for_each(|(world, result)| {
                 if !self.watch.is_cancelled() {
-                    let mut search = take(idle).unwrap_or_else(|| self.new.clone());
-                    *result = Some(work(&mut search, &x0.row(world), &x1.row(world)));
-                    idle.lock().unwrap_or_else(PoisonError::into_inner).push(search);
+                    let work = |search: &mut Search| work(search, &x0.row(world), &x1.row(world));
+                    *result = Some(worlds.search(&self.new, work));
                 }
             });
         });
         if self.watch.is_cancelled() {
             // A search that ended early may have recorded a start that it has not checked.
-            idle.lock().unwrap_or_else(PoisonError::into_inner).clear();
+            *worlds = Worlds::default();
         }
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
         failure.map_or(outcome, Err)?;
@@ -122,7 +119,7 @@ impl Detector {
         Ok(Self {
             mesh: mesh.mesh().clone(),
             new: new.map_err(refused)?,
-            idle: Mutex::default(),
+            worlds: Mutex::default(),
             rule,
             failure,
             watch,
@@ -346,12 +343,6 @@ impl Detector {
     }
 }
 
-fn by_kind(counts: PairCounts) -> [i64; 4] {
-    let PairCounts {
-        vertex_face,
-        edge_edge,
-        vertex_edge,
-        vertex_vertex,
-    } = counts;
-    [vertex_face, edge_edge, vertex_edge, vertex_vertex].map(|count| count as i64)
+fn by_kind(counts: PairCounts) -> [i64; AnyKind::ALL.len()] {
+    from_fn(|number| counts[AnyKind::ALL[number]] as i64)
 }

@@ -1,9 +1,7 @@
 //! Impacts as rows of numbers.
 
-use exact_ccd::{Impact, Point, Query};
+use exact_ccd::{Impact, Kind, Point, Query};
 use exact_ccd_mesh::contact_points;
-
-use crate::kind::ArrayKind;
 
 /// The number of columns of an impact.
 pub(crate) const COLUMNS: usize = 12;
@@ -20,7 +18,7 @@ pub(crate) fn columns(impact: &Impact, primitives: [&[u32]; 2], ends: [&[Point];
 }
 
 /// The columns of the impact of a query.
-pub(crate) fn columns_of_query<K: ArrayKind>(query: &Query<K>, impact: &Impact) -> [f64; COLUMNS] {
+pub(crate) fn columns_of_query<K: Kind>(query: &Query<K>, impact: &Impact) -> [f64; COLUMNS] {
     let [start, end] = query.points();
     let [start, end] = [start.as_ref(), end.as_ref()];
     let (first, second) = [0, 1, 2, 3][..start.len()].split_at(K::FIRST);

@@ -33,7 +33,7 @@ mod _native {
     #[expect(non_upper_case_globals, reason = "the name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
-    const KINDS: [(&str, usize); 4] = crate::kind::KINDS;
+    const KINDS: [(&str, usize); exact_ccd::AnyKind::ALL.len()] = crate::kind::KINDS;
     #[pymodule_export]
     use crate::detector::Detector;
     #[pymodule_export]

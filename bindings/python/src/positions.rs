@@ -3,7 +3,7 @@
 use std::array::from_fn;
 use std::borrow::Cow;
 
-use exact_ccd::Point;
+use exact_ccd::{Kind, Point};
 use numpy::ndarray::{ArrayView2, ArrayView3, Axis};
 use numpy::{PyArray3, PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -85,12 +85,12 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// A copy of the points of a row, which has this many.
+    /// The points of a query in a row, which has as many.
     #[inline]
-    pub(crate) fn query<const POINTS: usize>(&self, row: usize) -> [Point; POINTS] {
+    pub(crate) fn query<K: Kind>(&self, row: usize) -> K::Points {
         match self {
-            Self::Double(rows) => query(&rows.index_axis(Axis(0), row)),
-            Self::Single(rows) => query(&rows.index_axis(Axis(0), row)),
+            Self::Double(rows) => query::<K, _>(&rows.index_axis(Axis(0), row)),
+            Self::Single(rows) => query::<K, _>(&rows.index_axis(Axis(0), row)),
         }
     }
 }
@@ -102,12 +102,23 @@ fn converted<T: Copy + Into<f64>>(row: &ArrayView2<'_, T>) -> Vec<Point> {
 }
 
 #[inline]
-fn query<T: Copy + Into<f64>, const POINTS: usize>(row: &ArrayView2<'_, T>) -> [Point; POINTS] {
-    let contiguous = row.to_slice().map(|row| row.as_chunks().0);
-    match contiguous.and_then(<[[T; 3]]>::first_chunk) {
-        Some(points) => points.map(|point| point.map(Into::into)),
-        None => from_fn(|i| from_fn(|axis| row[[i, axis]].into())),
+fn query<K: Kind, T: Copy + Into<f64>>(row: &ArrayView2<'_, T>) -> K::Points {
+    let mut points = K::Points::default();
+    let places = points.as_mut();
+    let contiguous = row.to_slice().map(|row| row.as_chunks::<3>().0);
+    match contiguous.and_then(|given| given.get(..places.len())) {
+        Some(given) => {
+            for (place, point) in places.iter_mut().zip(given) {
+                *place = point.map(Into::into);
+            }
+        }
+        None => {
+            for (i, place) in places.iter_mut().enumerate() {
+                *place = from_fn(|axis| row[[i, axis]].into());
+            }
+        }
     }
+    points
 }
 
 /// The points of an array of shape (V, 3).

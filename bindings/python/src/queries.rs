@@ -1,12 +1,12 @@
 //! The answers to queries in arrays.
 
-use exact_ccd::Collision;
+use exact_ccd::{Collision, Kind, with_kind};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::batch::{Arrays, Settings, answers};
 use crate::impact::{COLUMNS, columns_of_query};
-use crate::kind::{ArrayKind, for_kind};
+use crate::kind::kind_of;
 use crate::mesh::{List, Table, rows};
 
 /// Contact or none.
@@ -16,7 +16,8 @@ pub(crate) fn collides<'py>(
     queries: Arrays<'py>,
     settings: Settings,
 ) -> PyResult<List<'py, bool>> {
-    let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, false, |_| true))?;
+    let answers =
+        with_kind!(kind_of(queries.0)?, K => answers::<K, _>(py, &queries, &settings, false, |_| true))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 
@@ -27,11 +28,12 @@ pub(crate) fn time_of_impact<'py>(
     queries: Arrays<'py>,
     settings: Settings,
 ) -> PyResult<List<'py, f64>> {
-    let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, f64::NAN, time))?;
+    let answers =
+        with_kind!(kind_of(queries.0)?, K => answers::<K, _>(py, &queries, &settings, f64::NAN, time))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 
-fn time<K: ArrayKind>(collision: &Collision<'_, K>) -> f64 {
+fn time<K: Kind>(collision: &Collision<'_, K>) -> f64 {
     collision.time_of_impact()
 }
 
@@ -43,7 +45,7 @@ pub(crate) fn time_and_count<'py>(
     queries: Arrays<'py>,
     settings: Settings,
 ) -> PyResult<(List<'py, f64>, List<'py, i64>)> {
-    let answers = for_kind!(queries.0, K => {
+    let answers = with_kind!(kind_of(queries.0)?, K => {
         let of = |collision: &Collision<'_, K>| (time(collision), count(collision));
         answers::<K, _>(py, &queries, &settings, (f64::NAN, 0), of)
     })?;
@@ -51,7 +53,7 @@ pub(crate) fn time_and_count<'py>(
     Ok((PyArray1::from_vec(py, times), PyArray1::from_vec(py, counts)))
 }
 
-fn count<K: ArrayKind>(collision: &Collision<'_, K>) -> i64 {
+fn count<K: Kind>(collision: &Collision<'_, K>) -> i64 {
     let intervals = collision.intervals();
     let count = if collision.separation().is_zero() {
         intervals.count()
@@ -69,12 +71,13 @@ pub(crate) fn intervals<'py>(
     queries: Arrays<'py>,
     settings: Settings,
 ) -> PyResult<(List<'py, i64>, Table<'py, f64>)> {
-    let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, Vec::new(), ends))?;
+    let answers =
+        with_kind!(kind_of(queries.0)?, K => answers::<K, _>(py, &queries, &settings, Vec::new(), ends))?;
     let offsets = offsets(py, answers.iter().map(Vec::len));
     Ok((offsets, rows(py, answers.into_iter().flatten())?))
 }
 
-fn ends<K: ArrayKind>(collision: &Collision<'_, K>) -> Vec<[f64; 2]> {
+fn ends<K: Kind>(collision: &Collision<'_, K>) -> Vec<[f64; 2]> {
     let intervals = collision.intervals().into_iter();
     intervals
         .map(|interval| [interval.start.lower(), interval.end.lower()])
@@ -99,7 +102,7 @@ pub(crate) fn impact<'py>(
     settings: Settings,
 ) -> PyResult<Table<'py, f64>> {
     let none = [f64::NAN; COLUMNS];
-    let answers = for_kind!(queries.0, K => {
+    let answers = with_kind!(kind_of(queries.0)?, K => {
         let of = |collision: &Collision<'_, K>| columns_of_query(collision.query(), &collision.impact());
         answers::<K, _>(py, &queries, &settings, none, of)
     })?;

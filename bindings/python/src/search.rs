@@ -6,8 +6,8 @@ use exact_ccd::{Options, Point, Separation};
 use exact_ccd_certify::{Maker, MakerError};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, FreeSteps, Intersection,
-    IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
-    TriangleMesh, has_intersections, intersections,
+    IntersectionOptions, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount, TriangleMesh,
+    has_intersections, intersections,
 };
 
 use crate::broad_phase::Interruptible;
@@ -27,11 +27,6 @@ pub(crate) struct Search {
     rules: Rules,
     min_distance: MinDistance,
     watch: Arc<Watch>,
-    /// True if the start of each step is checked. Without a rule, `open` does so, and skips the ends of
-    /// free steps.
-    checks_start: bool,
-    /// The bits of the last start that was checked here.
-    checked: Vec<[u64; 3]>,
 }
 
 /// The pairs that can collide: by the groups, and by the groups and the rule of the caller.
@@ -47,9 +42,15 @@ impl Rules {
     /// Returns true if a pair can collide.
     fn allow(&self, mesh: &TriangleMesh, pair: Pair) -> bool {
         pair.vertices(mesh).is_some_and(|vertices| {
-            let (a, b) = vertices.split_at(pair.first_len());
+            let (a, b) = vertices.split_at(pair.kind().sizes()[0]);
             self.every.allows(a, b)
         })
+    }
+
+    /// Returns true if an edge and a face that meet can collide.
+    fn count(&self, watch: &Watch, mesh: &TriangleMesh, pair: Intersection) -> bool {
+        let allows = |(ends, corners): ([u32; 2], [u32; 3])| self.every.allows(&ends, &corners);
+        !watch.is_cancelled() && pair.vertices(mesh).is_some_and(allows)
     }
 }
 
@@ -68,13 +69,11 @@ impl Search {
                 .with_can_collide(can_collide.clone())
         };
         Ok(Self {
-            open: detector(&rules.groups).with_start_check(checks_start && !rules.has_rule),
+            open: detector(&rules.groups).with_start_check(checks_start),
             ruled: rules.has_rule.then(|| detector(&rules.every)),
             rules,
             min_distance,
             watch,
-            checks_start,
-            checked: Vec::new(),
         })
     }
 
@@ -95,22 +94,11 @@ impl Search {
     /// Makes certain that no edge passes through a face at the start of a step, if that is to be checked. The
     /// rule is asked for the edges and faces that were found.
     fn check_start(&mut self, x0: &[Point]) -> Result<(), StepError> {
-        if !self.checks_start {
-            return Ok(());
-        }
-        let bits: Vec<_> = x0.iter().map(|point| point.map(f64::to_bits)).collect();
-        if bits == self.checked {
-            return Ok(());
-        }
-        let mesh = self.mesh();
-        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
-        let options = options.with_can_collide(self.rules.groups.clone());
-        let found = intersections(mesh, x0, &self.broad_phase(), &options)?;
-        if let Some(first) = found.into_iter().find(|&pair| self.counts(pair)) {
-            return Err(first.crossing(mesh));
-        }
-        self.checked = bits;
-        Ok(())
+        let Self {
+            open, rules, watch, ..
+        } = self;
+        let mesh = open.mesh().clone();
+        open.check_start(x0, |pair| rules.count(watch, &mesh, pair))
     }
 
     /// The result of a search, first without the rule.
@@ -250,20 +238,14 @@ impl Search {
     pub(crate) fn intersections(&self, x: &[Point], meeting: Meeting) -> Result<Vec<Intersection>, Refusal> {
         let options = IntersectionOptions::default().with_meeting(meeting);
         let mut found = intersections(self.mesh(), x, &self.broad_phase(), &options).map_err(Refusal::new)?;
-        found.retain(|&pair| self.counts(pair));
+        found.retain(|&pair| self.rules.count(&self.watch, self.mesh(), pair));
         Ok(found)
     }
 
     /// Any edge and face that meet at rest.
     pub(crate) fn has_intersections(&self, x: &[Point]) -> Result<bool, Refusal> {
         let options = IntersectionOptions::default();
-        let counts = |pair| self.counts(pair);
+        let counts = |pair| self.rules.count(&self.watch, self.mesh(), pair);
         has_intersections(self.mesh(), x, &self.broad_phase(), &options, &counts).map_err(Refusal::new)
-    }
-
-    /// Returns true if an edge and a face that meet can collide.
-    fn counts(&self, pair: Intersection) -> bool {
-        let allows = |(ends, corners): ([u32; 2], [u32; 3])| self.rules.every.allows(&ends, &corners);
-        !self.watch.is_cancelled() && pair.vertices(self.mesh()).is_some_and(allows)
     }
 }

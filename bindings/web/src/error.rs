@@ -1,6 +1,6 @@
 //! Errors of the page.
 
-use exact_ccd::{InvalidSeparation, NonFinite};
+use exact_ccd::{AnyKind, InvalidSeparation, NonFinite};
 use exact_ccd_files::{Format, ParseError};
 use exact_ccd_mesh::{CandidateError, MotionError, StepError};
 use exact_ccd_view::PageError;
@@ -8,7 +8,7 @@ use exact_ccd_view::PageError;
 /// The reason why there is no answer.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Error {
-    #[error("{0:?} is not a kind of query, expected vertex-face, edge-edge, vertex-edge or vertex-vertex")]
+    #[error("{0:?} is not a kind of query, expected one of {kinds}", kinds = kinds())]
     Kind(String),
     #[error("{found} coordinates, expected {expected}: three for each point at t = 0, then at t = 1")]
     Coordinates { found: usize, expected: usize },
@@ -34,4 +34,10 @@ pub(crate) enum Error {
     Page(#[from] PageError),
     #[error("the mesh has no vertex {0}")]
     Vertex(u32),
+}
+
+/// The names of the kinds.
+fn kinds() -> String {
+    let names: Vec<&str> = AnyKind::ALL.iter().map(|kind| kind.name()).collect();
+    names.join(", ")
 }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use exact_ccd::{Decide, EdgeEdge, Kind, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_view::{Page, PageKind};
+use exact_ccd::{AnyKind, EdgeEdge, Kind, Point, Query, Separation, VertexFace, with_kind};
+use exact_ccd_view::Page;
 use serde::Serialize;
 
 use crate::error::Error;
@@ -28,36 +28,26 @@ pub(crate) fn answer(
     let separation = Separation::new(distance)?;
     let finder = RootFinder::new(distance + tolerance)?;
     let method = finder.method();
-    let answer = match kind {
-        VertexFace::NAME => {
-            both::<VertexFace>("A vertex and a face", &query(coordinates)?, separation, method)
-        }
-        EdgeEdge::NAME => both::<EdgeEdge>("Two edges", &query(coordinates)?, separation, method),
-        VertexEdge::NAME => exact::<VertexEdge>("A vertex and an edge", &query(coordinates)?, separation),
-        VertexVertex::NAME => exact::<VertexVertex>("Two vertices", &query(coordinates)?, separation),
-        _ => return Err(Error::Kind(kind.to_owned())),
+    let mut kinds = AnyKind::ALL.iter().copied();
+    let kind = kinds.find(|any| any.name() == kind).ok_or_else(|| Error::Kind(kind.to_owned()))?;
+    let page = with_kind!(kind, K => Page::of_query(title(kind), &query::<K>(coordinates)?, separation));
+    let root_finder = match kind {
+        AnyKind::VertexFace => Some(Verdict::of::<VertexFace>(method, &query(coordinates)?)),
+        AnyKind::EdgeEdge => Some(Verdict::of::<EdgeEdge>(method, &query(coordinates)?)),
+        _ => None,
     };
+    let page = page.blocks();
     // Cannot panic: the keys are strings.
-    Ok(serde_json::to_string(&answer).expect("the answer has a text"))
+    Ok(serde_json::to_string(&Answer { page, root_finder }).expect("the answer has a text"))
 }
 
-/// The answers of both methods.
-fn both<K: PageKind>(
-    title: &str,
-    query: &Query<K>,
-    separation: Separation,
-    method: &dyn Decide<K>,
-) -> Answer {
-    Answer {
-        root_finder: Some(Verdict::of(method, query)),
-        ..exact(title, query, separation)
-    }
-}
-
-fn exact<K: PageKind>(title: &str, query: &Query<K>, separation: Separation) -> Answer {
-    Answer {
-        page: Page::of_query(title, query, separation).blocks(),
-        root_finder: None,
+/// The title of the page of a query.
+fn title(kind: AnyKind) -> &'static str {
+    match kind {
+        AnyKind::VertexFace => "A vertex and a face",
+        AnyKind::EdgeEdge => "Two edges",
+        AnyKind::VertexEdge => "A vertex and an edge",
+        AnyKind::VertexVertex => "Two vertices",
     }
 }
 

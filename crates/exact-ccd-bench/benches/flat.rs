@@ -16,7 +16,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use exact_ccd::{CONTACT, EdgeEdge, Kind, Query, Stage, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, EdgeEdge, Kind, Query, Stage, VertexFace};
 use exact_ccd_bench::{median, seconds};
 use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Bvh, Candidates, Detector, Frame, Step, StepReport, TriangleMesh};
@@ -104,10 +104,10 @@ fn print_stages(scene: &Scene, mesh: &TriangleMesh) {
     let candidates = Candidates::new(step, &Bvh);
     let stride = candidates.counts().total() / SAMPLE + 1;
     let mut settled = Settled::default();
-    for &pair in candidates.vertex_face().iter().step_by(stride) {
+    for &pair in candidates.of_kind(AnyKind::VertexFace).iter().step_by(stride) {
         decide(step.query::<VertexFace>(pair), &mut settled);
     }
-    for &pair in candidates.edge_edge().iter().step_by(stride) {
+    for &pair in candidates.of_kind(AnyKind::EdgeEdge).iter().step_by(stride) {
         decide(step.query::<EdgeEdge>(pair), &mut settled);
     }
     let all: usize = settled.iter().map(|(count, _)| count).sum();

@@ -16,7 +16,7 @@ mod published;
 use std::hint::black_box;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, EdgeEdge, Query, Stage, VertexFace};
 use exact_ccd_bench::{mean, median, nanoseconds, nanoseconds_each, quantile};
 use exact_ccd_data::{DataError, DataKind};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion, Step};
@@ -90,8 +90,8 @@ fn batches((name, motion): &(String, Motion)) -> [Batch<'_>; 2] {
     let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
     let candidates = Candidates::with_options(step, &Bvh, &options).expect("the default distances are 0");
     [
-        Batch::new::<VertexFace>(name, step, candidates.vertex_face()),
-        Batch::new::<EdgeEdge>(name, step, candidates.edge_edge()),
+        Batch::new::<VertexFace>(name, step, candidates.of_kind(AnyKind::VertexFace)),
+        Batch::new::<EdgeEdge>(name, step, candidates.of_kind(AnyKind::EdgeEdge)),
     ]
 }
 
@@ -105,7 +105,7 @@ impl<'a> Batch<'a> {
         };
         let [x0, x1] = step.positions();
         Self {
-            name: format!("{scene} {}", K::SHORT),
+            name: format!("{scene} {}", K::KIND.short()),
             step,
             pairs: pairs.to_vec(),
             functions,

@@ -14,7 +14,7 @@ mod published;
 use std::hint::black_box;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{CONTACT, EdgeEdge, Query, Separation, Stage, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, EdgeEdge, Query, Separation, Stage, VertexFace};
 use exact_ccd_bench::{mean, median, nanoseconds, nanoseconds_each, quantile};
 use exact_ccd_data::{DataError, DataKind};
 use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, Motion, Step};
@@ -83,8 +83,8 @@ fn rows_of(scene: &str, motion: &Motion, fraction: f64) -> [Row; 2] {
     let d = Separation::new(d).expect("a length is finite");
     let name = |kind: &str| format!("{scene} {kind}, {fraction:e}");
     [
-        row::<VertexFace>(name("vf"), step, candidates.vertex_face(), d),
-        row::<EdgeEdge>(name("ee"), step, candidates.edge_edge(), d),
+        row::<VertexFace>(name("vf"), step, candidates.of_kind(AnyKind::VertexFace), d),
+        row::<EdgeEdge>(name("ee"), step, candidates.of_kind(AnyKind::EdgeEdge), d),
     ]
 }
 
@@ -99,7 +99,7 @@ fn mean_edge(step: &Step<'_>) -> f64 {
     edges.iter().map(length).sum::<f64>() / edges.len() as f64
 }
 
-fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], d: Separation) -> Row {
+fn row<K: DataKind>(name: String, step: Step<'_>, pairs: &[[u32; 2]], d: Separation) -> Row {
     let mut measured = Measured::default();
     let mut outside: Vec<Query<K>> = Vec::new();
     let mut vertices: Vec<[u32; 4]> = Vec::new();

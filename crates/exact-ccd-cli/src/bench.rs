@@ -173,7 +173,7 @@ fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
 }
 
 /// The table of a data set and kind, if there are such queries. It is a thousand steps of progress.
-fn compare<K: DataKind + 'static>(
+fn compare<K: DataKind>(
     comparison: &mut Comparison,
     source: &Source,
     sample: u32,

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd::{EdgeEdge, Separation, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{DataKind, QueryKind, Record, Rounding, Scene};
+use exact_ccd::{AnyKind, EdgeEdge, Kind, Separation, VertexFace, with_kind};
+use exact_ccd_data::{DataKind, Record, RecordedStep, Rounding};
 use exact_ccd_files::Format;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -16,7 +16,8 @@ use crate::json::to_json;
 use crate::notes::Notes;
 use crate::output::{is_dash, print};
 use crate::progress::{self, during};
-use crate::queries::kind::Kind;
+use crate::queries::kind;
+use crate::queries::method::answered;
 use crate::queries::query_files::{self, BATCH, Records};
 use crate::queries::recognise::kind_of;
 
@@ -52,8 +53,8 @@ use crate::queries::recognise::kind_of;
 pub(crate) struct Arguments {
     /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
     /// against a vertex [default: that of the files, if it is certain]
-    #[arg(long)]
-    kind: Option<Kind>,
+    #[arg(long, value_parser = kind::parser(AnyKind::ALL))]
+    kind: Option<AnyKind>,
     /// Fill in count and toi of all queries, as computed by the exact method.
     #[arg(long)]
     answers: bool,
@@ -102,10 +103,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     }
     let kind = kind_of(arguments.kind, &arguments.inputs, &mut Notes::default())?;
     let report = during(progress::count("queries"), |progress| match kind {
-        Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
-        Kind::Ee => convert::<EdgeEdge>(arguments, scene, progress),
-        Kind::Ve => convert::<VertexEdge>(arguments, no_scene, progress),
-        Kind::Vv => convert::<VertexVertex>(arguments, no_scene, progress),
+        AnyKind::VertexFace => convert::<VertexFace>(arguments, scene, progress),
+        AnyKind::EdgeEdge => convert::<EdgeEdge>(arguments, scene, progress),
+        _ => with_kind!(kind, K => convert::<K>(arguments, no_scene, progress)),
     })?;
     if arguments.json {
         print(&to_json("convert", &report))?;
@@ -126,7 +126,7 @@ fn refuse_mesh(input: &Path) -> Result<(), Failure> {
 }
 
 /// Converts queries of a kind; `scene` reads those of a scene.
-fn convert<K: QueryKind + 'static>(
+fn convert<K: Kind>(
     arguments: &Arguments,
     scene: fn(&Path) -> Result<Records<K>, Failure>,
     progress: &(dyn Fn(usize) + Sync),
@@ -149,7 +149,7 @@ fn convert<K: QueryKind + 'static>(
     let answered = batches.flat_map(|batch| {
         if arguments.answers {
             let d = arguments.min_distance;
-            let answer = |record: Result<Record<K>, _>| record.map(|record| record.answered(d));
+            let answer = |record: Result<Record<K>, _>| record.map(|record| answered(record, d));
             batch.into_par_iter().map(answer).collect()
         } else {
             batch
@@ -157,7 +157,7 @@ fn convert<K: QueryKind + 'static>(
     });
     let mut report = Report {
         output: arguments.output.display().to_string(),
-        kind: K::SHORT,
+        kind: K::KIND.short(),
         ..Report::default()
     };
     let counted = answered.inspect(|record| {
@@ -171,24 +171,24 @@ fn convert<K: QueryKind + 'static>(
 }
 
 /// The queries of a scene.
-fn scene<K: DataKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
+fn scene<K: DataKind>(folder: &Path) -> Result<Records<K>, Failure> {
     check_folder(
         &folder.join("frames"),
         "the frames of a scene of the published data sets",
     )?;
-    let scene = Scene::new(folder.to_owned());
+    let scene = RecordedStep::new(folder.to_owned());
     let motion = scene.motion()?;
     let records = scene.records(&motion.step()?)?;
     Ok(Box::new(records.into_iter().map(Ok)))
 }
 
 /// The error of a folder of queries of another kind than those of scenes.
-fn no_scene<K: QueryKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
+fn no_scene<K: Kind>(folder: &Path) -> Result<Records<K>, Failure> {
     Err(Failure::of(
         folder,
         format_args!(
             "a folder is a scene, which has queries of the kinds vf and ee, not {}",
-            K::SHORT
+            K::KIND.short()
         ),
     ))
 }

@@ -158,7 +158,7 @@ impl VertexHalfSpace<'_> {
         let point = [0, 1, 2].map(|axis| (1.0 - t) * start[axis] + t * end[axis]);
         ContactRecord {
             frame,
-            kind: RecordKind::Vh,
+            kind: RecordKind::HalfSpace,
             ids: [Some(self.vertex), Some(self.number)],
             vertices: [vec![self.vertex], Vec::new()],
             mesh_vertices: [vec![self.vertex], Vec::new()],

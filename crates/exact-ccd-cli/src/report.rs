@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use exact_ccd::AnyKind;
 use exact_ccd_mesh::{PairCounts, StepReport};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::contacts::{ContactList, ContactRecord};
 use crate::distances::Distances;
@@ -83,13 +84,8 @@ pub(crate) struct Pairs {
 }
 
 /// A number for each kind of pair.
-#[derive(Clone, Copy, Serialize)]
-struct OfKinds {
-    vf: usize,
-    ee: usize,
-    ve: usize,
-    vv: usize,
-}
+#[derive(Clone, Copy)]
+struct OfKinds(PairCounts);
 
 /// The number of intersections and contacts, and of the frames that have them or at which their steps begin.
 #[derive(Serialize)]
@@ -209,16 +205,10 @@ impl Report {
 
 impl From<&StepReport> for Pairs {
     fn from(report: &StepReport) -> Self {
-        let of_kinds = |counts: PairCounts| OfKinds {
-            vf: counts.vertex_face,
-            ee: counts.edge_edge,
-            ve: counts.vertex_edge,
-            vv: counts.vertex_vertex,
-        };
         Self {
             touching_at_start: report.touching.total(),
-            candidates: of_kinds(report.candidates),
-            colliding: of_kinds(report.colliding),
+            candidates: OfKinds(report.candidates),
+            colliding: OfKinds(report.colliding),
         }
     }
 }
@@ -264,7 +254,7 @@ impl Counts {
         }
         if let Some(pairs) = &self.pairs {
             writeln!(f, "candidate pairs: {}", pairs.candidates)?;
-            if pairs.colliding.total() > 0 {
+            if pairs.colliding.0.total() > 0 {
                 writeln!(f, "pairs in contact: {}", pairs.colliding)?;
             }
             writeln!(f, "pairs {touching} at t = 0: {}", pairs.touching_at_start)?;
@@ -286,20 +276,24 @@ impl Counts {
     }
 }
 
-impl OfKinds {
-    fn total(&self) -> usize {
-        self.vf + self.ee + self.ve + self.vv
+impl Serialize for OfKinds {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(kind, count)| (kind.short(), count)))
     }
 }
 
 impl fmt::Display for OfKinds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} vertex-face, {} edge-edge", self.vf, self.ee)?;
-        // A mesh of faces alone has none of these.
-        if self.ve + self.vv > 0 {
-            let (ve, vv) = (self.ve, self.vv);
-            write!(f, ", {ve} vertex-edge, {vv} vertex-vertex")?;
-        }
-        Ok(())
+        let is_of_faces = |kind| matches!(kind, AnyKind::VertexFace | AnyKind::EdgeEdge);
+        // A mesh of faces alone has no others.
+        let has_others = self
+            .0
+            .iter()
+            .any(|(kind, &count)| count > 0 && !is_of_faces(kind));
+        let shown = self.0.iter().filter(|&(kind, _)| has_others || is_of_faces(kind));
+        let counts: Vec<String> = shown
+            .map(|(kind, count)| format!("{count} {}", kind.name()))
+            .collect();
+        f.write_str(&counts.join(", "))
     }
 }

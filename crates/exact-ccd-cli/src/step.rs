@@ -96,15 +96,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut detector = problem.detector();
     clock.end("read");
 
-    let found = arguments.find(&problem, &mut detector, &mut clock)?;
+    let mut found = arguments.find(&problem, &mut detector, &mut clock)?;
     let distances = Distances::new(mesh.min_distance, arguments.inner_distance());
     let mut report = Report::new("step", &scene, notes, distances);
     arguments.tell(&problem, &found, &mut report)?;
     if mesh.has_files() {
-        let contacts = during(progress::stage("listing all contacts"), |_| {
-            let Motion { x0, x1, .. } = &problem.motion;
-            detector.collisions(x0, x1, problem.options())
-        })?;
+        let contacts = match found.answer.contacts.take() {
+            Some(contacts) => contacts,
+            None => during(progress::stage("listing all contacts"), |_| {
+                let Motion { x0, x1, .. } = &problem.motion;
+                detector.collisions(x0, x1, problem.options())
+            })?,
+        };
         clock.end("list");
         let list = found.list(&problem, &contacts);
         report.counts.violations = mesh.all.as_ref().map(|_| Violations::from(&list));
@@ -113,7 +116,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     }
     if certificate.is_wanted() {
         let Motion { x0, x1, .. } = &problem.motion;
-        let earliest = detector.collision(x0, x1, problem.options())?;
+        let earliest = if found.answer.touches && found.answer.earliest.is_none() {
+            detector.collision(x0, x1, problem.options())?
+        } else {
+            found.answer.earliest
+        };
         let starts_apart = (!arguments.no_start_check).then_some(found.start.is_empty());
         certificate.add_step(&problem.motion, earliest.as_ref(), starts_apart)?;
         clock.end("certificate");
@@ -129,6 +136,8 @@ struct Answer {
     touches: bool,
     earliest: Option<Contact>,
     pairs: Option<Pairs>,
+    /// All contacts, if the search for this answer listed them.
+    contacts: Option<Vec<Contact>>,
 }
 
 /// The answers to all questions: about the start, the half spaces, and the mesh in motion.
@@ -309,9 +318,13 @@ impl Arguments {
                 .with_min_distance(problem.distance.clone())
                 .with_can_collide(problem.can_collide.clone());
             let report = during(progress::count("pairs"), |progress| {
-                let step = problem.motion.step()?;
-                let report = StepReport::with_options(step, &*problem.broad_phase, &options, progress);
-                report.map_err(Failure::from)
+                let (step, broad_phase) = (problem.motion.step()?, &*problem.broad_phase);
+                if self.mesh.has_files() {
+                    let found = StepReport::with_contacts(step, broad_phase, &options, progress)?;
+                    answer.contacts = Some(found.1);
+                    return Ok(found.0);
+                }
+                StepReport::with_options(step, broad_phase, &options, progress).map_err(Failure::from)
             })?;
             answer.pairs = Some(Pairs::from(&report));
             answer.earliest = report.earliest;

@@ -183,7 +183,7 @@ impl Peer {
         let mut program = self.program.borrow_mut();
         let request = Request {
             method: &self.name,
-            kind: K::SHORT,
+            kind: K::KIND.short(),
             queries: queries.len(),
             limit_ns: u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX),
         };

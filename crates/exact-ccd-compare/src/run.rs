@@ -97,7 +97,14 @@ impl Comparison {
             }
         }
         let answers: Vec<_> = standings.into_iter().map(|standing| standing.answers).collect();
-        Table::new(data_set, K::SHORT, subjects, &sample, &self.contestants, &answers)
+        Table::new(
+            data_set,
+            K::KIND.short(),
+            subjects,
+            &sample,
+            &self.contestants,
+            &answers,
+        )
     }
 
     /// Ends the comparison.

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_data::{DataError, DataKind, Rounding, Sample, Scene, Seventh, is_parquet, list, open};
+use exact_ccd_data::{DataError, DataKind, RecordedStep, Rounding, Sample, Seventh, is_parquet, list, open};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates};
 use exact_ccd_methods::parity::Rounded;
 
@@ -22,9 +22,9 @@ enum Queries {
     /// The query files in some folders, as they are or with each query shifted and rounded by itself.
     Files { folders: Vec<PathBuf>, rounded: bool },
     /// The queried pairs of a scene, with verdicts.
-    Pairs(Scene),
+    Pairs(RecordedStep),
     /// The candidates of the broad phase in a scene.
-    Candidates(Scene),
+    Candidates(RecordedStep),
 }
 
 /// The depth of the search for data sets below the folder.
@@ -69,7 +69,7 @@ impl Source {
     ///
     /// # Errors
     /// If a file is missing or wrong.
-    pub fn read<K: DataKind + 'static>(&self, most: usize) -> Result<Subjects<K>, DataError> {
+    pub fn read<K: DataKind>(&self, most: usize) -> Result<Subjects<K>, DataError> {
         let mut subjects = Subjects::new(most);
         match &self.queries {
             Queries::Files { folders, rounded } => {
@@ -100,7 +100,7 @@ impl Source {
                 let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
                 let candidates = Candidates::with_options(step, &Bvh, &options);
                 let candidates = candidates.expect("the default distances are 0");
-                let pairs = K::candidates(&candidates).iter();
+                let pairs = candidates.of_kind(K::KIND).iter();
                 for query in pairs.filter_map(|&pair| step.query(pair)) {
                     subjects.add(Subject::new(query, None));
                 }
@@ -116,7 +116,7 @@ fn collect(folder: &Path, depth: usize, sources: &mut Vec<Source>) -> Result<(),
             file: folder.to_owned(),
             source,
         })?;
-        for scene in Scene::steps(&folder)? {
+        for scene in RecordedStep::steps(&folder)? {
             let name = scene.name();
             if scene.has_pairs() {
                 sources.push(Source {

@@ -1,7 +1,7 @@
 //! A mesh in an interval of time, in which its vertices are near their chords.
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{EdgeEdge, Point, Separation, Thickness, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{AnyKind, Point, Separation, Thickness, with_kind};
 use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, MinDistance, Pair, PairKind, Step, TriangleMesh};
 use rayon::prelude::*;
 
@@ -121,24 +121,24 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         let trajectories = Trajectories::new(&x0, &x1).expect("the positions belong to a step");
         step.candidates += candidates.counts().total();
         step.answer.chords += candidates.counts().total();
-        let mut near = self.near_of::<VertexFace>(&trajectories, &thickness, candidates.vertex_face());
-        near.extend(self.near_of::<EdgeEdge>(&trajectories, &thickness, candidates.edge_edge()));
-        let (connected, others): (Vec<_>, Vec<_>) = candidates
-            .vertex_edge()
-            .iter()
-            .partition(|&&ids| self.are_connected(ids));
-        near.extend(self.near_of::<VertexEdge>(&trajectories, &thickness, &others));
-        near.extend(self.near_of::<VertexEdge>(&trajectories, &bare, &connected));
-        near.extend(self.near_of::<VertexVertex>(&trajectories, &thickness, candidates.vertex_vertex()));
+        let mut near = Vec::new();
+        for &kind in AnyKind::ALL {
+            with_kind!(kind, K => {
+                let (connected, others): (Vec<_>, Vec<_>) =
+                    candidates.of_kind(kind).iter().partition(|&&ids| self.are_connected::<K>(ids));
+                near.extend(self.near_of::<K>(&trajectories, &thickness, &others));
+                near.extend(self.near_of::<K>(&trajectories, &bare, &connected));
+            });
+        }
         near.sort_unstable_by(|(s, p), (t, q)| s.total_cmp(t).then(p.cmp(q)));
         Ok(near)
     }
 
     /// Returns true if a vertex and an edge touch at distance 0 only: see
     /// [`PairKind::are_connected`].
-    fn are_connected(&self, ids: [u32; 2]) -> bool {
-        let vertices = VertexEdge::vertices(self.mesh, ids);
-        vertices.is_some_and(|vertices| VertexEdge::are_connected(self.mesh, &vertices))
+    fn are_connected<K: PairKind>(&self, ids: [u32; 2]) -> bool {
+        let vertices = K::vertices(self.mesh, ids);
+        vertices.is_some_and(|vertices| K::are_connected(self.mesh, &vertices))
     }
 
     fn near_of<K: PairKind>(
@@ -152,7 +152,7 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
             let (ids, queries): (Vec<_>, Vec<_>) = pairs.iter().filter_map(exists).unzip();
             let mut near = Vec::new();
             let found = trajectories.collisions::<K>(&queries, thickness, |index, collision| {
-                near.push((collision.time().lower(), K::pair(ids[index])));
+                near.push((collision.time().lower(), Pair::new(K::KIND, ids[index])));
             });
             found.expect("the vertices belong to the mesh");
             near
@@ -168,18 +168,7 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         options: &SearchOptions,
         until: f64,
     ) -> Result<Answer, SearchError> {
-        match pair {
-            Pair::VertexFace { vertex, face } => {
-                self.search_of::<VertexFace>([vertex, face], d, options, until)
-            }
-            Pair::EdgeEdge { a, b } => self.search_of::<EdgeEdge>([a, b], d, options, until),
-            Pair::VertexEdge { vertex, edge } => {
-                let is_contact = self.are_connected([vertex, edge]);
-                let d = if is_contact { Separation::default() } else { d };
-                self.search_of::<VertexEdge>([vertex, edge], d, options, until)
-            }
-            Pair::VertexVertex { a, b } => self.search_of::<VertexVertex>([a, b], d, options, until),
-        }
+        with_kind!(pair.kind(), K => self.search_of::<K>(pair.ids(), d, options, until))
     }
 
     fn search_of<K: PairKind + CurvedKind>(
@@ -189,6 +178,11 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         options: &SearchOptions,
         until: f64,
     ) -> Result<Answer, SearchError> {
+        let d = if self.are_connected::<K>(ids) {
+            Separation::default()
+        } else {
+            d
+        };
         // The pair is one of the mesh.
         let vertices = K::vertices(self.mesh, ids);
         let vertices = vertices.as_ref().map_or(&[][..], AsRef::as_ref);

@@ -3,11 +3,12 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
+use exact_ccd::Kind;
+
 use crate::error::DataError;
 use crate::kind::DataKind;
 use crate::list::list;
-use crate::query_kind::QueryKind;
-use crate::scene::Scene;
+use crate::recorded_step::RecordedStep;
 use crate::separation::SeparationFile;
 
 /// The environment variable that names the folder.
@@ -62,7 +63,7 @@ impl DataFolder {
     ///
     /// # Errors
     /// If the folder cannot be read.
-    pub fn separation<K: QueryKind>(&self) -> Result<Vec<SeparationFile>, DataError> {
+    pub fn separation<K: Kind>(&self) -> Result<Vec<SeparationFile>, DataError> {
         let files = list(&self.0.join("separation"))?;
         Ok(files
             .into_iter()
@@ -82,10 +83,10 @@ impl DataFolder {
     ///
     /// # Errors
     /// If the folder cannot be read.
-    pub fn scenes(&self) -> Result<Vec<Scene>, DataError> {
+    pub fn scenes(&self) -> Result<Vec<RecordedStep>, DataError> {
         Ok(list(&self.0.join("scenes"))?
             .into_iter()
-            .map(Scene::new)
+            .map(RecordedStep::new)
             .collect())
     }
 }

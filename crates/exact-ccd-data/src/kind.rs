@@ -1,13 +1,11 @@
 //! The names and numbers of the two kinds of query in the published scenes.
 
 use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
-use exact_ccd_mesh::{Candidates, PairKind, TriangleMesh};
-
-use crate::query_kind::QueryKind;
+use exact_ccd_mesh::{PairKind, TriangleMesh};
 
 /// A kind of query of the published scenes and folders of query files. The names of its files in a
-/// scene end in its [short name](QueryKind::SHORT).
-pub trait DataKind: QueryKind + PairKind + Kind<Points = [Point; 4], Vertices = [u32; 4]> {
+/// scene end in its [short name](exact_ccd::AnyKind::short).
+pub trait DataKind: PairKind + Kind<Points = [Point; 4], Vertices = [u32; 4]> {
     /// The folder of its handcrafted query files.
     const FOLDER: &'static str = Self::KIND.name();
 
@@ -17,9 +15,6 @@ pub trait DataKind: QueryKind + PairKind + Kind<Points = [Point; 4], Vertices = 
 
     /// The global ids of two primitives of a mesh: the inverse of [`indices`](Self::indices).
     fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2];
-
-    /// The candidates of this kind.
-    fn candidates(candidates: &Candidates) -> &[[u32; 2]];
 }
 
 impl DataKind for VertexFace {
@@ -35,10 +30,6 @@ impl DataKind for VertexFace {
         let first_face = mesh.vertex_count() + mesh.edges().len();
         [vertex.into(), u64::from(face) + first_face as u64]
     }
-
-    fn candidates(candidates: &Candidates) -> &[[u32; 2]] {
-        candidates.vertex_face()
-    }
 }
 
 impl DataKind for EdgeEdge {
@@ -49,10 +40,6 @@ impl DataKind for EdgeEdge {
 
     fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2] {
         indices.map(|edge| u64::from(edge) + mesh.vertex_count() as u64)
-    }
-
-    fn candidates(candidates: &Candidates) -> &[[u32; 2]] {
-        candidates.edge_edge()
     }
 }
 

@@ -5,7 +5,7 @@
 //! | query files: CSV, a row for each point at t = 0 and at t = 1 | [`QueryReader`], [`QueryWriter`], [`write_query`] |
 //! | Parquet files, a row a query, with all fields of a [`Record`]: the feature `parquet` | `ColumnReader`, `ColumnWriter` |
 //! | either of both, by the name of the file | [`open()`] |
-//! | scenes: two meshes of a recorded time step, the queried pairs, and verdicts | [`Scene`] |
+//! | scenes: two meshes of a recorded time step, the queried pairs, and verdicts | [`RecordedStep`] |
 //! | root files: the contact times of the queries of a scene | [`read_roots`] |
 //! | queries with the times within a distance | [`SeparationFile`] |
 //! | the folder of the published data sets | [`DataFolder`] |
@@ -42,12 +42,12 @@ mod lines;
 mod list;
 mod open;
 mod queries;
-mod query_kind;
+mod query_points;
 mod rational;
 mod record;
+mod recorded_step;
 mod roots;
 mod rows;
-mod scene;
 mod separation;
 mod write;
 
@@ -59,11 +59,10 @@ pub use kind::DataKind;
 pub use list::list;
 pub use open::{Records, is_parquet, open};
 pub use queries::QueryReader;
-pub use query_kind::QueryKind;
 pub use rational::{CoordinateError, Rounding};
 pub use record::{Record, Sample};
+pub use recorded_step::RecordedStep;
 pub use roots::{Roots, read_roots};
 pub use rows::Seventh;
-pub use scene::Scene;
 pub use separation::{SeparationFile, TimesWithin};
 pub use write::{QueryWriter, write_query};

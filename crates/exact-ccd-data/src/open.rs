@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use exact_ccd::Kind;
+
 #[cfg(feature = "parquet")]
 use crate::columns::ColumnReader;
 use crate::error::DataError;
 use crate::queries::QueryReader;
-use crate::query_kind::QueryKind;
 use crate::rational::Rounding;
 use crate::record::Record;
 use crate::rows::Seventh;
@@ -19,11 +20,7 @@ pub type Records<K> = Box<dyn Iterator<Item = Result<Record<K>, DataError>>>;
 ///
 /// # Errors
 /// If the file cannot be opened, or if it is Parquet and this build lacks the feature.
-pub fn open<K: QueryKind + 'static>(
-    file: &Path,
-    rounding: Rounding,
-    seventh: Seventh,
-) -> Result<Records<K>, DataError> {
+pub fn open<K: Kind>(file: &Path, rounding: Rounding, seventh: Seventh) -> Result<Records<K>, DataError> {
     if is_parquet(file) {
         return columns(file);
     }
@@ -32,7 +29,7 @@ pub fn open<K: QueryKind + 'static>(
 }
 
 #[cfg(feature = "parquet")]
-fn columns<K: QueryKind + 'static>(file: &Path) -> Result<Records<K>, DataError> {
+fn columns<K: Kind>(file: &Path) -> Result<Records<K>, DataError> {
     Ok(Box::new(ColumnReader::<K>::open(file)?))
 }
 

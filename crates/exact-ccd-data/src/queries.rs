@@ -5,9 +5,11 @@ use std::io::Read;
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
+use exact_ccd::Kind;
+
 use crate::error::{DataError, Problem};
 use crate::lines::Lines;
-use crate::query_kind::{self, QueryKind};
+use crate::query_points;
 use crate::rational::Rounding;
 use crate::record::{Record, Sample};
 use crate::rows::{Row, RowReader, Seventh};
@@ -28,7 +30,7 @@ pub struct QueryReader<K, R> {
     kind: PhantomData<K>,
 }
 
-impl<K: QueryKind> QueryReader<K, File> {
+impl<K: Kind> QueryReader<K, File> {
     /// A reader of the queries in a file.
     ///
     /// # Errors
@@ -39,11 +41,11 @@ impl<K: QueryKind> QueryReader<K, File> {
     }
 }
 
-impl<K: QueryKind, R: Read> QueryReader<K, R> {
+impl<K: Kind, R: Read> QueryReader<K, R> {
     /// A reader of the queries in any text, which errors call `name`. It has a buffer of its own.
     pub fn new(name: impl Into<PathBuf>, text: R, rounding: Rounding) -> Self {
         Self {
-            rows: RowReader::new(Lines::new(name.into(), text), rounding, K::POINTS),
+            rows: RowReader::new(Lines::new(name.into(), text), rounding, K::KIND.point_names()),
             done: false,
             kind: PhantomData,
         }
@@ -59,7 +61,7 @@ impl<K: QueryKind, R: Read> QueryReader<K, R> {
     fn record(&mut self) -> Result<Option<Record<K>>, DataError> {
         // As many as the largest kinds have.
         let mut points = [[0.0; 3]; 8];
-        let points = &mut points[..2 * K::POINTS.len()];
+        let points = &mut points[..2 * K::KIND.point_names().len()];
         let mut first = None;
         let mut last_line = 0;
         for index in 0..points.len() {
@@ -82,7 +84,7 @@ impl<K: QueryKind, R: Read> QueryReader<K, R> {
                 return Err(self.wrong(line, Problem::TruthDiffers { expected, found }));
             }
         }
-        let query = query_kind::query(points).expect("`rational::parse` returns finite numbers");
+        let query = query_points::query(points).expect("`rational::parse` returns finite numbers");
         let truth = first.map(|seventh| seventh != 0);
         Ok(Some(Record {
             count: first.filter(|_| self.rows.seventh() == Seventh::Count),
@@ -103,7 +105,7 @@ impl<K, R: Read> QueryReader<K, R> {
     }
 }
 
-impl<K: QueryKind, R: Read> Iterator for QueryReader<K, R> {
+impl<K: Kind, R: Read> Iterator for QueryReader<K, R> {
     type Item = Result<Record<K>, DataError>;
 
     fn next(&mut self) -> Option<Self::Item> {

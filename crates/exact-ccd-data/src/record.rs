@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::{ContactTime, Kind, Query, Separation};
+use exact_ccd::{Kind, Query};
 
 /// A query from a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,26 +28,6 @@ pub struct Record<K: Kind> {
     pub scene: Option<Arc<str>>,
     /// The ids of the two primitives. They count the vertices of the scene, then its edges, then its faces.
     pub ids: Option<[u64; 2]>,
-}
-
-impl<K: Kind> Record<K> {
-    /// The record with the count and the time of impact of the exact method, in place of its own. If
-    /// the distance is above 0, they are the number of maximal intervals of times within it, and the
-    /// first time within it.
-    #[must_use]
-    pub fn answered(self, d: Separation) -> Self {
-        let intervals = self.sample.query.intervals(d);
-        let count = if d.is_zero() {
-            intervals.count()
-        } else {
-            Some(intervals.len())
-        };
-        Self {
-            count: Some(number(count)),
-            toi: intervals.first_time().map(ContactTime::lower),
-            ..self
-        }
-    }
 }
 
 impl<K: Kind> From<Sample<K>> for Record<K> {

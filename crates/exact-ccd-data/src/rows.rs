@@ -30,7 +30,7 @@ pub(crate) struct RowReader<R> {
     lines: Lines<R>,
     rounding: Rounding,
     seventh: Seventh,
-    /// The points of a query, as [`QueryKind`](crate::QueryKind) names them.
+    /// The points of a query, with these [names](exact_ccd::AnyKind::point_names).
     points: &'static [&'static str],
     /// The number of fields in the first row.
     fields: Option<usize>,

@@ -2,11 +2,10 @@
 
 use std::path::PathBuf;
 
-use exact_ccd::Separation;
+use exact_ccd::{Kind, Separation};
 
 use crate::error::{DataError, Problem};
 use crate::fields::{field, flag, other, read_rows, time};
-use crate::query_kind::QueryKind;
 
 /// A query file whose ground truth is about a distance d: 1 if the primitives are at most d apart at some
 /// time.
@@ -20,10 +19,10 @@ pub struct SeparationFile {
 
 impl SeparationFile {
     /// The file of this name, if it has queries of this kind.
-    pub(crate) fn of_kind<K: QueryKind>(queries: PathBuf) -> Option<Self> {
+    pub(crate) fn of_kind<K: Kind>(queries: PathBuf) -> Option<Self> {
         let stem = queries.file_name()?.to_str()?.strip_suffix(".csv")?;
         let (family, d) = stem
-            .strip_prefix(K::SHORT)?
+            .strip_prefix(K::KIND.short())?
             .strip_prefix('-')?
             .rsplit_once("-d")?;
         let d = Separation::new(d.parse().ok()?).ok()?;

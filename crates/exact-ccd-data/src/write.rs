@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 use dashu_ratio::RBig;
-use exact_ccd::{Point, Query};
+use exact_ccd::{Kind, Point, Query};
 
-use crate::query_kind::{self, QueryKind};
+use crate::query_points;
 use crate::record::{Record, is_count};
 use crate::rows::Seventh;
 
@@ -36,7 +36,7 @@ impl<W: Write> QueryWriter<W> {
     /// # Errors
     /// The errors of the writer. If only some of the queries have a ground truth, or if a count is missing or
     /// below −1.
-    pub fn write<K: QueryKind>(&mut self, record: &Record<K>) -> io::Result<()> {
+    pub fn write<K: Kind>(&mut self, record: &Record<K>) -> io::Result<()> {
         let value = match self.seventh {
             Seventh::Contact => record.sample.truth.map(i64::from),
             Seventh::Count => record.count,
@@ -79,13 +79,13 @@ impl<W: Write> QueryWriter<W> {
 ///
 /// # Errors
 /// The errors of the writer.
-pub fn write_query<K: QueryKind>(writer: &mut impl Write, query: &Query<K>) -> io::Result<()> {
+pub fn write_query<K: Kind>(writer: &mut impl Write, query: &Query<K>) -> io::Result<()> {
     write_rows(writer, query, "")
 }
 
 /// Writes the rows of a query, each with this ending.
-fn write_rows<K: QueryKind>(writer: &mut impl Write, query: &Query<K>, ending: &str) -> io::Result<()> {
-    query_kind::points(query).try_for_each(|point| write_row(writer, point, ending))
+fn write_rows<K: Kind>(writer: &mut impl Write, query: &Query<K>, ending: &str) -> io::Result<()> {
+    query_points::points(query).try_for_each(|point| write_row(writer, point, ending))
 }
 
 fn write_row(writer: &mut impl Write, point: Point, ending: &str) -> io::Result<()> {
@@ -103,7 +103,7 @@ mod tests {
     use crate::queries::QueryReader;
     use crate::rational::Rounding;
 
-    fn text<K: QueryKind>(queries: &[Query<K>]) -> String {
+    fn text<K: Kind>(queries: &[Query<K>]) -> String {
         let mut bytes = Vec::new();
         for query in queries {
             write_query(&mut bytes, query).unwrap();
@@ -134,10 +134,10 @@ mod tests {
     }
 
     /// Of the eight points, each query has as many as its kind needs.
-    fn assert_survive<K: QueryKind + PartialEq>(points: &[[Point; 8]]) {
+    fn assert_survive<K: Kind + PartialEq>(points: &[[Point; 8]]) {
         let queries: Vec<Query<K>> = points
             .iter()
-            .map(|points| query_kind::query(&points[..2 * K::POINTS.len()]).unwrap())
+            .map(|points| query_points::query(&points[..2 * K::KIND.point_names().len()]).unwrap())
             .collect();
         let read: Vec<_> = QueryReader::<K, _>::new("text", text(&queries).as_bytes(), Rounding::Refuse)
             .map(|record| record.unwrap().sample)

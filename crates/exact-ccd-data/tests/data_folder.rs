@@ -7,7 +7,8 @@ use std::path::Path;
 
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace};
 use exact_ccd_data::{
-    DataError, DataFolder, DataKind, QueryReader, Roots, Rounding, Sample, Scene, TimesWithin, read_roots,
+    DataError, DataFolder, DataKind, QueryReader, RecordedStep, Roots, Rounding, Sample, TimesWithin,
+    read_roots,
 };
 use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Frame, Motion};
@@ -60,11 +61,11 @@ fn folder() -> TempDir {
     folder
 }
 
-fn scene(folder: &TempDir) -> Scene {
-    Scene::new(folder.path().join("scenes/fall"))
+fn scene(folder: &TempDir) -> RecordedStep {
+    RecordedStep::new(folder.path().join("scenes/fall"))
 }
 
-fn samples<K: DataKind>(scene: &Scene) -> Result<Vec<Sample<K>>, DataError> {
+fn samples<K: DataKind>(scene: &RecordedStep) -> Result<Vec<Sample<K>>, DataError> {
     let motion = scene.motion()?;
     scene.samples(&motion.step().unwrap())
 }
@@ -202,7 +203,7 @@ fn intervals_that_are_none_are_an_error() {
 }
 
 /// The error that a change to the scene leads to, without the path of the scene.
-fn error(change: impl FnOnce(&Path), read: impl FnOnce(&Scene) -> Option<DataError>) -> String {
+fn error(change: impl FnOnce(&Path), read: impl FnOnce(&RecordedStep) -> Option<DataError>) -> String {
     let folder = folder();
     let scene_folder = folder.path().join("scenes/fall");
     change(&scene_folder);
@@ -214,7 +215,7 @@ fn error(change: impl FnOnce(&Path), read: impl FnOnce(&Scene) -> Option<DataErr
 #[track_caller]
 fn assert_error_with(file: &str, contents: &str, expected: &str) {
     let change = |scene: &Path| fs::write(scene.join(file), contents).unwrap();
-    let read = |scene: &Scene| {
+    let read = |scene: &RecordedStep| {
         let roots = scene.roots::<VertexFace>().ok()??;
         samples::<VertexFace>(scene).err().or(read_roots(&roots).err())
     };
@@ -260,7 +261,7 @@ fn there_is_one_verdict_for_each_pair() {
 
 #[test]
 fn a_scene_has_two_frames_and_one_file_of_each_sort() {
-    let motion = |scene: &Scene| scene.motion().err();
+    let motion = |scene: &RecordedStep| scene.motion().err();
     assert_eq!(
         error(
             |scene| fs::remove_file(scene.join("frames/9.ply")).unwrap(),
@@ -268,7 +269,7 @@ fn a_scene_has_two_frames_and_one_file_of_each_sort() {
         ),
         "frames: expected two frames, found 1"
     );
-    let faces = |scene: &Scene| samples::<VertexFace>(scene).err();
+    let faces = |scene: &RecordedStep| samples::<VertexFace>(scene).err();
     assert_eq!(
         error(
             |scene| fs::write(scene.join("boxes/10vf.json"), "[]").unwrap(),
@@ -318,7 +319,7 @@ fn roots_that_are_none_are_an_error() {
 fn a_scene_may_have_many_steps() {
     let folder = folder();
     assert_eq!(
-        Scene::steps(&folder.path().join("scenes/fall")).unwrap(),
+        RecordedStep::steps(&folder.path().join("scenes/fall")).unwrap(),
         [scene(&folder)]
     );
 
@@ -327,8 +328,8 @@ fn a_scene_may_have_many_steps() {
     fs::copy(path("frames/9.ply"), path("frames/fall110.ply")).unwrap();
     fs::write(path("boxes/109vf.json"), "[[3, 12]]").unwrap();
     fs::write(path("mma_bool/109vf_mma_bool.json"), "[false]").unwrap();
-    let steps = Scene::steps(&folder.path().join("scenes/fall")).unwrap();
-    let names: Vec<_> = steps.iter().map(Scene::name).collect();
+    let steps = RecordedStep::steps(&folder.path().join("scenes/fall")).unwrap();
+    let names: Vec<_> = steps.iter().map(RecordedStep::name).collect();
     assert_eq!(names, ["fall 9", "fall 10", "fall 109"]);
     assert_eq!(samples::<VertexFace>(&steps[0]).unwrap().len(), 2);
     assert_eq!(samples::<VertexFace>(&steps[2]).unwrap().len(), 1);
@@ -336,6 +337,6 @@ fn a_scene_may_have_many_steps() {
         steps[2].frames().unwrap(),
         [path("frames/fall109.ply"), path("frames/fall110.ply")]
     );
-    let have_pairs: Vec<_> = steps.iter().map(Scene::has_pairs).collect();
+    let have_pairs: Vec<_> = steps.iter().map(RecordedStep::has_pairs).collect();
     assert_eq!(have_pairs, [true, false, false]);
 }

@@ -10,8 +10,8 @@
 
 use std::error::Error;
 
-use exact_ccd::{EdgeEdge, NotDifferentiable, Options, Separation, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_mesh::{Detector, Pair, PairKind, Point, Step, TriangleMesh};
+use exact_ccd::{NotDifferentiable, Options, Separation, with_kind};
+use exact_ccd_mesh::{Detector, PairKind, Point, Step, TriangleMesh};
 
 /// The length of the link, and the distance that it keeps from the pyramid.
 const LENGTH: f64 = 2.0;
@@ -77,12 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mesh = detector.mesh().clone();
         let step = Step::new(&mesh, &x0, &x1)?;
         let ids = contact.pair.ids();
-        let gradient = match contact.pair {
-            Pair::VertexFace { .. } => time_gradient::<VertexFace>(step, ids, options),
-            Pair::EdgeEdge { .. } => time_gradient::<EdgeEdge>(step, ids, options),
-            Pair::VertexEdge { .. } => time_gradient::<VertexEdge>(step, ids, options),
-            Pair::VertexVertex { .. } => time_gradient::<VertexVertex>(step, ids, options),
-        }?;
+        let gradient = with_kind!(contact.pair.kind(), K => time_gradient::<K>(step, ids, options))?;
         // The chain rule: the first two vertices are the link.
         let slopes = derivatives(to, free).map(|points| {
             let of_link = gradient

@@ -72,7 +72,7 @@ pub use overlaps::{BoxKind, CandidateError, CandidateOptions};
 pub use pairs::{
     CanCollide, GroupError, GroupMatrix, MinDistance, Pair, PairCounts, PairKind, ThicknessCount,
 };
-pub use search::{Candidates, Contact, Detector, FirstContacts, StepReport, contact_points, step};
+pub use search::{Candidates, Contact, Detector, FirstContacts, StepReport, Worlds, contact_points, step};
 pub use steps::{Motion, MotionError, RigidFit, Step, StepError, Welding};
 
 /// The examples in the README of this crate, as tests.

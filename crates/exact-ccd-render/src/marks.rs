@@ -17,26 +17,15 @@ impl Marks {
     /// The two primitives of a pair. Indices out of range are left out.
     #[must_use]
     pub fn pair(mesh: &TriangleMesh, pair: Pair) -> Self {
-        match pair {
-            Pair::VertexFace { vertex, face } => Self {
-                vertices: vec![vertex],
-                faces: vec![face],
-                edges: Vec::new(),
-            },
-            Pair::EdgeEdge { a, b } => Self {
-                edges: [a, b].into_iter().filter_map(|edge| ends(mesh, edge)).collect(),
-                ..Self::default()
-            },
-            Pair::VertexEdge { vertex, edge } => Self {
-                vertices: vec![vertex],
-                edges: ends(mesh, edge).into_iter().collect(),
-                faces: Vec::new(),
-            },
-            Pair::VertexVertex { a, b } => Self {
-                vertices: vec![a, b],
-                ..Self::default()
-            },
+        let mut marks = Self::default();
+        for (id, size) in pair.ids().into_iter().zip(pair.kind().sizes()) {
+            match size {
+                1 => marks.vertices.push(id),
+                2 => marks.edges.extend(ends(mesh, id)),
+                _ => marks.faces.push(id),
+            }
         }
+        marks
     }
 
     /// The edge and the face of an intersection. Indices out of range are left out.

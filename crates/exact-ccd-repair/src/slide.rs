@@ -1,6 +1,6 @@
 //! Displacements that keep near pairs apart, so that vertices slide along near primitives, not into them.
 
-use exact_ccd::{EdgeEdge, Impact, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{Impact, with_kind};
 use exact_ccd_mesh::vector::dot;
 use exact_ccd_mesh::{Contact, Pair, Point};
 
@@ -112,10 +112,5 @@ impl Near {
 }
 
 fn weights(pair: Pair, impact: &Impact) -> [f64; 4] {
-    match pair {
-        Pair::VertexFace { .. } => impact.weights::<VertexFace>(),
-        Pair::EdgeEdge { .. } => impact.weights::<EdgeEdge>(),
-        Pair::VertexEdge { .. } => impact.weights::<VertexEdge>(),
-        Pair::VertexVertex { .. } => impact.weights::<VertexVertex>(),
-    }
+    with_kind!(pair.kind(), K => impact.weights::<K>())
 }

@@ -99,7 +99,7 @@ impl ShownContact {
     ) -> Option<Self> {
         let vertices = contact.pair.vertices(mesh)?;
         let ids = contact.pair.ids();
-        let (first, second) = vertices.split_at(contact.pair.first_len());
+        let (first, second) = vertices.split_at(contact.pair.kind().sizes()[0]);
         let primitives = [
             Primitive::new(Some(ids[0]), first),
             Primitive::new(Some(ids[1]), second),

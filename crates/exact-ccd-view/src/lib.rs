@@ -4,7 +4,7 @@
 //! it, with the program that draws it (`viewer/` in the repository); it loads nothing else.
 //!
 //! ```
-//! use exact_ccd::CONTACT;
+//! use exact_ccd::{Kind, CONTACT};
 //! use exact_ccd_mesh::{Bvh, Candidates, Step, TriangleMesh};
 //! use exact_ccd_view::Page;
 //!
@@ -39,7 +39,6 @@ pub use body::Body;
 pub use error::PageError;
 pub use history::{Chart, Curve, History};
 pub use page::{MOST_CONTACTS, Page};
-pub use query::PageKind;
 
 /// The examples in the README of this crate, as tests.
 #[cfg(doctest)]

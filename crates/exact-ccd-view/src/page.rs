@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use exact_ccd::{Query, Separation};
+use exact_ccd::{Kind, Query, Separation};
 use exact_ccd_mesh::vector::unit;
 use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
 
@@ -14,7 +14,7 @@ use crate::document::{self, Document, ShownFrame};
 use crate::error::PageError;
 use crate::half_space::ShownHalfSpace;
 use crate::history::History;
-use crate::query::{self, PageKind, ShownQuery};
+use crate::query::{self, ShownQuery};
 use crate::units::Units;
 
 /// The number of contacts that a page lists: the first ones that are added. The others are counted.
@@ -114,7 +114,7 @@ impl Page {
     ///
     /// Primitives at most `separation` apart count as touching.
     #[must_use]
-    pub fn of_query<K: PageKind>(title: impl Into<String>, query: &Query<K>, separation: Separation) -> Self {
+    pub fn of_query<K: Kind>(title: impl Into<String>, query: &Query<K>, separation: Separation) -> Self {
         let positions = &query::points_of(query);
         let bounds = positions.as_flattened().iter().copied().collect();
         let mut page = Self::new(title, query::mesh_of::<K>(), &bounds);

@@ -1,63 +1,41 @@
 //! The page of a single query.
 
-use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, Stage, VertexEdge, VertexFace, VertexVertex};
+use std::ops::Range;
+
+use exact_ccd::{Kind, Point, Query, Separation, Stage};
 use exact_ccd_mesh::TriangleMesh;
 use serde::Serialize;
 
 use crate::contact::Primitive;
 
-/// A kind of query that a page can show.
-pub trait PageKind: Kind {
-    /// The name of the kind on the page.
-    const NAME: &'static str;
-    /// The indices of both primitives among the four points of a page.
-    const PRIMITIVES: [&'static [u32]; 2];
-    /// The index of each of these four points in [`Query::points`]: a vertex in place of an edge occurs
-    /// twice.
-    const POINTS: [usize; 4] = [0, 1, 2, 3];
-}
-
-impl PageKind for VertexFace {
-    const NAME: &'static str = "vertex-face";
-    const PRIMITIVES: [&'static [u32]; 2] = [&[0], &[1, 2, 3]];
-}
-
-impl PageKind for EdgeEdge {
-    const NAME: &'static str = "edge-edge";
-    const PRIMITIVES: [&'static [u32]; 2] = [&[0, 1], &[2, 3]];
-}
-
-impl PageKind for VertexEdge {
-    const NAME: &'static str = "vertex-edge";
-    const PRIMITIVES: [&'static [u32]; 2] = [&[0], &[2, 3]];
-    const POINTS: [usize; 4] = [0, 0, 1, 2];
-}
-
-impl PageKind for VertexVertex {
-    const NAME: &'static str = "vertex-vertex";
-    const PRIMITIVES: [&'static [u32]; 2] = [&[0], &[2]];
-    const POINTS: [usize; 4] = [0, 0, 1, 1];
+/// The vertices of both primitives of a query, among the four points of a page.
+fn primitives<K: Kind>() -> [Vec<u32>; 2] {
+    let place = |point: usize| K::OF_FOUR.iter().position(|&of| of == point);
+    let of_points = |points: Range<usize>| points.filter_map(place).map(|place| place as u32).collect();
+    [0..K::FIRST, K::FIRST..K::KIND.point_names().len()].map(of_points)
 }
 
 /// The mesh of a query: its face and its edges, over its four points.
-pub(crate) fn mesh_of<K: PageKind>() -> TriangleMesh {
-    let faces = K::PRIMITIVES
+pub(crate) fn mesh_of<K: Kind>() -> TriangleMesh {
+    let primitives = primitives::<K>();
+    let faces = primitives
         .iter()
-        .filter_map(|&primitive| primitive.try_into().ok());
-    let edges: Vec<[u32; 2]> = K::PRIMITIVES
+        .filter_map(|primitive| primitive[..].try_into().ok());
+    let edges = primitives
         .iter()
-        .filter_map(|&primitive| primitive.try_into().ok())
-        .collect();
-    TriangleMesh::with_edges(4, faces.collect(), &edges).unwrap_or_default()
+        .filter_map(|primitive| primitive[..].try_into().ok());
+    TriangleMesh::with_edges(4, faces.collect(), &edges.collect::<Vec<[u32; 2]>>()).unwrap_or_default()
 }
 
-/// The four points of a query at both ends of the step.
-pub(crate) fn points_of<K: PageKind>(query: &Query<K>) -> [[Point; 4]; 2] {
-    query.points().map(|points| K::POINTS.map(|i| points.as_ref()[i]))
+/// The four points of a query at both ends of the step: in place of an edge, a vertex occurs twice.
+pub(crate) fn points_of<K: Kind>(query: &Query<K>) -> [[Point; 4]; 2] {
+    query
+        .points()
+        .map(|points| K::OF_FOUR.map(|i| points.as_ref()[i]))
 }
 
-pub(crate) fn primitives_of<K: PageKind>() -> [Primitive; 2] {
-    K::PRIMITIVES.map(|vertices| Primitive::new(None, vertices))
+pub(crate) fn primitives_of<K: Kind>() -> [Primitive; 2] {
+    primitives::<K>().map(|vertices| Primitive::new(None, &vertices))
 }
 
 /// A query with its answers, in the shape of the JSON object.
@@ -79,14 +57,14 @@ pub(crate) struct ShownQuery {
 const INTERVALS: u32 = 120;
 
 impl ShownQuery {
-    pub(crate) fn new<K: PageKind>(query: &Query<K>, separation: Separation) -> Self {
+    pub(crate) fn new<K: Kind>(query: &Query<K>, separation: Separation) -> Self {
         let times = query.intervals(separation);
         let distance = |i: u32| {
             let bounds = query.distance_at(f64::from(i) / f64::from(INTERVALS)).ok()?;
             bounds.upper.is_finite().then_some(bounds.lower)
         };
         Self {
-            kind: K::NAME,
+            kind: K::KIND.name(),
             points: points_of(query),
             primitives: primitives_of::<K>(),
             stage: stage_of(query, separation),
@@ -134,7 +112,7 @@ fn interval(start: f64, end: f64) -> String {
 }
 
 /// The stage that decides, and its reason.
-fn stage_of<K: PageKind>(query: &Query<K>, separation: Separation) -> String {
+fn stage_of<K: Kind>(query: &Query<K>, separation: Separation) -> String {
     let stage = query.decide(separation).1;
     format!("{stage:?}: {}", meaning(stage))
 }

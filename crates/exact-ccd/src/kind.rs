@@ -11,15 +11,21 @@ use crate::vectors::{self, Batch, Instructions};
 
 /// The kind of a [`Query`](crate::Query): [`VertexFace`], [`EdgeEdge`], [`VertexEdge`] or [`VertexVertex`].
 /// Sealed.
-pub trait Kind: Tables + Copy {
+pub trait Kind: Tables + Copy + Send + Sync + 'static {
     /// The points of a query at one time, in the order that the kind states.
     type Points: AsRef<[Point]> + AsMut<[Point]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The indices of those points among the vertices of a mesh, in the same order.
     type Vertices: AsRef<[u32]> + AsMut<[u32]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The number of points of the first primitive, which come first.
     const FIRST: usize = Self::SECOND;
+    /// The index of each of x₀ … x₃ among the points of a query. In a query of fewer points, some occur
+    /// twice: an edge of length zero stands for a vertex.
+    const OF_FOUR: [usize; 4] = Self::LAYOUT;
     /// This kind as a value.
     const KIND: AnyKind;
+
+    /// Queries whose vertices stand one after the other. The rest of an incomplete query is left out.
+    fn queries(vertices: &[u32]) -> &[Self::Vertices];
 
     /// x₀ … x₃ at both ends of the step: the points themselves if they are four.
     #[doc(hidden)]
@@ -65,26 +71,16 @@ impl Deref for Repeated {
     }
 }
 
-/// A computation for a kind that is known at run time: see [`AnyKind::with`].
-pub trait WithKind {
-    /// The result.
-    type Output;
-
-    /// Computes it for a kind.
-    fn with<K: Kind>(self) -> Self::Output;
-}
-
 /// The list of the kinds: documentation, the type, its name, its short name, the names of its points, x₀ … x₃
-/// of its points, and the reverse.
+/// of its points, and the reverse. The dollar sign begins the names in [`with_kind!`](crate::with_kind).
 macro_rules! kinds {
-    ($(
+    ($d:tt $(
         $(#[$doc:meta])*
         $kind:ident, $name:literal, $short:literal, [$($point:literal),+],
         |$points:ident| $four:expr, |$of_four:ident| $points_of_four:expr;
     )+) => {
         /// A kind of query as a value: one that is known at run time, as from a file or an option.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        #[non_exhaustive]
         pub enum AnyKind {
             $($(#[$doc])* $kind,)+
         }
@@ -117,34 +113,49 @@ macro_rules! kinds {
                 }
             }
 
-            /// Calls a generic function for this kind.
-            ///
-            /// ```
-            /// use exact_ccd::{AnyKind, Kind, WithKind};
-            ///
-            /// struct Count;
-            ///
-            /// impl WithKind for Count {
-            ///     type Output = usize;
-            ///
-            ///     fn with<K: Kind>(self) -> usize {
-            ///         K::Points::default().as_ref().len()
-            ///     }
-            /// }
-            ///
-            /// assert_eq!(AnyKind::VertexEdge.with(Count), 3);
-            /// ```
-            pub fn with<W: WithKind>(self, computation: W) -> W::Output {
+            /// The numbers of points of both primitives: 1 for a vertex, 2 for an edge, 3 for a face.
+            #[must_use]
+            pub const fn sizes(self) -> [usize; 2] {
                 match self {
-                    $(Self::$kind => computation.with::<$kind>(),)+
+                    $(Self::$kind => [$kind::SECOND, $kind::COUNT - $kind::SECOND],)+
                 }
             }
+        }
+
+        /// Evaluates an expression for an [`AnyKind`](crate::AnyKind): in it, a name stands for the type of
+        /// the kind.
+        ///
+        /// ```
+        /// use exact_ccd::{AnyKind, Kind, with_kind};
+        ///
+        /// fn count<K: Kind>() -> usize {
+        ///     K::Points::default().as_ref().len()
+        /// }
+        ///
+        /// let counts = AnyKind::ALL.iter().map(|&kind| with_kind!(kind, K => count::<K>()));
+        /// assert_eq!(counts.collect::<Vec<_>>(), [4, 4, 3, 2]);
+        /// ```
+        #[macro_export]
+        macro_rules! with_kind {
+            ($d any:expr, $d K:ident => $d value:expr) => {
+                match $d any {
+                    $($d crate::AnyKind::$kind => {
+                        type $d K = $d crate::$kind;
+                        $d value
+                    })+
+                }
+            };
         }
 
         $(impl Kind for $kind {
             type Points = [Point; <Self as Tables>::COUNT];
             type Vertices = [u32; <Self as Tables>::COUNT];
             const KIND: AnyKind = AnyKind::$kind;
+
+            #[inline]
+            fn queries(vertices: &[u32]) -> &[Self::Vertices] {
+                vertices.as_chunks().0
+            }
 
             #[inline(always)]
             fn four($points: &[Self::Points; 2]) -> impl Deref<Target = Points<f64>> {
@@ -200,6 +211,7 @@ macro_rules! kinds {
 }
 
 kinds! {
+    $
     /// [`VertexFace`](crate::VertexFace).
     VertexFace, "vertex-face", "vf", ["p", "v1", "v2", "v3"], |points| points, |four| *four;
     /// [`EdgeEdge`](crate::EdgeEdge).

@@ -42,7 +42,7 @@
 //! | [`motion`] | queries of points on curves and of rigid bodies, decided in integers |
 //! | [`batch`] | many queries at a time, by vector instructions |
 //! | [`predicates`] | orientation and intersection of points at rest |
-//! | [`AnyKind`] | the list of the kinds, for one that is known at run time |
+//! | [`AnyKind`], [`with_kind!`] | the list of the kinds, for one that is known at run time |
 //! | [`Ccd`] | the trait of collision detection methods, and the exact one |
 //! | [`Exactly`] | the definition in integers, without filters |
 //!
@@ -99,7 +99,7 @@ pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
 pub use collision::Collision;
 pub use exactly::Exactly;
 pub use gradient::{Gradient, NotDifferentiable};
-pub use kind::{AnyKind, Kind, WithKind};
+pub use kind::{AnyKind, Kind};
 pub use query::{NonFinite, Query};
 pub use tables::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 pub use values::{

@@ -81,7 +81,9 @@ fn named(text: &str, module: &[String], is_folder: bool) -> Vec<Vec<String>> {
             if start == "super::" && !own {
                 continue;
             }
-            for (at, _) in code.match_indices(start) {
+            // In a macro for other crates, `$crate` is the name of this one.
+            let is_import = |&(at, _): &(usize, &str)| !code[..at].ends_with("$d ");
+            for (at, _) in code.match_indices(start).filter(is_import) {
                 let rest = &code[at + start.len()..];
                 let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':'));
                 let parts = rest[..end.unwrap_or(rest.len())].split("::");

@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use exact_ccd::{
-    CONTACT, EdgeEdge, Impact, Options, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex,
+    CONTACT, Impact, Options, Point, Query, Separation, with_kind,
 };
 use exact_ccd_mesh::{
     Bvh, CanCollide, Detector, IntersectionOptions, Meeting, Pair, PairKind, TriangleMesh, contact_points,
@@ -115,7 +115,7 @@ impl Surfaces {
     /// The place of an impact of a pair between these positions at the start and at the end.
     pub(crate) fn place(&self, pair: Pair, ends: [&[Point]; 2], impact: &Impact) -> Result<Place, Failure> {
         let vertices = pair.vertices(&self.mesh).ok_or("a pair of another mesh")?;
-        let (a, b) = vertices.split_at(pair.first_len());
+        let (a, b) = vertices.split_at(pair.kind().sizes()[0]);
         let points = contact_points([a, b], ends, impact).ok_or("a vertex without position")?;
         // The normal of the impact leads from its second primitive to its first.
         let is_in_order = (a[0] as usize) < self.first_len;
@@ -137,12 +137,7 @@ impl Surfaces {
 
     /// The closest points of a pair at rest.
     pub(crate) fn closest(&self, pair: Pair, positions: &[Point]) -> Result<Place, Failure> {
-        let impact = match pair {
-            Pair::VertexFace { .. } => self.impact::<VertexFace>(pair, positions),
-            Pair::EdgeEdge { .. } => self.impact::<EdgeEdge>(pair, positions),
-            Pair::VertexEdge { .. } => self.impact::<VertexEdge>(pair, positions),
-            Pair::VertexVertex { .. } => self.impact::<VertexVertex>(pair, positions),
-        };
+        let impact = with_kind!(pair.kind(), K => self.impact::<K>(pair, positions));
         self.place(pair, [positions; 2], &impact?)
     }
 

@@ -1,16 +1,12 @@
 /** The coplanarity cubic of a query in floating point, for its plot. The answers of the page do not depend on it. */
 
+import { KINDS } from "../kinds";
 import { type Point, type Query } from "../page";
 import { cross, dot, subtract, times } from "../vector";
 
-/** The differences w, e1, e2 of four points, whose determinant is the cubic. */
-function spanOf(kind: Query["kind"]): [number, number][] {
-  return kind === "vertex-face" ? [[0, 1], [2, 1], [3, 1]] : [[2, 0], [1, 0], [3, 2]];
-}
-
 /** The Bernstein coefficients on [0, 1], divided by the cube of the largest difference of coordinates. */
 export function cubicOf({ kind, points }: Query): number[] {
-  const differences = points.map((at) => spanOf(kind).map(([i, j]) => halfDifference(at[i], at[j])));
+  const differences = points.map((at) => KINDS[kind].span.map(([i, j]) => halfDifference(at[i], at[j])));
   const size = Math.max(...differences.flat(2).map(Math.abs));
   const unit = size > 0 ? size : 1;
   const scaled = differences.map((all) => all.map((difference) => divide(difference, unit)));

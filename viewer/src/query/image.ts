@@ -1,18 +1,8 @@
 /** The image of the domain under F: the differences of all points of two primitives at all times. */
 
+import { KINDS } from "../kinds";
 import { type Point, type Query } from "../page";
 import { mix, subtract } from "../vector";
-
-/**
- * The corners of the domain in (u, v), each as the two points whose difference is F there, in the order around
- * the image at one time. F is affine in u and v, so that image is a triangle, a parallelogram, an edge or a point.
- */
-const CORNERS: Record<Query["kind"], [number, number][]> = {
-  "vertex-face": [[0, 1], [0, 2], [0, 3]],
-  "edge-edge": [[0, 2], [1, 2], [1, 3], [0, 3]],
-  "vertex-edge": [[0, 2], [0, 3]],
-  "vertex-vertex": [[0, 2]],
-};
 
 /** The image, in units of its largest coordinate, so that no number overflows. */
 export class DomainImage {
@@ -21,7 +11,7 @@ export class DomainImage {
   constructor({ kind, points }: Query) {
     const size = Math.max(...points.flat(2).map(Math.abs), Number.MIN_VALUE);
     const scaled = points.map((at) => at.map(([x, y, z]): Point => [x / size, y / size, z / size]));
-    const corners = scaled.map((at) => CORNERS[kind].map(([i, j]) => subtract(at[i], at[j])));
+    const corners = scaled.map((at) => KINDS[kind].corners.map(([i, j]) => subtract(at[i], at[j])));
     const largest = Math.max(...corners.flat(2).map(Math.abs));
     const unit = largest > 0 ? largest : 1;
     const [start, end] = corners.map((at) => at.map(([x, y, z]): Point => [x / unit, y / unit, z / unit]));

@@ -1,10 +1,10 @@
 /** The fields of a query: its kind, its coordinates and the distances. */
 
 import { byId } from "../elements";
-import { type Entry, pointCount, POINTS, replaced } from "./entry";
+import { type Kind, KINDS } from "../kinds";
+import { type Entry, pointCount, replaced } from "./entry";
 import { hexadecimal, neighbour, parseNumber } from "./numbers";
 import { PRESETS } from "./presets";
-import { type Kind } from "./protocol";
 
 /** A field for a number. It accepts decimals and hexadecimal floats. */
 export class NumberField {
@@ -79,6 +79,7 @@ export class Editor {
       const preset = PRESETS[Number(this.presets.value)];
       if (preset !== undefined) this.open(preset.entry);
     });
+    this.kind.append(...Object.entries(KINDS).map(([kind, { title }]) => new Option(title, kind)));
     this.kind.addEventListener("change", () => {
       const first = PRESETS.find(({ entry }) => entry.kind === this.kind.value);
       if (first !== undefined) this.open(first.entry);
@@ -119,7 +120,7 @@ export class Editor {
   /** Makes the rows of the points, and returns the fields in the order of the coordinates. */
   private rows(kind: Kind): NumberField[] {
     const fields: NumberField[] = [];
-    const { first, second } = POINTS[kind];
+    const { first, second } = KINDS[kind];
     const rows = [...first, ...second].flatMap((name, point) =>
       [0, 1].map((time) => {
         const row = document.createElement("tr");

@@ -1,6 +1,6 @@
 /** A query that is edited. */
 
-import { type Kind } from "./protocol";
+import { type Kind, pointNames } from "../kinds";
 
 export interface Entry {
   kind: Kind;
@@ -12,17 +12,9 @@ export interface Entry {
   tolerance: number;
 }
 
-/** The names of the points of a kind, by primitive. */
-export const POINTS: Record<Kind, { first: string[]; second: string[] }> = {
-  "vertex-face": { first: ["p"], second: ["v₁", "v₂", "v₃"] },
-  "edge-edge": { first: ["a₀", "a₁"], second: ["b₀", "b₁"] },
-  "vertex-edge": { first: ["p"], second: ["a", "b"] },
-  "vertex-vertex": { first: ["p"], second: ["q"] },
-};
-
 /** The number of points of a kind at one time. */
 export function pointCount(kind: Kind): number {
-  return POINTS[kind].first.length + POINTS[kind].second.length;
+  return pointNames(kind).length;
 }
 
 /** A copy of coordinates in which some are replaced. */

@@ -3,10 +3,11 @@
 import { BufferAttribute, BufferGeometry, Color, Points, PointsMaterial, Raycaster, Vector2, Vector3 } from "three";
 import { MARKS, type Theme } from "../colours";
 import { type Frames } from "../frames";
+import { KINDS } from "../kinds";
 import { type Point } from "../page";
 import { disc, ring } from "../scene/disc";
 import { type View } from "../scene/view";
-import { type Entry, pointCount, POINTS, replaced } from "./entry";
+import { type Entry, pointCount, replaced } from "./entry";
 
 /** The distance from a handle at which it is taken, in pixels. */
 const NEAR = 16;
@@ -54,7 +55,7 @@ export class Handles {
   /** Shows the handles of a query; none for null. */
   show(entry: Entry | null, frames: Frames, theme: Theme): void {
     [this.entry, this.frames] = [entry, frames];
-    const { first = [], second = [] } = entry === null ? {} : POINTS[entry.kind];
+    const { first = [], second = [] } = entry === null ? {} : KINDS[entry.kind];
     const { first: one, second: other } = MARKS[theme];
     const colours = [...first.map(() => one), ...second.map(() => other)].flatMap((name) => new Color(name).toArray());
     this.points.forEach((points, time) => {

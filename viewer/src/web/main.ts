@@ -10,7 +10,7 @@ import { bytesOf, Files } from "./files";
 import { Handles } from "./handles";
 import { Kernel, Latest } from "./kernel";
 import { PRESETS } from "./presets";
-import { type Kind } from "./protocol";
+import { type Kind } from "../kinds";
 import { VerdictPanel } from "./verdict";
 
 type Mode = "query" | "meshes";

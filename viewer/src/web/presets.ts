@@ -1,7 +1,7 @@
 /** Queries to begin with. In some of them the root finder is wrong. */
 
 import { type Entry } from "./entry";
-import { type Kind } from "./protocol";
+import { type Kind } from "../kinds";
 
 export interface Preset {
   name: string;

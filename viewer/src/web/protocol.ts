@@ -1,8 +1,6 @@
 /** The messages between the page and the worker in which the kernel runs. */
 
-import { type Query } from "../page";
-
-export type Kind = Query["kind"];
+import { type Kind } from "../kinds";
 
 /** The answer of a floating-point root finder. */
 export interface Verdict {

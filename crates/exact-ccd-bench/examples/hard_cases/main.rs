@@ -23,10 +23,9 @@ use std::error::Error;
 use std::fs::File;
 use std::io::BufWriter;
 
-use exact_ccd::{ContactTime, EdgeEdge, Intervals, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
-use definition::Primitives;
 use hard_cases::hard::Hard;
 use hard_cases::{Case, cases};
 use table::Row;
@@ -38,10 +37,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = arguments.next().ok_or("expected the name of the file to write")?;
     let count = arguments.next().map_or(Ok(COUNT), |count| count.parse())?;
     let rows = [
-        rows::<VertexFace>(Primitives::VertexFace, count)?,
-        rows::<EdgeEdge>(Primitives::EdgeEdge, count)?,
-        rows::<VertexEdge>(Primitives::VertexEdge, count)?,
-        rows::<VertexVertex>(Primitives::VertexVertex, count)?,
+        rows::<VertexFace>(count)?,
+        rows::<EdgeEdge>(count)?,
+        rows::<VertexEdge>(count)?,
+        rows::<VertexVertex>(count)?,
     ]
     .concat();
     table::write(BufWriter::new(File::create(&path)?), &rows)?;
@@ -54,12 +53,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// The rows of a kind, each compared with the definition.
-fn rows<K: Hard>(primitives: Primitives, count: usize) -> Result<Vec<Row>, String> {
+fn rows<K: Hard>(count: usize) -> Result<Vec<Row>, String> {
     let cases: Vec<Case<K>> = cases(count).collect();
-    (cases.par_iter()).map(|case| row(case, primitives)).collect()
+    cases.par_iter().map(row).collect()
 }
 
-fn row<K: Hard>(case: &Case<K>, primitives: Primitives) -> Result<Row, String> {
+fn row<K: Hard>(case: &Case<K>) -> Result<Row, String> {
     let Case {
         class,
         query,
@@ -67,8 +66,8 @@ fn row<K: Hard>(case: &Case<K>, primitives: Primitives) -> Result<Row, String> {
     } = case;
     let [start, end]: [Vec<Point>; 2] = query.points().map(|now| now.as_ref().to_vec());
     let times = query.exactly().intervals(*distance);
-    let defined = definition::intervals(primitives, [&start, &end], distance.get());
-    if as_defined(&times) != defined {
+    let defined = definition::intervals(K::KIND, [&start, &end], distance.get());
+    if definition::found(&times) != defined {
         return Err(format!(
             "{class}: {times:?}, but by definition {defined:?}: {query:?}, {distance:?}"
         ));
@@ -82,12 +81,4 @@ fn row<K: Hard>(case: &Case<K>, primitives: Primitives) -> Result<Row, String> {
         intervals: times.len(),
         count: times.count(),
     })
-}
-
-fn as_defined(times: &Intervals) -> Vec<([definition::Moment; 2], bool)> {
-    let moment = |time: ContactTime| (time.lower(), time.is_exact());
-    times
-        .iter()
-        .map(|times| ([moment(times.start), moment(times.end)], times.is_moment))
-        .collect()
 }

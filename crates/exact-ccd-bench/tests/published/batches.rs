@@ -28,14 +28,14 @@ fn assert_batches_find<K: DataKind>(
         trajectories
             .collisions::<K>(vertices, CONTACT, |index, _| found.push(index))
             .unwrap();
-        assert_eq!(found, expected, "{name} {} {instructions:?}", K::SHORT);
+        assert_eq!(found, expected, "{name} {} {instructions:?}", K::KIND.short());
     }
 }
 
 fn check_scene<K: DataKind>(step: &Step<'_>, candidates: &Candidates, name: &str) {
     let [x0, x1] = step.positions();
     let trajectories = Trajectories::new(x0, x1).unwrap();
-    let pairs = K::candidates(candidates);
+    let pairs = candidates.of_kind(K::KIND);
     let vertices: Vec<_> = pairs
         .iter()
         .filter_map(|&pair| K::vertices(step.mesh(), pair))

@@ -1,6 +1,6 @@
 //! The broad phase on the scenes.
 
-use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd::{AnyKind, EdgeEdge, VertexFace};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion};
 
 use crate::scenes;
@@ -17,7 +17,11 @@ fn there_are_as_many_candidates_as_overlapping_boxes() {
     let counts = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();
         let counts = swept(&motion).counts();
-        (scene.name(), counts.vertex_face, counts.edge_edge)
+        (
+            scene.name(),
+            counts[AnyKind::VertexFace],
+            counts[AnyKind::EdgeEdge],
+        )
     });
     let expected = [
         ("cloth-ball", 1_655_541, 5_197_332),
@@ -41,13 +45,13 @@ fn the_published_pairs_are_candidates() {
         let faces = scene.pairs::<VertexFace>(&motion.mesh).unwrap();
         let edges = scene.pairs::<EdgeEdge>(&motion.mesh).unwrap();
         assert_eq!(
-            others(faces, candidates.vertex_face()),
+            others(faces, candidates.of_kind(AnyKind::VertexFace)),
             [[0; 2]; 0],
             "{}",
             scene.name()
         );
         assert_eq!(
-            others(edges, candidates.edge_edge()),
+            others(edges, candidates.of_kind(AnyKind::EdgeEdge)),
             [[0; 2]; 0],
             "{}",
             scene.name()

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Intervals, Query, VertexFace};
-use exact_ccd_data::{DataKind, QueryReader, Roots, Rounding, Sample, Scene, read_roots};
+use exact_ccd_data::{DataKind, QueryReader, RecordedStep, Roots, Rounding, Sample, read_roots};
 use exact_ccd_mesh::Step;
 
 use crate::{data, scenes};
@@ -57,7 +57,7 @@ fn handcrafted_edge_edge_queries_agree() {
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn all_pairs_of_the_scenes_agree() {
-    fn check<K: DataKind>(scene: &Scene, step: &Step<'_>) -> usize {
+    fn check<K: DataKind>(scene: &RecordedStep, step: &Step<'_>) -> usize {
         let samples = scene.samples::<K>(step).unwrap();
         let place = format!("{}, {}", scene.name(), K::FOLDER);
         assert_eq!(
@@ -78,7 +78,7 @@ fn all_pairs_of_the_scenes_agree() {
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn published_coordinates_equal_the_rebuilt_ones() {
-    fn compare<K: DataKind>(scene: &Scene, step: &Step<'_>) -> usize {
+    fn compare<K: DataKind>(scene: &RecordedStep, step: &Step<'_>) -> usize {
         let Some(file) = scene.queries::<K>().unwrap() else {
             return 0;
         };
@@ -99,7 +99,7 @@ fn published_coordinates_equal_the_rebuilt_ones() {
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn contact_times_equal_the_symbolic_roots_bit_for_bit() {
-    fn compare<K: DataKind>(scene: &Scene, step: &Step<'_>) -> usize {
+    fn compare<K: DataKind>(scene: &RecordedStep, step: &Step<'_>) -> usize {
         let Some(file) = scene.roots::<K>().unwrap() else {
             return 0;
         };

@@ -20,12 +20,12 @@ mod expected;
 
 use std::path::Path;
 
-use exact_ccd_data::{DataFolder, Scene};
+use exact_ccd_data::{DataFolder, RecordedStep};
 
 fn data() -> DataFolder {
     DataFolder::find(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))).unwrap()
 }
 
-fn scenes() -> Vec<Scene> {
+fn scenes() -> Vec<RecordedStep> {
     data().scenes().unwrap()
 }

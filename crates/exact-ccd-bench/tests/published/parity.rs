@@ -1,7 +1,7 @@
 //! Root parity on the published queries: the parity by the definition of contact, and the false negatives.
 
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
-use exact_ccd_data::{DataKind, QueryReader, Rounding, Sample, Scene};
+use exact_ccd_data::{DataKind, QueryReader, RecordedStep, Rounding, Sample};
 use exact_ccd_mesh::Step;
 use exact_ccd_methods::parity::{self, Parity, Rounded};
 use rayon::prelude::*;
@@ -41,7 +41,7 @@ fn of_handcrafted_queries_is_as_defined() {
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn of_all_pairs_of_the_scenes_is_as_defined() {
-    fn check<K: DataKind + Rim>(scene: &Scene, step: &Step<'_>) -> usize {
+    fn check<K: DataKind + Rim>(scene: &RecordedStep, step: &Step<'_>) -> usize {
         let samples = scene.samples::<K>(step).unwrap();
         assert_eq!(exceptions(&samples), [0; 0], "{}, {}", scene.name(), K::FOLDER);
         samples.len()
@@ -59,7 +59,7 @@ fn of_all_pairs_of_the_scenes_is_as_defined() {
 type Misses = [usize; 3];
 
 /// The rounding of the shift changes no parity here.
-fn misses<K: DataKind>(scene: &Scene, step: &Step<'_>) -> Misses {
+fn misses<K: DataKind>(scene: &RecordedStep, step: &Step<'_>) -> Misses {
     let mut misses = [0; 3];
     for Sample { query, truth } in scene.samples::<K>(step).unwrap() {
         let parity = rounded(&query).parity();

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use exact_ccd::{EdgeEdge, Intervals, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{QueryKind, QueryReader, Rounding, Sample, TimesWithin};
+use exact_ccd::{EdgeEdge, Intervals, Kind, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{QueryReader, Rounding, Sample, TimesWithin};
 
 use crate::data;
 
@@ -18,7 +18,7 @@ fn assert_same(intervals: &Intervals, truth: &TimesWithin, place: &str) {
     assert_eq!(intervals[0].start.is_exact(), truth.toi_is_exact, "{place}");
 }
 
-fn check<K: QueryKind>(expected: usize) {
+fn check<K: Kind>(expected: usize) {
     let mut count = 0;
     for file in data().separation::<K>().unwrap() {
         let d = file.d;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::{CONTACT, EdgeEdge, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, EdgeEdge, VertexFace};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{
     Bvh, Candidates, Detector, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step,
@@ -61,12 +61,13 @@ fn a_step_reports_what_a_loop_over_all_candidates_finds() {
 
         let step = motion.step().unwrap();
         let candidates = Candidates::new(step, &Bvh);
-        let faces = contacts::<VertexFace>(0, &step, candidates.vertex_face());
-        let edges = contacts::<EdgeEdge>(1, &step, candidates.edge_edge());
-        let counts = |of_interest: fn(&&Contact) -> bool| PairCounts {
-            vertex_face: faces.iter().filter(of_interest).count(),
-            edge_edge: edges.iter().filter(of_interest).count(),
-            ..PairCounts::default()
+        let faces = contacts::<VertexFace>(0, &step, candidates.of_kind(AnyKind::VertexFace));
+        let edges = contacts::<EdgeEdge>(1, &step, candidates.of_kind(AnyKind::EdgeEdge));
+        let counts = |of_interest: fn(&&Contact) -> bool| {
+            let mut counts = PairCounts::default();
+            counts[AnyKind::VertexFace] = faces.iter().filter(of_interest).count();
+            counts[AnyKind::EdgeEdge] = edges.iter().filter(of_interest).count();
+            counts
         };
 
         assert_eq!(report.candidates, candidates.counts(), "{name}");
@@ -158,8 +159,8 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
         let motion = scene.motion().unwrap();
         let step = motion.step().unwrap();
         let candidates = Candidates::new(step, &Bvh);
-        check::<VertexFace>(&step, candidates.vertex_face());
-        check::<EdgeEdge>(&step, candidates.edge_edge());
+        check::<VertexFace>(&step, candidates.of_kind(AnyKind::VertexFace));
+        check::<EdgeEdge>(&step, candidates.of_kind(AnyKind::EdgeEdge));
     }
 }
 
@@ -172,8 +173,8 @@ fn contacts_and_times_have_the_recorded_bits() {
         let motion = scene.motion().unwrap();
         let step = motion.step().unwrap();
         let candidates = Candidates::new(step, &Bvh);
-        let faces = contacts::<VertexFace>(0, &step, candidates.vertex_face());
-        let edges = contacts::<EdgeEdge>(1, &step, candidates.edge_edge());
+        let faces = contacts::<VertexFace>(0, &step, candidates.of_kind(AnyKind::VertexFace));
+        let edges = contacts::<EdgeEdge>(1, &step, candidates.of_kind(AnyKind::EdgeEdge));
         let words = faces.iter().chain(&edges).flat_map(|contact| {
             let [a, b] = contact.ids.map(u64::from);
             [contact.toi, u64::from(contact.is_above), a, b]

@@ -25,7 +25,7 @@ impl ContactList {
             places.points.push(record.point.unwrap_or_default());
             places.times.push(record.time.lower);
             places.normals.push(record.normal.unwrap_or_default());
-            places.kinds.push(record.kind as i64);
+            places.kinds.push(record.kind.number());
             for (ids, id) in places.ids.iter_mut().zip(record.ids) {
                 ids.push(id.map_or(-1, i64::from));
             }

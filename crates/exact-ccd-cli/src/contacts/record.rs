@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use exact_ccd::{CONTACT, Point, Query, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, Point, Query, VertexFace};
 use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Contact, Intersection, Pair, TriangleMesh, contact_points};
-use serde::Serialize;
+use exact_ccd_mesh::{Contact, Intersection, TriangleMesh, contact_points};
+use serde::{Serialize, Serializer};
 
 use crate::shortest::shortest;
 
@@ -46,18 +46,13 @@ pub(crate) struct Owners {
     pub(crate) part_vertices: [Vec<u32>; 2],
 }
 
-/// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex and a
-/// half space.
-#[derive(Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+/// The kinds of pairs; an edge and a face, which intersect at rest; a vertex and a half space.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum RecordKind {
+    Pair(AnyKind),
     #[default]
-    Vf,
-    Ee,
-    Ve,
-    Vv,
-    Ef,
-    Vh,
+    EdgeFace,
+    HalfSpace,
 }
 
 /// Bounds of a time, adjacent f64, or of a distance; the same number twice if it is an f64.
@@ -70,25 +65,35 @@ pub(crate) struct Bounds {
 impl RecordKind {
     pub(super) fn name(self) -> &'static str {
         match self {
-            Self::Vf => "vf",
-            Self::Ee => "ee",
-            Self::Ve => "ve",
-            Self::Vv => "vv",
-            Self::Ef => "ef",
-            Self::Vh => "vh",
+            Self::Pair(kind) => kind.short(),
+            Self::EdgeFace => "ef",
+            Self::HalfSpace => "vh",
+        }
+    }
+
+    /// The number in files of points.
+    pub(super) fn number(self) -> i64 {
+        let pairs = AnyKind::ALL.len() as i64;
+        match self {
+            Self::Pair(kind) => kind as i64,
+            Self::EdgeFace => pairs,
+            Self::HalfSpace => pairs + 1,
         }
     }
 
     /// The names of the two primitives.
     fn names(self) -> [&'static str; 2] {
         match self {
-            Self::Vf => ["vertex", "face"],
-            Self::Ee => ["edge", "edge"],
-            Self::Ve => ["vertex", "edge"],
-            Self::Vv => ["vertex", "vertex"],
-            Self::Ef => ["edge", "face"],
-            Self::Vh => ["vertex", "half space"],
+            Self::Pair(kind) => kind.sizes().map(|size| ["vertex", "edge", "face"][size - 1]),
+            Self::EdgeFace => ["edge", "face"],
+            Self::HalfSpace => ["vertex", "half space"],
         }
+    }
+}
+
+impl Serialize for RecordKind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
     }
 }
 
@@ -101,17 +106,12 @@ impl ContactRecord {
         contact: &Contact,
     ) -> Self {
         let vertices = contact.pair.vertices(mesh).expect("the pair is one of the mesh");
-        let (first, second) = vertices.split_at(contact.pair.first_len());
+        let (first, second) = vertices.split_at(contact.pair.kind().sizes()[0]);
         let impact = &contact.impact;
         let points = contact_points([first, second], positions, impact);
         Self {
             frame,
-            kind: match contact.pair {
-                Pair::VertexFace { .. } => RecordKind::Vf,
-                Pair::EdgeEdge { .. } => RecordKind::Ee,
-                Pair::VertexEdge { .. } => RecordKind::Ve,
-                Pair::VertexVertex { .. } => RecordKind::Vv,
-            },
+            kind: RecordKind::Pair(contact.pair.kind()),
             ids: contact.pair.ids().map(Some),
             time: Bounds {
                 lower: impact.time.lower(),
@@ -146,7 +146,7 @@ impl ContactRecord {
         let corners = mesh.faces()[face as usize].map(|vertex| positions[vertex as usize]);
         Self {
             frame,
-            kind: RecordKind::Ef,
+            kind: RecordKind::EdgeFace,
             ids: [Some(edge), Some(face)],
             mesh_vertices: vertices.clone(),
             vertices,
@@ -157,7 +157,7 @@ impl ContactRecord {
 
     /// The vertex in the mesh and the number of the half space, if it is one of these two.
     pub(crate) fn in_half_space(&self) -> Option<(u32, u32)> {
-        let is_such = self.kind == RecordKind::Vh;
+        let is_such = self.kind == RecordKind::HalfSpace;
         let vertex = self.mesh_vertices[0].first();
         vertex.copied().zip(self.ids[1]).filter(|_| is_such)
     }
@@ -199,7 +199,7 @@ impl ContactRecord {
     }
 
     pub(crate) fn is_intersection(&self) -> bool {
-        self.kind == RecordKind::Ef
+        self.kind == RecordKind::EdgeFace
     }
 
     /// The place of the contact, its normal and its parameters, as a further line of text.

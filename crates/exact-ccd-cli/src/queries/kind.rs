@@ -1,22 +1,11 @@
-//! The kinds of query on the command line.
+//! The kinds of query on the command line, by their short names.
 
-use std::fmt;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use exact_ccd::AnyKind;
 
-use clap::ValueEnum;
-
-/// `vf`, `ee`, `ve` or `vv`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Kind {
-    // Without documentation: clap would show it as help.
-    Vf,
-    Ee,
-    Ve,
-    Vv,
-}
-
-impl fmt::Display for Kind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.to_possible_value()
-            .map_or(Ok(()), |value| f.write_str(value.get_name()))
-    }
+/// The parser of the short names of some kinds, such as `vf`.
+pub(crate) fn parser(kinds: &'static [AnyKind]) -> impl TypedValueParser<Value = AnyKind> {
+    let of_name = |name: String| kinds.iter().copied().find(|kind| kind.short() == name);
+    PossibleValuesParser::new(kinds.iter().map(|kind| kind.short()))
+        .map(move |name| of_name(name).expect("a possible value is the name of a kind"))
 }

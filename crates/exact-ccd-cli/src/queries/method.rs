@@ -4,13 +4,12 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use exact_ccd::{Ccd, Decide, Kind, Point, Query, Separation, TimeGuarantee};
-use exact_ccd_data::{Record, Sample};
+use exact_ccd::{AnyKind, Ccd, ContactTime, Decide, Kind, Point, Query, Separation, TimeGuarantee};
+use exact_ccd_data::Record;
 use exact_ccd_methods::parity::{self, Parity, Rounded, RoundingError};
 use exact_ccd_methods::{UnknownMethod, by_name};
 use serde::Serialize;
 
-use super::kind::Kind as AnyKind;
 use crate::failure::Failure;
 use crate::shortest::shortest;
 
@@ -72,13 +71,14 @@ impl Method {
         let method = self.name();
         match (self, kind) {
             (Self::Exact, _) => Ok(()),
-            (_, AnyKind::Ve | AnyKind::Vv) => Err(Failure::new(format_args!(
-                "--kind {kind} needs --method exact: the method {method} has the kinds vf and ee"
-            ))),
-            _ if !d.is_zero() => Err(Failure::new(format_args!(
+            (_, AnyKind::VertexFace | AnyKind::EdgeEdge) if d.is_zero() => Ok(()),
+            (_, AnyKind::VertexFace | AnyKind::EdgeEdge) => Err(Failure::new(format_args!(
                 "--min-distance above 0 needs --method exact: the method {method} decides contact"
             ))),
-            _ => Ok(()),
+            _ => Err(Failure::new(format_args!(
+                "--kind {} needs --method exact: the method {method} has the kinds vf and ee",
+                kind.short()
+            ))),
         }
     }
 
@@ -128,14 +128,34 @@ pub(super) enum Count {
 impl Answer {
     /// The answer of the exact method: contact, or the times within a distance above 0.
     pub(crate) fn exact<K: Kind>(query: &Query<K>, d: Separation) -> Self {
-        let (query, truth) = (*query, None);
-        let Record { count, toi, .. } = Record::from(Sample { query, truth }).answered(d);
+        let (count, toi) = count_and_time(query, d);
         Self {
             collides: toi.is_some(),
-            count: count.map(Count::Number),
+            count: Some(Count::Number(count)),
             toi,
         }
     }
+}
+
+/// The number of contact times, -1 for infinitely many, and the first one. If the distance is above 0, the
+/// number of maximal intervals of times within it, and the first such time.
+pub(crate) fn count_and_time<K: Kind>(query: &Query<K>, d: Separation) -> (i64, Option<f64>) {
+    let intervals = query.intervals(d);
+    let count = if d.is_zero() {
+        intervals.count()
+    } else {
+        Some(intervals.len())
+    };
+    // At most some dozens.
+    let count = count.map_or(-1, |count| count as i64);
+    (count, intervals.first_time().map(ContactTime::lower))
+}
+
+/// A record with the answers of the exact method in place of its own.
+pub(crate) fn answered<K: Kind>(record: Record<K>, d: Separation) -> Record<K> {
+    let (count, toi) = count_and_time(&record.sample.query, d);
+    let count = Some(count);
+    Record { count, toi, ..record }
 }
 
 impl From<Parity> for Answer {

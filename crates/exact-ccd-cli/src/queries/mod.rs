@@ -2,7 +2,7 @@
 
 mod answer_rows;
 pub(crate) mod kind;
-mod method;
+pub(crate) mod method;
 pub(crate) mod query_files;
 pub(crate) mod recognise;
 mod tally;
@@ -11,10 +11,9 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd::{EdgeEdge, Query, Separation, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{QueryKind, Rounding, Sample};
+use exact_ccd::{AnyKind, EdgeEdge, Kind, Query, Separation, VertexFace, with_kind};
+use exact_ccd_data::{Rounding, Sample};
 use exact_ccd_methods::parity::RoundingError;
-use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
@@ -26,7 +25,6 @@ use crate::output::Output;
 use crate::progress::{self, during};
 use crate::view::{ChosenQuery, QueryView};
 use answer_rows::AnswerRows;
-use kind::Kind;
 use method::{Answer, Method};
 use query_files::{BATCH, Samples};
 use recognise::{kind_of, no_queries};
@@ -47,7 +45,7 @@ use tally::Tally;
 /// Files whose names end in .parquet have the columns of `exact-ccd convert`
 /// instead.
 ///
-/// Without --kind, the kind is that of the folder, vertex-face or edge-edge, of
+/// Without --kind, the kind is that of the folder, such as vertex-face, of
 /// the column kind of a Parquet file, or the only one whose queries fill the rows
 /// of a file, which is noted. If it is not certain, that is an error. A --kind that
 /// is not that of the folder is noted.
@@ -88,8 +86,8 @@ use tally::Tally;
 pub(crate) struct Arguments {
     /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
     /// against a vertex [default: that of the files, if it is certain]
-    #[arg(long)]
-    kind: Option<Kind>,
+    #[arg(long, value_parser = kind::parser(AnyKind::ALL))]
+    kind: Option<AnyKind>,
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = distances::parse, allow_hyphen_values = true)]
     min_distance: Separation,
@@ -134,10 +132,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 progress,
             };
             match kind {
-                Kind::Vf => run.answer_all::<VertexFace>(&|query| method.answer(query, d)),
-                Kind::Ee => run.answer_all::<EdgeEdge>(&|query| method.answer(query, d)),
-                Kind::Ve => run.answer_all::<VertexEdge>(&|query| Ok(Answer::exact(query, d))),
-                Kind::Vv => run.answer_all::<VertexVertex>(&|query| Ok(Answer::exact(query, d))),
+                AnyKind::VertexFace => run.answer_all::<VertexFace>(&|query| method.answer(query, d)),
+                AnyKind::EdgeEdge => run.answer_all::<EdgeEdge>(&|query| method.answer(query, d)),
+                _ => with_kind!(kind, K => run.answer_all::<K>(&|query| Ok(Answer::exact(query, d)))),
             }?;
             if run.tally.queries() == 0 {
                 return Err(no_queries());
@@ -164,10 +161,7 @@ struct Run<'a, W> {
 }
 
 impl<W: Write> Run<'_, W> {
-    fn answer_all<K: QueryKind + PageKind + 'static>(
-        &mut self,
-        decide: Decision<'_, K>,
-    ) -> Result<(), Failure> {
+    fn answer_all<K: Kind + 'static>(&mut self, decide: Decision<'_, K>) -> Result<(), Failure> {
         let rounding = if self.arguments.round_input {
             Rounding::ToNearest
         } else {
@@ -181,7 +175,7 @@ impl<W: Write> Run<'_, W> {
         choice.finish(self.arguments.min_distance)
     }
 
-    fn answer<K: QueryKind + PageKind>(
+    fn answer<K: Kind>(
         &mut self,
         file: &Path,
         mut samples: Samples<K>,

@@ -3,9 +3,8 @@
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use exact_ccd_data::{
-    ColumnWriter, QueryKind, QueryReader, QueryWriter, Record, Rounding, Sample, Seventh, is_parquet,
-};
+use exact_ccd::Kind;
+use exact_ccd_data::{ColumnWriter, QueryReader, QueryWriter, Record, Rounding, Sample, Seventh, is_parquet};
 use exact_ccd_methods::parity::RoundingError;
 
 use crate::failure::Failure;
@@ -32,7 +31,7 @@ pub(crate) fn check(files: &[PathBuf], check: impl Fn(&Path) -> Result<(), Failu
 }
 
 /// The queries in a file; - is standard input.
-pub(crate) fn open<K: QueryKind + 'static>(file: &Path, rounding: Rounding) -> Result<Samples<K>, Failure> {
+pub(crate) fn open<K: Kind>(file: &Path, rounding: Rounding) -> Result<Samples<K>, Failure> {
     let records = records(file, rounding, Seventh::Contact)?;
     Ok(Box::new(
         records.map(|record| record.map(|record: Record<K>| record.sample)),
@@ -40,7 +39,7 @@ pub(crate) fn open<K: QueryKind + 'static>(file: &Path, rounding: Rounding) -> R
 }
 
 /// The queries in a file with all their data; - is standard input.
-pub(crate) fn records<K: QueryKind + 'static>(
+pub(crate) fn records<K: Kind>(
     file: &Path,
     rounding: Rounding,
     seventh: Seventh,
@@ -55,7 +54,7 @@ pub(crate) fn records<K: QueryKind + 'static>(
 }
 
 /// Writes queries to a file, which is replaced; - is standard output.
-pub(crate) fn write<K: QueryKind>(
+pub(crate) fn write<K: Kind>(
     file: &Path,
     seventh: Seventh,
     records: impl Iterator<Item = Result<Record<K>, Failure>>,
@@ -80,7 +79,7 @@ pub(crate) fn write<K: QueryKind>(
     })
 }
 
-fn write_rows<K: QueryKind>(
+fn write_rows<K: Kind>(
     writer: &mut impl Write,
     seventh: Seventh,
     mut records: impl Iterator<Item = Result<Record<K>, Failure>>,

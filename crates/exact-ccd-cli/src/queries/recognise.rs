@@ -4,29 +4,36 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{ColumnReader, DataError, QueryKind, is_parquet};
+use exact_ccd::{AnyKind, Kind, with_kind};
+use exact_ccd_data::{ColumnReader, DataError, is_parquet};
 
-use super::kind::Kind;
 use crate::failure::Failure;
 use crate::notes::Notes;
 use crate::output::is_dash;
 
 /// The given kind, or that of all files. A kind that follows from the number of rows is noted: a file that
 /// ends too early may have the rows of another one. So is a given kind that is not that of the folder.
-pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes) -> Result<Kind, Failure> {
+pub(crate) fn kind_of(
+    given: Option<AnyKind>,
+    files: &[PathBuf],
+    notes: &mut Notes,
+) -> Result<AnyKind, Failure> {
     if let Some(kind) = given {
         note_other_folders(kind, files, notes);
         return Ok(kind);
     }
-    let mut found: Option<Kind> = None;
+    let mut found: Option<AnyKind> = None;
     for file in files {
         let kind = of_file(file, notes)?;
         match found {
             Some(other) if other != kind => {
                 return Err(Failure::of(
                     file,
-                    format_args!("queries of the kind {kind}, after others of the kind {other}"),
+                    format_args!(
+                        "queries of the kind {}, after others of the kind {}",
+                        kind.short(),
+                        other.short()
+                    ),
                 ));
             }
             _ => found = Some(kind),
@@ -37,7 +44,7 @@ pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes)
 
 /// The kind that a Parquet file names, that of the folder as in the published data sets, or the only one
 /// whose queries fill the rows of the file.
-fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
+fn of_file(file: &Path, notes: &mut Notes) -> Result<AnyKind, Failure> {
     // A pipe can be read only once.
     if is_dash(file) || !file.is_file() {
         return Err(uncertain(file));
@@ -57,29 +64,34 @@ fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
     }
     let kind = of_count(rows).ok_or_else(|| uncertain(file))?;
     notes.note(format!(
-        "{}: {rows} rows are queries of the kind {kind}; --kind names another",
-        file.display()
+        "{}: {rows} rows are queries of the kind {}; --kind names another",
+        file.display(),
+        kind.short()
     ));
     Ok(kind)
 }
 
 /// Notes the first file in a folder of another kind than the given one.
-pub(crate) fn note_other_folders(given: Kind, files: &[PathBuf], notes: &mut Notes) {
+pub(crate) fn note_other_folders(given: AnyKind, files: &[PathBuf], notes: &mut Notes) {
     let other = files.iter().filter(|file| !is_dash(file)).find_map(|file| {
         let kind = of_folder(file).filter(|kind| *kind != given)?;
         Some((file.display(), kind))
     });
     if let Some((file, kind)) = other {
         notes.note(format!(
-            "{file}: read as queries of the kind {given} by --kind; the folder is one of the kind {kind}"
+            "{file}: read as queries of the kind {} by --kind; the folder is one of the kind {}",
+            given.short(),
+            kind.short()
         ));
     }
 }
 
 fn uncertain(file: &Path) -> Failure {
+    let kinds: Vec<&str> = AnyKind::ALL.iter().map(|kind| kind.short()).collect();
+    let kinds = kinds.join("|");
     Failure::of(
         file,
-        "the kind of the queries is not certain from the file; --kind vf|ee|ve|vv names it",
+        format_args!("the kind of the queries is not certain from the file; --kind {kinds} names it"),
     )
 }
 
@@ -88,53 +100,40 @@ pub(crate) fn no_queries() -> Failure {
     Failure::new("0 queries: the input is empty")
 }
 
-fn of_folder(file: &Path) -> Option<Kind> {
+fn of_folder(file: &Path) -> Option<AnyKind> {
     let file = std::path::absolute(file).ok()?;
-    match file.parent()?.file_name()?.to_str() {
-        Some("vertex-face") => Some(Kind::Vf),
-        Some("edge-edge") => Some(Kind::Ee),
-        _ => None,
-    }
+    let folder = file.parent()?.file_name()?;
+    AnyKind::ALL.iter().copied().find(|kind| folder == kind.name())
 }
 
 /// The kind of the queries in a Parquet file. A damaged file has an error of its own for each kind.
-fn of_columns(file: &Path) -> Result<Kind, Failure> {
-    fn read<K: QueryKind>(file: &Path) -> Result<bool, DataError> {
+fn of_columns(file: &Path) -> Result<AnyKind, Failure> {
+    fn read<K: Kind>(file: &Path) -> Result<bool, DataError> {
         let first = ColumnReader::<K>::open(file)?.next().transpose()?;
         Ok(first.is_some())
     }
-    let kinds = [
-        (Kind::Vf, read::<VertexFace>(file)),
-        (Kind::Ee, read::<EdgeEdge>(file)),
-        (Kind::Ve, read::<VertexEdge>(file)),
-        (Kind::Vv, read::<VertexVertex>(file)),
-    ];
+    let read = |&kind: &AnyKind| (kind, with_kind!(kind, K => read::<K>(file)));
+    let kinds: Vec<_> = AnyKind::ALL.iter().map(read).collect();
     if let Some((kind, _)) = kinds.iter().find(|(_, read)| matches!(read, Ok(true))) {
         return Ok(*kind);
     }
-    if kinds.iter().all(|(_, read)| matches!(read, Ok(false))) {
-        return Err(no_queries());
-    }
-    let errors = kinds.map(|(_, read)| read.err());
+    let errors: Vec<DataError> = kinds.into_iter().filter_map(|(_, read)| read.err()).collect();
     // A query of another kind is an error of its row.
-    let is_of_file = |error: &Option<DataError>| !matches!(error, None | Some(DataError::Record { .. }));
-    let all = errors.iter().all(is_of_file);
-    match errors {
-        [Some(first), ..] if all => Err(first.into()),
-        _ => Err(uncertain(file)),
+    let is_of_file = |error: &DataError| !matches!(error, DataError::Record { .. });
+    let is_of_all = errors.len() == AnyKind::ALL.len() && errors.iter().all(is_of_file);
+    match errors.into_iter().next() {
+        None => Err(no_queries()),
+        Some(first) if is_of_all => Err(first.into()),
+        Some(_) => Err(uncertain(file)),
     }
 }
 
-/// A query has eight rows, of vf or ee, six of ve, or four of vv.
-fn of_count(rows: usize) -> Option<Kind> {
-    if rows == 0 || rows.is_multiple_of(8) {
-        return None;
-    }
-    match (rows.is_multiple_of(6), rows.is_multiple_of(4)) {
-        (true, false) => Some(Kind::Ve),
-        (false, true) => Some(Kind::Vv),
-        _ => None,
-    }
+/// The only kind whose queries, two rows for each point, fill this many rows.
+fn of_count(rows: usize) -> Option<AnyKind> {
+    let fills = |kind: &AnyKind| rows.is_multiple_of(2 * kind.point_names().len());
+    let mut kinds = AnyKind::ALL.iter().copied().filter(fills);
+    let first = kinds.next();
+    first.filter(|_| kinds.next().is_none())
 }
 
 /// The number of lines that are not blank.
@@ -155,10 +154,10 @@ mod tests {
     #[test]
     fn the_kind_follows_from_a_count_if_no_other_one_fits() {
         for (rows, kind) in [
-            (4, Some(Kind::Vv)),
-            (6, Some(Kind::Ve)),
-            (18, Some(Kind::Ve)),
-            (20, Some(Kind::Vv)),
+            (4, Some(AnyKind::VertexVertex)),
+            (6, Some(AnyKind::VertexEdge)),
+            (18, Some(AnyKind::VertexEdge)),
+            (20, Some(AnyKind::VertexVertex)),
             (0, None),
             (8, None),
             (12, None),

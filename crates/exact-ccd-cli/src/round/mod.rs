@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd::{AnyKind, EdgeEdge, VertexFace};
 use exact_ccd_mesh::Aabb;
 use exact_ccd_methods::parity::{Displacement, RoundingError};
 
@@ -20,7 +20,7 @@ use crate::json::to_json;
 use crate::notes::Notes;
 use crate::output::{check_is_no_input, print, write_file};
 use crate::progress::{self, during};
-use crate::queries::kind::Kind as AnyKind;
+use crate::queries::kind;
 use crate::queries::query_files;
 use crate::queries::recognise::note_other_folders;
 
@@ -45,8 +45,8 @@ use crate::queries::recognise::note_other_folders;
 pub(crate) struct Arguments {
     /// The files are query files of this kind, a vertex against a face or an edge against an edge;
     /// without it, they are meshes.
-    #[arg(long)]
-    kind: Option<Kind>,
+    #[arg(long, value_parser = kind::parser(KINDS))]
+    kind: Option<AnyKind>,
     /// Move each query by a displacement of its own.
     #[arg(long, requires = "kind")]
     per_query: bool,
@@ -72,21 +72,8 @@ pub(crate) struct Arguments {
 }
 
 /// The kinds for which parity is defined.
-#[derive(Clone, Copy, clap::ValueEnum)]
-enum Kind {
-    // Without documentation: clap would show it as help.
-    Vf,
-    Ee,
-}
-
-impl From<Kind> for AnyKind {
-    fn from(kind: Kind) -> Self {
-        match kind {
-            Kind::Vf => Self::Vf,
-            Kind::Ee => Self::Ee,
-        }
-    }
-}
+/// The kinds of the queries that are rounded.
+const KINDS: &[AnyKind] = &[AnyKind::VertexFace, AnyKind::EdgeEdge];
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     query_files::check(&arguments.inputs, |input| {
@@ -98,12 +85,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         check_is_no_input(file, &arguments.inputs)?;
     }
     if let Some(kind) = arguments.kind {
-        note_other_folders(kind.into(), &arguments.inputs, &mut Notes::default());
+        note_other_folders(kind, &arguments.inputs, &mut Notes::default());
     }
     let report = during(progress::stage("rounding"), |_| match arguments.kind {
         None => meshes::round(arguments),
-        Some(Kind::Vf) => queries::round::<VertexFace>(arguments),
-        Some(Kind::Ee) => queries::round::<EdgeEdge>(arguments),
+        Some(AnyKind::VertexFace) => queries::round::<VertexFace>(arguments),
+        Some(_) => queries::round::<EdgeEdge>(arguments),
     })?;
     if let Some(file) = &arguments.plot {
         let drawing = plot::svg(&report.errors);

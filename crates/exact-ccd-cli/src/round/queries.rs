@@ -10,9 +10,10 @@ use rayon::prelude::*;
 use super::report::Report;
 use super::{Arguments, shared_displacement};
 use crate::failure::Failure;
+use crate::queries::method::answered;
 use crate::queries::query_files;
 
-pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Report, Failure> {
+pub(super) fn round<K: DataKind>(arguments: &Arguments) -> Result<Report, Failure> {
     let inputs = arguments.inputs.iter();
     let mut files = inputs
         .map(|file| read::<K>(file))
@@ -40,7 +41,7 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
         if arguments.roots {
             records = records
                 .into_par_iter()
-                .map(|record| record.answered(Separation::default()))
+                .map(|record| answered(record, Separation::default()))
                 .collect();
         }
         let seventh = query_files::seventh(arguments.roots);
@@ -50,7 +51,7 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
 }
 
 /// The queries in a file without their answers, which are not those of the rounded queries.
-fn read<K: DataKind + 'static>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
+fn read<K: DataKind>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
     let records = query_files::records(file, Rounding::Refuse, Seventh::Contact)?;
     let without_answers = |record: Result<Record<K>, _>| {
         let mut record = record?;

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_compare::{Subject, Subjects};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{Aabb, Candidates, Step};
@@ -56,8 +56,18 @@ impl Recording {
     /// Samples the queries of a step whose boxes overlap.
     fn record(&self, candidates: &Candidates, step: Step<'_>) {
         let samples = &mut *self.lock();
-        add(&step, candidates.vertex_face(), 1, &mut samples.vertex_face);
-        add(&step, candidates.edge_edge(), 2, &mut samples.edge_edge);
+        add(
+            &step,
+            candidates.of_kind(AnyKind::VertexFace),
+            1,
+            &mut samples.vertex_face,
+        );
+        add(
+            &step,
+            candidates.of_kind(AnyKind::EdgeEdge),
+            2,
+            &mut samples.edge_edge,
+        );
     }
 
     fn lock(&self) -> MutexGuard<'_, Samples> {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{Kind, Query, Separation};
-use exact_ccd_view::{Page, PageKind};
+use exact_ccd_view::Page;
 
 use crate::failure::Failure;
 use crate::inputs::name;
@@ -44,7 +44,7 @@ impl QueryView {
     }
 }
 
-impl<K: PageKind> ChosenQuery<K> {
+impl<K: Kind> ChosenQuery<K> {
     /// The next query, with its number over all files and its answer.
     pub(crate) fn see(&mut self, file: &Path, number: usize, query: &Query<K>, collides: bool) {
         let is_better = match (self.number, &self.chosen) {

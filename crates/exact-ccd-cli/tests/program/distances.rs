@@ -1,6 +1,6 @@
 //! `exact-ccd step` and `exact-ccd audit` with a minimum distance.
 
-use exact_ccd::{Options, Separation};
+use exact_ccd::{AnyKind, Options, Separation};
 use exact_ccd_mesh::{CandidateOptions, Detector, Frame, MinDistance, Point, StepReport};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -296,7 +296,7 @@ proptest! {
         let json = json_of(&run);
         prop_assert_eq!(&json["toi"], &json!(report.time_of_impact()));
         prop_assert_eq!(&json["touching_at_start"], &json!(report.touching.total()));
-        prop_assert_eq!(&json["candidates"]["vf"], &json!(report.candidates.vertex_face));
+        prop_assert_eq!(&json["candidates"]["vf"], &json!(report.candidates[AnyKind::VertexFace]));
         if let Some(contact) = earliest {
             let distance = json!({"lower": contact.distance.lower, "upper": contact.distance.upper});
             prop_assert_eq!(&json["contact"]["distance"], &distance);

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use exact_ccd::{EdgeEdge, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{ColumnReader, DataFolder, QueryKind, TimesWithin};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{ColumnReader, DataFolder, TimesWithin};
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -135,18 +135,18 @@ fn a_query_of_another_kind_is_cut_short() {
 
 /// The program converts the queries to Parquet and back to the same bytes.
 #[track_caller]
-fn assert_converts<K: QueryKind + PartialEq>(queries: &[Query<K>]) {
+fn assert_converts<K: Kind + PartialEq>(queries: &[Query<K>]) {
     let folder = Folder::new();
     folder.write("q.csv", file(queries));
     for (from, to) in [("q.csv", "q.parquet"), ("q.parquet", "again.csv")] {
-        let run = folder.run(&["convert", "--kind", K::SHORT, from, "-o", to]);
+        let run = folder.run(&["convert", "--kind", K::KIND.short(), from, "-o", to]);
         assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     }
     assert_eq!(folder.read("again.csv"), folder.read("q.csv"));
     let records = ColumnReader::<K>::open(&folder.path("q.parquet")).unwrap();
     let read: Vec<_> = records.map(|record| record.unwrap().sample.query).collect();
     assert_eq!(read, queries);
-    let run = |name| answers(&folder, K::SHORT, "0.5", name);
+    let run = |name| answers(&folder, K::KIND.short(), "0.5", name);
     assert_eq!(run("q.parquet"), run("q.csv"));
 }
 
@@ -169,13 +169,15 @@ fn a_scene_has_no_queries_of_loose_vertices() {
 }
 
 /// Checks the answers to these queries within a distance against the library's, bit for bit.
-fn assert_answers<K: QueryKind>(points: &[[[Point; 4]; 2]], d: f64) {
+fn assert_answers<K: Kind>(points: &[[[Point; 4]; 2]], d: f64) {
     let queries: Vec<Query<K>> = points
         .iter()
         .map(|points| {
             let [t0, t1] = points.map(|points| {
                 let mut first = K::Points::default();
-                first.as_mut().copy_from_slice(&points[..K::POINTS.len()]);
+                first
+                    .as_mut()
+                    .copy_from_slice(&points[..K::KIND.point_names().len()]);
                 first
             });
             Query::new(t0, t1).unwrap()
@@ -189,8 +191,8 @@ fn assert_answers<K: QueryKind>(points: &[[[Point; 4]; 2]], d: f64) {
         let toi = query.time_of_impact(d).map(f64::to_bits);
         (index, query.collides(d), intervals.len(), toi)
     });
-    let text = answers(&folder, K::SHORT, &d.get().to_string(), "q.csv");
-    assert_eq!(rows(&text), expected.collect::<Vec<_>>(), "{}", K::SHORT);
+    let text = answers(&folder, K::KIND.short(), &d.get().to_string(), "q.csv");
+    assert_eq!(rows(&text), expected.collect::<Vec<_>>(), "{}", K::KIND.short());
 }
 
 /// The rows of the answers, with the bits of the times.
@@ -226,7 +228,7 @@ proptest! {
 }
 
 /// All published queries of a kind with the times within a distance, one run of the program for each file.
-fn assert_truth<K: QueryKind>(expected_files: usize) {
+fn assert_truth<K: Kind>(expected_files: usize) {
     let data = DataFolder::find(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))).unwrap();
     let files = data.separation::<K>().unwrap();
     assert_eq!(files.len(), expected_files);
@@ -237,7 +239,7 @@ fn assert_truth<K: QueryKind>(expected_files: usize) {
         let run = Folder::new().run(&[
             "queries",
             "--kind",
-            K::SHORT,
+            K::KIND.short(),
             "--min-distance",
             &d.to_string(),
             name,

@@ -1,7 +1,7 @@
 //! Query files.
 
 use exact_ccd::{Kind, Point, Query};
-use exact_ccd_data::{DataKind, QueryKind, QueryReader, Rounding, write_query};
+use exact_ccd_data::{DataKind, QueryReader, Rounding, write_query};
 
 use crate::folder::Folder;
 
@@ -21,7 +21,7 @@ fn row(point: &Point) -> String {
 }
 
 /// A query file of any queries.
-pub(crate) fn file<K: QueryKind>(queries: &[Query<K>]) -> Vec<u8> {
+pub(crate) fn file<K: Kind>(queries: &[Query<K>]) -> Vec<u8> {
     let mut bytes = Vec::new();
     for query in queries {
         write_query(&mut bytes, query).unwrap();

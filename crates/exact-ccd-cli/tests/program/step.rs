@@ -1,5 +1,6 @@
 //! Reports of `exact-ccd step`.
 
+use exact_ccd::AnyKind;
 use exact_ccd_mesh::{
     Bvh, Contact, Frame, IntersectionOptions, Meeting, Motion, Pair, PairCounts, Point, StepReport,
     contact_points, intersections, step,
@@ -30,7 +31,7 @@ pub(crate) fn answer(run: &Run) -> String {
 /// The expected JSON object of a contact.
 fn record(kind: &str, motion: &Motion, contact: &Contact) -> Value {
     let vertices = contact.pair.vertices(&motion.mesh).unwrap();
-    let (first, second) = vertices.split_at(contact.pair.first_len());
+    let (first, second) = vertices.split_at(contact.pair.kind().sizes()[0]);
     let points = contact_points([first, second], [&motion.x0, &motion.x1], &contact.impact).unwrap();
     let time = contact.impact.time;
     json!({
@@ -60,10 +61,10 @@ fn expected(motion: &Motion, report: &StepReport) -> Value {
     });
     let counts = |counts: PairCounts| {
         json!({
-            "vf": counts.vertex_face,
-            "ee": counts.edge_edge,
-            "ve": counts.vertex_edge,
-            "vv": counts.vertex_vertex,
+            "vf": counts[AnyKind::VertexFace],
+            "ee": counts[AnyKind::EdgeEdge],
+            "ve": counts[AnyKind::VertexEdge],
+            "vv": counts[AnyKind::VertexVertex],
         })
     };
     let crossing = IntersectionOptions::default().with_meeting(Meeting::Crossing);

@@ -18,12 +18,12 @@ mod table;
 mod thrift;
 mod write;
 
-use crate::query_kind::QueryKind;
-
 pub use problem::{ColumnProblem, RecordProblem};
 pub use read::ColumnReader;
 pub use table::{TableColumn, write_table};
 pub use write::ColumnWriter;
+
+use exact_ccd::Kind;
 
 /// The columns, as [`ColumnWriter`] writes them. [`ColumnReader`] finds them by their names and
 /// physical types.
@@ -43,6 +43,6 @@ const SCHEMA: &str = "message queries {
 }";
 
 /// The number of coordinates of a query: x, y, z of its points at t = 0, then at t = 1.
-const fn coordinates<K: QueryKind>() -> usize {
-    3 * 2 * K::POINTS.len()
+const fn coordinates<K: Kind>() -> usize {
+    3 * 2 * K::KIND.point_names().len()
 }

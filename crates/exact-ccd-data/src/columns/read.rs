@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::vec;
 
+use exact_ccd::Kind;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
 
@@ -16,7 +17,6 @@ use super::problem::ColumnProblem;
 use super::row::Row;
 use super::{coordinates, footer};
 use crate::error::DataError;
-use crate::query_kind::QueryKind;
 use crate::record::Record;
 
 /// The number of queries that are read at once.
@@ -27,7 +27,7 @@ const BATCH: usize = 1024;
 ///
 /// The columns of [`ColumnWriter`](crate::ColumnWriter) are found by name, in any order. Other software may
 /// have written them. Further columns are skipped. Columns are plain or compressed with gzip or snappy.
-pub struct ColumnReader<K: QueryKind> {
+pub struct ColumnReader<K: Kind> {
     path: PathBuf,
     file: Arc<CountedFile>,
     metadata: ParquetMetaData,
@@ -43,7 +43,7 @@ pub struct ColumnReader<K: QueryKind> {
     kind: PhantomData<K>,
 }
 
-impl<K: QueryKind> ColumnReader<K> {
+impl<K: Kind> ColumnReader<K> {
     /// A reader of the queries in a file.
     ///
     /// # Errors
@@ -116,7 +116,7 @@ impl<K: QueryKind> ColumnReader<K> {
     }
 }
 
-impl<K: QueryKind> Iterator for ColumnReader<K> {
+impl<K: Kind> Iterator for ColumnReader<K> {
     type Item = Result<Record<K>, DataError>;
 
     fn next(&mut self) -> Option<Self::Item> {

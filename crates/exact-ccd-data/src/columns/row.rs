@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
+use exact_ccd::Kind;
 use exact_ccd_files::excerpt;
 use parquet::data_type::ByteArray;
 
 use super::coordinates;
 use super::problem::RecordProblem;
-use crate::query_kind::{self, QueryKind};
+use crate::query_points;
 use crate::record::{Record, Sample, is_count};
 
 /// The fields of a row. `None` is a null, or a list of coordinates with a null in it.
@@ -23,11 +24,11 @@ pub(super) struct Row {
 
 impl Row {
     /// The query and its data.
-    pub(super) fn record<K: QueryKind>(self) -> Result<Record<K>, RecordProblem> {
+    pub(super) fn record<K: Kind>(self) -> Result<Record<K>, RecordProblem> {
         let kind = self.kind.as_ref().map(ByteArray::data);
-        if kind != Some(K::SHORT.as_bytes()) {
+        if kind != Some(K::KIND.short().as_bytes()) {
             let found = kind.map_or("null".into(), excerpt);
-            return Err(RecordProblem::field("kind", K::SHORT, found));
+            return Err(RecordProblem::field("kind", K::KIND.short(), found));
         }
         let expected = coordinates::<K>();
         let Some(points) = self.points.filter(|points| points.len() == expected) else {
@@ -59,7 +60,7 @@ impl Row {
         };
         Ok(Record {
             sample: Sample {
-                query: query_kind::query(points)?,
+                query: query_points::query(points)?,
                 truth: self.truth,
             },
             count: self.count,

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
+use exact_ccd::Kind;
 use exact_ccd_files::Budget;
 use parquet::basic::{Compression, Encoding, GzipLevel};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
@@ -15,7 +16,7 @@ use parquet::schema::types::ColumnPath;
 
 use super::row::is_time;
 use super::{SCHEMA, coordinates};
-use crate::query_kind::{self, QueryKind};
+use crate::query_points;
 use crate::record::{Record, is_count};
 
 /// The number of queries in a row group, except the last one. The writer keeps as many in memory.
@@ -32,12 +33,12 @@ const GROUP: usize = 1 << 16;
 ///   the pair, `id_a` and `id_b`.
 ///
 /// Every f64 keeps its bits.
-pub struct ColumnWriter<K: QueryKind, W: Write + Send> {
+pub struct ColumnWriter<K: Kind, W: Write + Send> {
     file: SerializedFileWriter<W>,
     group: Vec<Record<K>>,
 }
 
-impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
+impl<K: Kind, W: Write + Send> ColumnWriter<K, W> {
     /// Begins a file.
     ///
     /// # Errors
@@ -111,7 +112,7 @@ impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
     }
 }
 
-fn properties<K: QueryKind>() -> WriterProperties {
+fn properties<K: Kind>() -> WriterProperties {
     let mut properties = WriterProperties::builder()
         .set_compression(Compression::GZIP(GzipLevel::default()))
         // Large enough for all coordinates of a row group.
@@ -128,16 +129,16 @@ fn properties<K: QueryKind>() -> WriterProperties {
 }
 
 /// The columns, in the order of the schema.
-fn write_group<K: QueryKind, W: Write + Send>(
+fn write_group<K: Kind, W: Write + Send>(
     group: &mut SerializedRowGroupWriter<'_, W>,
     records: &[Record<K>],
 ) -> Result<(), ParquetError> {
-    let kinds = vec![ByteArray::from(K::SHORT); records.len()];
+    let kinds = vec![ByteArray::from(K::KIND.short()); records.len()];
     column::<ByteArrayType, _>(group, &kinds, None, None)?;
 
     let values: Vec<f64> = records
         .iter()
-        .flat_map(|record| query_kind::points(&record.sample.query))
+        .flat_map(|record| query_points::points(&record.sample.query))
         .flatten()
         .collect();
     // A list begins where the repetition level is 0.

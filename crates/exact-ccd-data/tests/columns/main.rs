@@ -11,11 +11,11 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use exact_ccd::{Point, Query, VertexFace};
-use exact_ccd_data::{ColumnReader, ColumnWriter, DataError, QueryKind, Record, Sample};
+use exact_ccd::{Kind, Point, Query, VertexFace};
+use exact_ccd_data::{ColumnReader, ColumnWriter, DataError, Record, Sample};
 use tempfile::TempDir;
 
-fn written<K: QueryKind>(records: &[Record<K>]) -> Vec<u8> {
+fn written<K: Kind>(records: &[Record<K>]) -> Vec<u8> {
     let mut writer = ColumnWriter::new(Vec::new()).unwrap();
     records
         .iter()
@@ -35,14 +35,14 @@ impl Reader {
         self.0.path().join("q.parquet")
     }
 
-    fn read<K: QueryKind>(&self, bytes: &[u8]) -> Result<Vec<Record<K>>, DataError> {
+    fn read<K: Kind>(&self, bytes: &[u8]) -> Result<Vec<Record<K>>, DataError> {
         fs::write(self.file(), bytes).unwrap();
         ColumnReader::open(&self.file())?.collect()
     }
 
     /// The error, without the name of the file at its beginning.
     #[track_caller]
-    fn error<K: QueryKind>(&self, bytes: &[u8]) -> String {
+    fn error<K: Kind>(&self, bytes: &[u8]) -> String {
         let error = self.read::<K>(bytes).err().unwrap().to_string();
         error
             .strip_prefix(self.file().to_str().unwrap())
@@ -52,7 +52,7 @@ impl Reader {
 }
 
 /// The fields of a record, each f64 as its bits.
-fn bits<K: QueryKind>(record: &Record<K>) -> impl PartialEq + std::fmt::Debug + use<K> {
+fn bits<K: Kind>(record: &Record<K>) -> impl PartialEq + std::fmt::Debug + use<K> {
     let Record {
         sample,
         count,
@@ -74,10 +74,12 @@ type Rest = (
 );
 
 /// A record of the first of these points at t = 0 and at t = 1: as many as the kind has.
-fn record<K: QueryKind>(points: [[Point; 4]; 2], (truth, count, toi, scene, ids): Rest) -> Record<K> {
+fn record<K: Kind>(points: [[Point; 4]; 2], (truth, count, toi, scene, ids): Rest) -> Record<K> {
     let [t0, t1] = points.map(|points| {
         let mut first = K::Points::default();
-        first.as_mut().copy_from_slice(&points[..K::POINTS.len()]);
+        first
+            .as_mut()
+            .copy_from_slice(&points[..K::KIND.point_names().len()]);
         first
     });
     Record {

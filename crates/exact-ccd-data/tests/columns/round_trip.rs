@@ -1,14 +1,14 @@
 //! Lossless round trips of records and of rows.
 
-use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{ColumnWriter, QueryKind, QueryReader, QueryWriter, Record, Rounding, Seventh};
+use exact_ccd::{EdgeEdge, Kind, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{ColumnWriter, QueryReader, QueryWriter, Record, Rounding, Seventh};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 use crate::{Reader, Rest, bits, full, record, written};
 
 #[track_caller]
-fn assert_survive<K: QueryKind>(records: &[Record<K>]) {
+fn assert_survive<K: Kind>(records: &[Record<K>]) {
     let read = Reader::new().read::<K>(&written(records)).unwrap();
     assert!(
         read.iter().map(bits).eq(records.iter().map(bits)),
@@ -44,7 +44,7 @@ proptest! {
 
     #[test]
     fn every_record_survives(records in prop::collection::vec((points(), rest()), 0..20)) {
-        fn check<K: QueryKind>(records: &[([[Point; 4]; 2], Rest)]) {
+        fn check<K: Kind>(records: &[([[Point; 4]; 2], Rest)]) {
             let records = records.iter().cloned();
             assert_survive(&records.map(|(points, rest)| record::<K>(points, rest)).collect::<Vec<_>>());
         }
@@ -65,7 +65,7 @@ proptest! {
 }
 
 /// Queries with their truth and count. The file has the seventh column only.
-fn assert_rows_come_back<K: QueryKind>(queries: &[([[Point; 4]; 2], bool, i64)], seventh: Option<Seventh>) {
+fn assert_rows_come_back<K: Kind>(queries: &[([[Point; 4]; 2], bool, i64)], seventh: Option<Seventh>) {
     let meaning = seventh.unwrap_or_default();
     let mut rows = QueryWriter::new(Vec::new(), meaning);
     for &(points, truth, count) in queries {
@@ -76,7 +76,7 @@ fn assert_rows_come_back<K: QueryKind>(queries: &[([[Point; 4]; 2], bool, i64)],
     }
     let text = rows.into_inner();
     let lines = text.iter().filter(|&&byte| byte == b'\n').count();
-    assert_eq!(lines, queries.len() * 2 * K::POINTS.len());
+    assert_eq!(lines, queries.len() * 2 * K::KIND.point_names().len());
     let reader = QueryReader::<K, _>::new("rows", text.as_slice(), Rounding::Refuse).with_seventh(meaning);
     let records: Vec<_> = reader.collect::<Result<_, _>>().unwrap();
     let mut again = QueryWriter::new(Vec::new(), meaning);

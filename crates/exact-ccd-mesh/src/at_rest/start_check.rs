@@ -2,7 +2,7 @@
 
 use exact_ccd::Point;
 
-use super::intersections::{IntersectionOptions, Meeting, intersections_at_start};
+use super::intersections::{Intersection, IntersectionOptions, Meeting, intersections_at_start};
 use crate::broad_phase::BroadPhase;
 use crate::overlaps::Primitives;
 use crate::pairs::CanCollide;
@@ -36,17 +36,18 @@ impl StartCheck {
         (self.start, self.end) = (Vec::new(), Vec::new());
     }
 
-    /// Makes certain that nothing crosses at the start of a step. The primitives begin the step only if the
-    /// mesh is searched.
+    /// Makes certain that nothing that counts crosses at the start of a step. The primitives begin the step
+    /// only if the mesh is searched.
     ///
     /// # Errors
-    /// [`StepError::Crossing`] has the first edge that crosses a face.
+    /// [`StepError::Crossing`] has the first edge that crosses a face, and counts with it.
     pub(crate) fn examine(
         &mut self,
         broad_phase: &dyn BroadPhase,
         step: &Step<'_>,
         primitives: &mut Primitives,
         can_collide: &CanCollide,
+        counts: &dyn Fn(Intersection) -> bool,
     ) -> Result<(), StepError> {
         let (mesh, [x0, _]) = (step.mesh(), step.positions());
         if are_same(x0, &self.start) {
@@ -61,7 +62,7 @@ impl StartCheck {
         let options = options.with_can_collide(can_collide.clone());
         primitives.begin(step, can_collide);
         let crossings = intersections_at_start(step, primitives, broad_phase, &options);
-        if let Some(first) = crossings.first() {
+        if let Some(first) = crossings.into_iter().find(|&crossing| counts(crossing)) {
             return Err(first.crossing(mesh));
         }
         self.start = x0.to_vec();

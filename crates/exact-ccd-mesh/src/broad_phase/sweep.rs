@@ -23,42 +23,42 @@ const GRAIN: usize = 32;
 impl<const T: usize> BoxPairs<T> for Sweep {
     fn between(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let axis = longest_axis(b);
-        let [of_a, of_b] = [a, b].map(|boxes| Interval::sorted(boxes, axis));
-        // Of two overlapping intervals, one begins inside the other.
+        let [of_a, of_b] = [a, b].map(|boxes| Extent::sorted(boxes, axis));
+        // Of two overlapping extents, one begins inside the other.
         of_a.par_chunks(GRAIN).try_for_each(|grain| {
-            let after = |interval: &Interval| of_b.partition_point(|other| other.lower < interval.lower);
+            let after = |extent: &Extent| of_b.partition_point(|other| other.lower < extent.lower);
             let pairs = Pairs::between(a, b, sink);
             vectorized!(simd => sweep(simd, grain, |i| (&of_b[after(i)..], false), pairs))
         })?;
         of_b.par_chunks(GRAIN).try_for_each(|grain| {
-            let after = |interval: &Interval| of_a.partition_point(|other| other.lower <= interval.lower);
+            let after = |extent: &Extent| of_a.partition_point(|other| other.lower <= extent.lower);
             let pairs = Pairs::between(a, b, sink);
             vectorized!(simd => sweep(simd, grain, |i| (&of_a[after(i)..], true), pairs))
         })
     }
 
     fn within(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        let intervals = Interval::sorted(boxes, longest_axis(boxes));
-        intervals.par_chunks(GRAIN).try_for_each(|grain| {
-            let from = |interval: &Interval| (&intervals[interval.position..], false);
+        let extents = Extent::sorted(boxes, longest_axis(boxes));
+        extents.par_chunks(GRAIN).try_for_each(|grain| {
+            let from = |extent: &Extent| (&extents[extent.position..], false);
             let pairs = Pairs::within(boxes, sink);
             vectorized!(simd => sweep(simd, grain, from, pairs))
         })
     }
 }
 
-/// The interval of a block along the axis during the step.
-struct Interval {
+/// The extent of a block along the axis during the step.
+struct Extent {
     lower: f32,
     upper: f32,
     block: usize,
-    /// The index among the sorted intervals.
+    /// The index among the sorted extents.
     position: usize,
 }
 
-impl Interval {
+impl Extent {
     fn sorted<const T: usize>(boxes: &Boxes<T>, axis: usize) -> Vec<Self> {
-        let interval = |(block, around): (usize, &MovingBox<T>)| {
+        let extent = |(block, around): (usize, &MovingBox<T>)| {
             let lower = around.lower.iter().map(|point| point[axis]);
             let upper = around.upper.iter().map(|point| point[axis]);
             Self {
@@ -68,12 +68,12 @@ impl Interval {
                 position: 0,
             }
         };
-        let mut intervals: Vec<Self> = boxes.around.par_iter().enumerate().map(interval).collect();
-        intervals.par_sort_by(|a, b| a.lower.total_cmp(&b.lower));
-        for (position, interval) in intervals.iter_mut().enumerate() {
-            interval.position = position;
+        let mut extents: Vec<Self> = boxes.around.par_iter().enumerate().map(extent).collect();
+        extents.par_sort_by(|a, b| a.lower.total_cmp(&b.lower));
+        for (position, extent) in extents.iter_mut().enumerate() {
+            extent.position = position;
         }
-        intervals
+        extents
     }
 }
 
@@ -86,28 +86,24 @@ fn longest_axis<const T: usize>(boxes: &Boxes<T>) -> usize {
     around.places()[0].longest_side()
 }
 
-/// Adds the pairs of each block with the blocks whose intervals begin inside its own.
+/// Adds the pairs of each block with the blocks whose extents begin inside its own.
 ///
-/// `later` returns the blocks from which on intervals begin later, and true if these blocks are the
+/// `later` returns the blocks from which on extents begin later, and true if these blocks are the
 /// first in a pair.
 #[inline(always)]
 fn sweep<'i, const T: usize, S: Simd>(
     simd: S,
-    intervals: &[Interval],
-    later: impl Fn(&Interval) -> (&'i [Interval], bool),
+    extents: &[Extent],
+    later: impl Fn(&Extent) -> (&'i [Extent], bool),
     mut pairs: Pairs<'_, T>,
 ) -> ControlFlow<()> {
-    for interval in intervals {
-        let (others, first) = later(interval);
+    for extent in extents {
+        let (others, first) = later(extent);
         for other in others {
-            if other.lower > interval.upper {
+            if other.lower > extent.upper {
                 break;
             }
-            let [a, b] = if first {
-                [other, interval]
-            } else {
-                [interval, other]
-            };
+            let [a, b] = if first { [other, extent] } else { [extent, other] };
             pairs.add(simd, a.block, b.block)?;
         }
     }

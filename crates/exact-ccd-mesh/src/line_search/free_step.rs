@@ -114,7 +114,7 @@ fn free_step(
         search.run_keeping(&step, &options.min_distance, watched);
     })?;
     let [x0, x1] = step.positions();
-    let contact = earliest.pair().and_then(|pair| search.contact(&step, pair));
+    let contact = earliest.contact();
     let touching = earliest.touching();
     let free = |size, positions| FreeStep {
         size,

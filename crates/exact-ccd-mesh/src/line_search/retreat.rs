@@ -97,13 +97,13 @@ impl Collect for Retreats<'_> {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         let mut stuck = Vec::new();
-        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
-            let Some((collision, vertices)) = approach.contact().zip(K::vertices(mesh, ids)) else {
+        narrow_phase.collisions::<K>(mesh, pairs, self.until(), |ids, pair| {
+            let Some((collision, vertices)) = pair.contact().zip(K::vertices(mesh, ids)) else {
                 return;
             };
             let able = self.able(vertices.as_ref());
             let Some(last) = able.iter().map(|&vertex| self.first(vertex)).max() else {
-                stuck.push(K::pair(ids));
+                stuck.push(Pair::new(K::KIND, ids));
                 return;
             };
             // Otherwise, an earlier contact already holds back each vertex that this one would.

@@ -234,6 +234,7 @@ impl<const T: usize> StepBoxes<T> {
     }
 
     /// Finds the pairs of a kind whose boxes meet; of a sample of the first primitives, if there is a stride.
+    /// Of two primitives of one set, the smaller index comes first.
     pub(crate) fn pairs<K: Searched>(
         &self,
         mesh: &TriangleMesh,
@@ -244,6 +245,12 @@ impl<const T: usize> StepBoxes<T> {
         let sink = &self.uncovered::<K>(mesh, sink);
         let [first, second] = K::SETS;
         match sample {
+            Some(stride) if first == second => {
+                broad_phase.between(&self.get(first).sample(stride), self.get(second), &|pairs| {
+                    let sorted = pairs.iter().map(|&[a, b]| [a.min(b), a.max(b)]);
+                    sink(&sorted.collect::<Vec<_>>())
+                })
+            }
             Some(stride) => broad_phase.between(&self.get(first).sample(stride), self.get(second), sink),
             None if first == second => broad_phase.within(self.get(first), sink),
             None => broad_phase.between(self.get(first), self.get(second), sink),

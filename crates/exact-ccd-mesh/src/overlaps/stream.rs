@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex, environment};
+use exact_ccd::{AnyKind, Point, environment, with_kind};
 
 use super::margin::Margin;
 use super::options::{BoxKind, CandidateError, CandidateOptions};
@@ -68,10 +68,9 @@ impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T
         let mut primitives = Primitives::default();
         primitives.begin(&step, can_collide);
         boxes.end(&margin);
-        boxes.place::<VertexFace>(&step, &primitives, 1.0);
-        boxes.place::<EdgeEdge>(&step, &primitives, 1.0);
-        boxes.place::<VertexEdge>(&step, &primitives, 1.0);
-        boxes.place::<VertexVertex>(&step, &primitives, 1.0);
+        for &kind in AnyKind::ALL {
+            with_kind!(kind, K => boxes.place::<K>(&step, &primitives, 1.0));
+        }
         Self {
             step,
             can_collide,
@@ -83,10 +82,8 @@ impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T
 
     /// Passes the candidates of all kinds on, in batches.
     fn visit(&self, broad_phase: &dyn BoxPairs<T>, receiver: &impl Receive) -> ControlFlow<()> {
-        self.visit_kind::<VertexFace>(broad_phase, receiver)?;
-        self.visit_kind::<EdgeEdge>(broad_phase, receiver)?;
-        self.visit_kind::<VertexEdge>(broad_phase, receiver)?;
-        self.visit_kind::<VertexVertex>(broad_phase, receiver)
+        let mut kinds = AnyKind::ALL.iter();
+        kinds.try_for_each(|&kind| with_kind!(kind, K => self.visit_kind::<K>(broad_phase, receiver)))
     }
 
     fn visit_kind<K: Searched>(

@@ -2,34 +2,59 @@
 
 use exact_ccd::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 
-use super::by_kind::ByKind;
 use super::other_ends::OtherEnds;
-use super::pair::Pair;
 use crate::mesh::TriangleMesh;
 
-/// A kind of query whose primitives have indices in a mesh.
-pub trait PairKind: Kind + Send + Sync {
+/// A kind of query whose primitives have indices in a mesh: a primitive with one point is a vertex, with two
+/// an edge, with three a face.
+pub trait PairKind: Kind {
     /// True if [`are_connected`](Self::are_connected) holds for some primitives of this kind.
-    const CAN_BE_CONNECTED: bool = false;
+    const CAN_BE_CONNECTED: bool = matches!(Self::OF_FOUR, [0, 0, 1, 2]);
 
     /// The vertices of a pair, in the order of the query; `None` if the mesh has no such primitives.
     ///
     /// `ids` are the indices of the two primitives: of a vertex, of a face in
     /// [`TriangleMesh::faces`], of an edge in [`TriangleMesh::edges`].
-    fn vertices(mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Self::Vertices>;
-
-    /// The pair with these indices.
-    fn pair(ids: [u32; 2]) -> Pair;
+    #[inline]
+    fn vertices(mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Self::Vertices> {
+        let mut vertices = Self::Vertices::default();
+        let (first, second) = vertices.as_mut().split_at_mut(Self::FIRST);
+        copy_vertices(mesh, ids[0], first)?;
+        copy_vertices(mesh, ids[1], second)?;
+        Some(vertices)
+    }
 
     /// Returns true if the two primitives have no vertex in common.
-    fn are_apart(vertices: &Self::Vertices) -> bool;
+    #[inline]
+    fn are_apart(vertices: &Self::Vertices) -> bool {
+        let (first, second) = vertices.as_ref().split_at(Self::FIRST);
+        // Without a branch, which may be hard to predict.
+        let differs = |a: &u32| second.iter().fold(true, |differ, b| differ & (a != b));
+        first.iter().fold(true, |apart, a| apart & differs(a))
+    }
 
     /// Returns true if the primitives are a vertex and an edge, and another edge of the mesh connects them,
     /// as the last edge of a rod connects its end with the edge before. They touch at distance 0 only,
-    /// whatever the minimum distance: see [`Pair`].
-    fn are_connected(_mesh: &TriangleMesh, _vertices: &Self::Vertices) -> bool {
-        false
+    /// whatever the minimum distance: see [`Pair`](crate::Pair).
+    fn are_connected(mesh: &TriangleMesh, vertices: &Self::Vertices) -> bool {
+        let (first, second) = vertices.as_ref().split_at(Self::FIRST);
+        let is_edge = |a: u32| second.iter().any(|&b| mesh.edge(a, b).is_some());
+        Self::CAN_BE_CONNECTED && first.iter().any(|&a| is_edge(a))
     }
+}
+
+impl<K: Kind> PairKind for K {}
+
+/// Writes the vertices of a primitive; `None` if the mesh does not have it.
+#[inline(always)]
+fn copy_vertices(mesh: &TriangleMesh, id: u32, vertices: &mut [u32]) -> Option<()> {
+    match vertices {
+        [vertex] if (id as usize) < mesh.vertex_count() => *vertex = id,
+        [_, _] => vertices.copy_from_slice(mesh.edges().get(id as usize)?),
+        [_, _, _] => vertices.copy_from_slice(mesh.faces().get(id as usize)?),
+        _ => return None,
+    }
+    Some(())
 }
 
 /// The sets of primitives of a mesh among which pairs are searched: of those that take part.
@@ -69,95 +94,14 @@ pub(crate) trait Searched: PairKind {
     /// Returns true if two edges are in contact where these primitives are. `None` if it is false for
     /// all pairs between the sets.
     const IS_COVERED: Option<fn(&OtherEnds, &Self::Vertices) -> bool> = None;
-
-    /// The value of this kind.
-    fn of<T>(values: &ByKind<T>) -> &T;
-}
-
-#[inline]
-fn edge(mesh: &TriangleMesh, index: u32) -> Option<[u32; 2]> {
-    mesh.edges().get(index as usize).copied()
-}
-
-#[inline]
-fn has_vertex(mesh: &TriangleMesh, vertex: u32) -> bool {
-    (vertex as usize) < mesh.vertex_count()
-}
-
-impl PairKind for VertexFace {
-    #[inline]
-    fn vertices(mesh: &TriangleMesh, [vertex, face]: [u32; 2]) -> Option<[u32; 4]> {
-        let &[a, b, c] = mesh.faces().get(face as usize)?;
-        has_vertex(mesh, vertex).then_some([vertex, a, b, c])
-    }
-
-    #[inline]
-    fn are_apart([vertex, a, b, c]: &[u32; 4]) -> bool {
-        (vertex != a) & (vertex != b) & (vertex != c)
-    }
-
-    fn pair([vertex, face]: [u32; 2]) -> Pair {
-        Pair::VertexFace { vertex, face }
-    }
 }
 
 impl Searched for VertexFace {
     const SETS: [PrimitiveSet; 2] = [PrimitiveSet::Vertices, PrimitiveSet::Faces];
-
-    fn of<T>(values: &ByKind<T>) -> &T {
-        &values.vertex_face
-    }
-}
-
-impl PairKind for EdgeEdge {
-    #[inline]
-    fn vertices(mesh: &TriangleMesh, [a, b]: [u32; 2]) -> Option<[u32; 4]> {
-        let ([a0, a1], [b0, b1]) = (edge(mesh, a)?, edge(mesh, b)?);
-        Some([a0, a1, b0, b1])
-    }
-
-    #[inline]
-    fn are_apart([a0, a1, b0, b1]: &[u32; 4]) -> bool {
-        (a0 != b0) & (a0 != b1) & (a1 != b0) & (a1 != b1)
-    }
-
-    fn pair([a, b]: [u32; 2]) -> Pair {
-        Pair::EdgeEdge {
-            a: a.min(b),
-            b: a.max(b),
-        }
-    }
 }
 
 impl Searched for EdgeEdge {
     const SETS: [PrimitiveSet; 2] = [PrimitiveSet::Edges; 2];
-
-    fn of<T>(values: &ByKind<T>) -> &T {
-        &values.edge_edge
-    }
-}
-
-impl PairKind for VertexEdge {
-    const CAN_BE_CONNECTED: bool = true;
-
-    #[inline]
-    fn vertices(mesh: &TriangleMesh, [vertex, index]: [u32; 2]) -> Option<[u32; 3]> {
-        let [a, b] = edge(mesh, index)?;
-        has_vertex(mesh, vertex).then_some([vertex, a, b])
-    }
-
-    #[inline]
-    fn are_apart([vertex, a, b]: &[u32; 3]) -> bool {
-        (vertex != a) & (vertex != b)
-    }
-
-    fn pair([vertex, edge]: [u32; 2]) -> Pair {
-        Pair::VertexEdge { vertex, edge }
-    }
-
-    fn are_connected(mesh: &TriangleMesh, &[vertex, a, b]: &[u32; 3]) -> bool {
-        [a, b].iter().any(|&end| mesh.edge(vertex, end).is_some())
-    }
 }
 
 impl Searched for VertexEdge {
@@ -165,37 +109,10 @@ impl Searched for VertexEdge {
 
     const IS_COVERED: Option<fn(&OtherEnds, &[u32; 3]) -> bool> =
         Some(|ends, &[vertex, a, b]| ends.has_edge_apart_from(vertex, [a, b]));
-
-    fn of<T>(values: &ByKind<T>) -> &T {
-        &values.vertex_edge
-    }
-}
-
-impl PairKind for VertexVertex {
-    #[inline]
-    fn vertices(mesh: &TriangleMesh, [a, b]: [u32; 2]) -> Option<[u32; 2]> {
-        (has_vertex(mesh, a) && has_vertex(mesh, b)).then_some([a, b])
-    }
-
-    #[inline]
-    fn are_apart([a, b]: &[u32; 2]) -> bool {
-        a != b
-    }
-
-    fn pair([a, b]: [u32; 2]) -> Pair {
-        Pair::VertexVertex {
-            a: a.min(b),
-            b: a.max(b),
-        }
-    }
 }
 
 impl Searched for VertexVertex {
     const SETS: [PrimitiveSet; 2] = [PrimitiveSet::LooseVertices; 2];
-
-    fn of<T>(values: &ByKind<T>) -> &T {
-        &values.vertex_vertex
-    }
 }
 
 #[cfg(test)]

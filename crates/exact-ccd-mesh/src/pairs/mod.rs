@@ -8,7 +8,6 @@ mod kind;
 mod min_distance;
 mod other_ends;
 mod pair;
-mod vertices;
 
 pub use by_kind::PairCounts;
 pub use can_collide::CanCollide;

@@ -1,5 +1,10 @@
 //! Pairs of primitives of a mesh.
 
+use exact_ccd::{AnyKind, with_kind};
+
+use super::kind::PairKind;
+use crate::mesh::TriangleMesh;
+
 /// Two primitives of a mesh without a common vertex.
 ///
 /// Pairs are ordered by their kind, as below, then by the first index, then by the second. The page
@@ -85,6 +90,35 @@ pub enum Pair {
 }
 
 impl Pair {
+    /// The pair of a kind with these indices: of two edges or two vertices in either order.
+    #[must_use]
+    pub fn new(kind: AnyKind, [first, second]: [u32; 2]) -> Self {
+        let [a, b] = [first.min(second), first.max(second)];
+        match kind {
+            AnyKind::VertexFace => Self::VertexFace {
+                vertex: first,
+                face: second,
+            },
+            AnyKind::EdgeEdge => Self::EdgeEdge { a, b },
+            AnyKind::VertexEdge => Self::VertexEdge {
+                vertex: first,
+                edge: second,
+            },
+            AnyKind::VertexVertex => Self::VertexVertex { a, b },
+        }
+    }
+
+    /// The kind of the pair.
+    #[must_use]
+    pub fn kind(&self) -> AnyKind {
+        match self {
+            Self::VertexFace { .. } => AnyKind::VertexFace,
+            Self::EdgeEdge { .. } => AnyKind::EdgeEdge,
+            Self::VertexEdge { .. } => AnyKind::VertexEdge,
+            Self::VertexVertex { .. } => AnyKind::VertexVertex,
+        }
+    }
+
     /// The indices of both primitives in the mesh.
     #[must_use]
     pub fn ids(&self) -> [u32; 2] {
@@ -93,5 +127,24 @@ impl Pair {
             Self::VertexEdge { vertex, edge } => [vertex, edge],
             Self::EdgeEdge { a, b } | Self::VertexVertex { a, b } => [a, b],
         }
+    }
+
+    /// The vertices of the pair, in the order of the query: the vertices of the first primitive, then those
+    /// of the second, as many as the [sizes](AnyKind::sizes) of its kind. `None` if the mesh has no such
+    /// primitives.
+    ///
+    /// ```
+    /// use exact_ccd_mesh::{Pair, TriangleMesh};
+    ///
+    /// let mesh = TriangleMesh::new(4, vec![[2, 0, 1]])?;
+    /// assert_eq!(Pair::VertexFace { vertex: 3, face: 0 }.vertices(&mesh), Some(vec![3, 2, 0, 1]));
+    /// assert_eq!(Pair::VertexFace { vertex: 3, face: 1 }.vertices(&mesh), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn vertices(&self, mesh: &TriangleMesh) -> Option<Vec<u32>> {
+        with_kind!(self.kind(), K => {
+            K::vertices(mesh, self.ids()).map(|vertices| vertices.to_vec())
+        })
     }
 }

@@ -90,12 +90,12 @@ impl Begun<'_> {
     }
 
     fn collision(mut self) -> Option<Contact> {
-        let pair = self.run(Earliest::new(self.until)).pair();
-        if pair.is_none() {
+        let contact = self.run(Earliest::new(self.until)).contact();
+        if contact.is_none() {
             let [_, x1] = self.step.positions();
             self.found_free(x1);
         }
-        self.search.contact(&self.step, pair?)
+        contact
     }
 
     fn collisions(mut self) -> Vec<Contact> {

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::{Ccd, EdgeEdge, Options, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{AnyKind, Ccd, Options, with_kind};
 use rayon::prelude::*;
 
 use super::collect::{AllContacts, AnyContact, Collect, Earliest};
@@ -11,7 +11,7 @@ use super::method;
 use super::narrow_phase::NarrowPhase;
 use crate::broad_phase::{BroadPhase, PairCollector};
 use crate::overlaps::{self, CandidateError, CandidateOptions, Receive};
-use crate::pairs::{ByKind, MinDistance, Pair, PairCounts, PairKind, Searched};
+use crate::pairs::{ByKind, MinDistance, Pair, PairCounts, Searched};
 use crate::steps::Step;
 
 /// Pairs of primitives that come near each other in a step, by their indices.
@@ -30,7 +30,7 @@ use crate::steps::Step;
 /// does not have, or that share a vertex, are no contacts.
 ///
 /// ```
-/// use exact_ccd::{CONTACT, Exact};
+/// use exact_ccd::{AnyKind, CONTACT, Exact};
 /// use exact_ccd_mesh::{Bvh, Candidates, Step, TriangleMesh};
 ///
 /// let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?;
@@ -40,7 +40,7 @@ use crate::steps::Step;
 ///
 /// let step = Step::new(&mesh, &start, &end)?;
 /// let candidates = Candidates::new(step, &Bvh);
-/// assert_eq!(candidates.vertex_face(), [[3, 0]]);
+/// assert_eq!(candidates.of_kind(AnyKind::VertexFace), [[3, 0]]);
 /// let contact = candidates.collision(step, CONTACT);
 /// assert_eq!(contact.map(|contact| contact.impact.time.lower()), Some(0.5));
 ///
@@ -104,43 +104,23 @@ impl Candidates {
         self.0
     }
 
-    /// Pairs of a vertex and a face that it is no corner of, sorted.
+    /// The pairs of a kind, by the indices of both primitives, sorted. Of two edges or two vertices, the
+    /// smaller index comes first. [`Pair`] says which pairs there are of each kind.
     #[must_use]
-    pub fn vertex_face(&self) -> &[[u32; 2]] {
-        &self.0.vertex_face
-    }
-
-    /// Pairs of two edges, the smaller index first, without a common vertex, sorted.
-    #[must_use]
-    pub fn edge_edge(&self) -> &[[u32; 2]] {
-        &self.0.edge_edge
-    }
-
-    /// Pairs of a vertex and a loose edge that no pair of edges covers, sorted: see [`Pair`].
-    #[must_use]
-    pub fn vertex_edge(&self) -> &[[u32; 2]] {
-        &self.0.vertex_edge
-    }
-
-    /// Pairs of two loose vertices, the smaller index first, sorted.
-    #[must_use]
-    pub fn vertex_vertex(&self) -> &[[u32; 2]] {
-        &self.0.vertex_vertex
+    pub fn of_kind(&self, kind: AnyKind) -> &[[u32; 2]] {
+        &self.0[kind]
     }
 
     /// All pairs, in their order.
     pub fn pairs(&self) -> impl Iterator<Item = Pair> {
-        let faces = self.vertex_face().iter().copied().map(VertexFace::pair);
-        let edges = self.edge_edge().iter().copied().map(EdgeEdge::pair);
-        let loose = self.vertex_edge().iter().copied().map(VertexEdge::pair);
-        let points = self.vertex_vertex().iter().copied().map(VertexVertex::pair);
-        faces.chain(edges).chain(loose).chain(points)
+        let all = self.0.iter();
+        all.flat_map(|(kind, pairs)| pairs.iter().map(move |&ids| Pair::new(kind, ids)))
     }
 
     /// The numbers of pairs of each kind.
     #[must_use]
     pub fn counts(&self) -> PairCounts {
-        self.0.as_ref().map(Vec::len)
+        self.0.map_ref(Vec::len)
     }
 
     /// Returns true if there are no pairs.
@@ -197,10 +177,10 @@ impl Candidates {
         narrow_phase: &NarrowPhase,
         collector: &impl Collect,
     ) -> ControlFlow<()> {
-        self.examine_kind::<VertexFace>(step, narrow_phase, collector)?;
-        self.examine_kind::<EdgeEdge>(step, narrow_phase, collector)?;
-        self.examine_kind::<VertexEdge>(step, narrow_phase, collector)?;
-        self.examine_kind::<VertexVertex>(step, narrow_phase, collector)
+        let mut kinds = AnyKind::ALL.iter();
+        kinds.try_for_each(
+            |&kind| with_kind!(kind, K => self.examine_kind::<K>(step, narrow_phase, collector)),
+        )
     }
 
     fn examine_kind<K: Searched>(
@@ -209,7 +189,7 @@ impl Candidates {
         narrow_phase: &NarrowPhase,
         collector: &impl Collect,
     ) -> ControlFlow<()> {
-        let pairs = K::of(&self.0).par_chunks(GRAIN);
+        let pairs = self.0[K::KIND].par_chunks(GRAIN);
         pairs.try_for_each(|pairs| collector.examine::<K>(narrow_phase, step.mesh(), pairs))
     }
 }
@@ -231,10 +211,9 @@ impl Decision<'_> {
     }
 
     fn earliest(self) -> Option<Contact> {
-        let mesh = self.step.mesh();
         let earliest = Earliest::new(self.until);
-        let narrow_phase = self.examine(&earliest);
-        narrow_phase.contact(mesh, earliest.pair()?)
+        self.examine(&earliest);
+        earliest.contact()
     }
 
     fn all(self) -> Vec<Contact> {
@@ -244,14 +223,13 @@ impl Decision<'_> {
     }
 
     /// Passes all pairs to a collector.
-    fn examine(self, collector: &impl Collect) -> NarrowPhase {
+    fn examine(self, collector: &impl Collect) {
         // All on threads of the pool: entering it from outside costs a context switch each time.
         rayon::scope(|_| {
             let min_distance = self.min_distance.extended_to(self.step.mesh());
             let narrow_phase = NarrowPhase::of(&self.step, min_distance);
             let _ = self.candidates.examine_all(&self.step, &narrow_phase, collector);
-            narrow_phase
-        })
+        });
     }
 }
 
@@ -259,12 +237,8 @@ impl FromIterator<Pair> for Candidates {
     fn from_iter<I: IntoIterator<Item = Pair>>(pairs: I) -> Self {
         let mut lists = ByKind::<Vec<[u32; 2]>>::default();
         for pair in pairs {
-            match pair {
-                Pair::VertexFace { vertex, face } => lists.vertex_face.push([vertex, face]),
-                Pair::EdgeEdge { a, b } => lists.edge_edge.push([a.min(b), a.max(b)]),
-                Pair::VertexEdge { vertex, edge } => lists.vertex_edge.push([vertex, edge]),
-                Pair::VertexVertex { a, b } => lists.vertex_vertex.push([a.min(b), a.max(b)]),
-            }
+            // Of two primitives of one set, the smaller index first.
+            lists[pair.kind()].push(Pair::new(pair.kind(), pair.ids()).ids());
         }
         let sorted = |mut pairs: Vec<[u32; 2]>| {
             pairs.par_sort_unstable();
@@ -277,7 +251,7 @@ impl FromIterator<Pair> for Candidates {
 
 impl Receive for ByKind<PairCollector> {
     fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
-        K::of(self).add(pairs)
+        self[K::KIND].add(pairs)
     }
 }
 
@@ -286,7 +260,7 @@ struct Sink<'a>(&'a (dyn Fn(&[Pair]) -> ControlFlow<()> + Sync));
 
 impl Receive for Sink<'_> {
     fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
-        let pairs: Vec<Pair> = pairs.into_iter().map(K::pair).collect();
+        let pairs: Vec<Pair> = pairs.into_iter().map(|ids| Pair::new(K::KIND, ids)).collect();
         (self.0)(&pairs)
     }
 }

@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use exact_ccd::ContactTime;
+use exact_ccd::{Collision, Kind};
 
-use super::contact::{Contact, earlier};
+use super::contact::Contact;
 use super::narrow_phase::NarrowPhase;
 use crate::gathered::Gathered;
 use crate::mesh::TriangleMesh;
@@ -21,8 +21,8 @@ pub(crate) trait Collect: Sync {
     /// The time after which contacts are irrelevant.
     fn until(&self) -> f64;
 
-    /// Examines candidates of one kind, of two primitives of one set the smaller index first, in a sample in
-    /// any order. `Break` ends the search.
+    /// Examines candidates of one kind, of two primitives of one set the smaller index first. `Break` ends
+    /// the search.
     fn examine<K: Searched>(
         &self,
         narrow_phase: &NarrowPhase,
@@ -69,8 +69,8 @@ impl Collect for AnyContact<'_> {
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
-        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
-            if !self.is_found() && approach.contact().is_some() && (self.counts)(K::pair(ids)) {
+        narrow_phase.collisions::<K>(mesh, pairs, self.until(), |ids, pair| {
+            if !self.is_found() && pair.contact().is_some() && (self.counts)(Pair::new(K::KIND, ids)) {
                 self.is_found.store(true, Ordering::Relaxed);
             }
         });
@@ -87,7 +87,7 @@ pub(crate) struct Earliest {
     /// The bits of the least f64 that is not below its time. Written under the lock, so that it
     /// never increases.
     limit: AtomicU64,
-    contact: Mutex<Option<(ContactTime, Pair)>>,
+    contact: Mutex<Option<Contact>>,
     /// The numbers of pairs that start within their distance, if they are to be counted. Their boxes meet at
     /// t = 0, so that a search until any time examines all of them.
     touching: Option<ByKind<AtomicUsize>>,
@@ -111,9 +111,9 @@ impl Earliest {
         }
     }
 
-    /// The pair of the contact.
-    pub(crate) fn pair(&self) -> Option<Pair> {
-        self.found().map(|(_, pair)| pair)
+    /// The earliest contact so far.
+    pub(crate) fn contact(&self) -> Option<Contact> {
+        *self.contact.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The numbers of pairs that start within their distance.
@@ -121,15 +121,17 @@ impl Earliest {
         self.touching.unwrap_or_default().map(AtomicUsize::into_inner)
     }
 
-    /// The earliest contact so far.
-    fn found(&self) -> Option<(ContactTime, Pair)> {
-        *self.contact.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn add(&self, time: ContactTime, pair: Pair) {
+    fn add<K: Kind>(&self, pair: Pair, collision: &Collision<'_, K>) {
+        let time = collision.time();
+        let is_earliest = |found: &Option<Contact>| found.is_none_or(|found| (time, pair) < found.key());
+        if !is_earliest(&self.contact()) {
+            return;
+        }
+        // Before the lock: the normal may take long.
+        let new = Contact::new(pair, collision);
         let mut contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
-        *contact = earlier(*contact, Some((time, pair)));
-        if let Some((time, _)) = *contact {
+        if is_earliest(&contact) {
+            *contact = Some(new);
             self.limit.store(time.upper().to_bits(), Ordering::Relaxed);
         }
     }
@@ -151,37 +153,41 @@ impl Collect for Earliest {
         let mut touching = 0;
         let mut lesser = Vec::new();
         // At the same time, a lesser pair comes first. The kinds are examined in the order of pairs.
-        let is_later = |first| K::pair([0; 2]) > first;
-        let (pairs, until) = match self.found() {
+        let is_later = |first| Pair::new(K::KIND, [0; 2]) > first;
+        let (pairs, until) = match self.contact().map(|contact| contact.key()) {
             Some((time, first)) if time.is_start() && self.touching.is_none() => {
                 if is_later(first) {
                     return ControlFlow::Break(());
                 }
-                lesser.extend(pairs.iter().copied().filter(|&ids| K::pair(ids) < first));
+                lesser.extend(
+                    pairs
+                        .iter()
+                        .copied()
+                        .filter(|&ids| Pair::new(K::KIND, ids) < first),
+                );
                 (lesser.as_slice(), 0.0)
             }
             Some((time, first)) if is_later(first) => (pairs, time.lower()),
             _ => (pairs, self.until()),
         };
-        narrow_phase.approaches::<K>(mesh, pairs, until, |ids, approach| {
-            let times = approach.times();
-            touching += usize::from(times.starts_within);
+        narrow_phase.collisions::<K>(mesh, pairs, until, |ids, pair| {
+            touching += usize::from(pair.starts_within());
             // Equal times count, for a lesser pair.
-            if let Some(time) = times.contact
-                && time.lower() <= self.until()
+            if let Some(collision) = pair.contact()
+                && collision.time().lower() <= self.until()
             {
-                self.add(time, K::pair(ids));
+                self.add(Pair::new(K::KIND, ids), &collision);
             }
         });
         if let Some(all) = &self.touching {
-            K::of(all).fetch_add(touching, Ordering::Relaxed);
+            all[K::KIND].fetch_add(touching, Ordering::Relaxed);
         }
         ControlFlow::Continue(())
     }
 
     fn forget_sample<K: Searched>(&self) {
         if let Some(all) = &self.touching {
-            K::of(all).store(0, Ordering::Relaxed);
+            all[K::KIND].store(0, Ordering::Relaxed);
         }
     }
 }
@@ -203,7 +209,7 @@ impl AllContacts {
     /// The contacts in their order.
     pub(crate) fn sorted(self) -> Vec<Contact> {
         let mut contacts = self.contacts.into_list();
-        contacts.sort_unstable_by(Contact::compare);
+        contacts.sort_unstable_by_key(Contact::key);
         contacts
     }
 }
@@ -222,9 +228,9 @@ impl Collect for AllContacts {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         let mut found = Vec::new();
-        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
-            let contact = approach.contact();
-            found.extend(contact.map(|collision| Contact::new(K::pair(ids), &collision)));
+        narrow_phase.collisions::<K>(mesh, pairs, self.until(), |ids, pair| {
+            let contact = pair.contact();
+            found.extend(contact.map(|collision| Contact::new(Pair::new(K::KIND, ids), &collision)));
         });
         self.contacts.append(found);
         ControlFlow::Continue(())

@@ -1,7 +1,5 @@
 //! Contacts of a step.
 
-use std::cmp::Ordering;
-
 use exact_ccd::{Collision, ContactTime, DistanceBounds, Impact, Kind};
 
 use crate::pairs::Pair;
@@ -31,17 +29,8 @@ impl Contact {
         }
     }
 
-    /// The order of contacts.
-    pub(crate) fn compare(&self, other: &Self) -> Ordering {
-        let key = |contact: &Self| (contact.impact.time, contact.pair);
-        key(self).cmp(&key(other))
+    /// Contacts are in the order of their keys.
+    pub(crate) fn key(&self) -> (ContactTime, Pair) {
+        (self.impact.time, self.pair)
     }
-}
-
-/// The earlier of two contacts.
-pub(crate) fn earlier(
-    a: Option<(ContactTime, Pair)>,
-    b: Option<(ContactTime, Pair)>,
-) -> Option<(ContactTime, Pair)> {
-    a.into_iter().chain(b).min()
 }

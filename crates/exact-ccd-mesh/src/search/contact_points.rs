@@ -20,7 +20,7 @@ use exact_ccd::{Impact, Point};
 /// let (x0, x1) = (at(1.0), at(-1.0));
 /// let contact = step(&mesh, &x0, &x1)?.earliest.expect("the point falls through the face");
 /// let vertices = contact.pair.vertices(&mesh).expect("the pair is one of the mesh");
-/// let (point, face) = vertices.split_at(contact.pair.first_len());
+/// let (point, face) = vertices.split_at(contact.pair.kind().sizes()[0]);
 /// let points = contact_points([point, face], [&x0, &x1], &contact.impact);
 /// assert_eq!(points, Some([[2.0, 1.0, 0.0]; 2]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

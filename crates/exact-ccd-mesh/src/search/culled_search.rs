@@ -4,18 +4,17 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{AnyKind, Point, with_kind};
 
 use super::candidates::Candidates;
 use super::collect::Collect;
-use super::contact::Contact;
 use super::kept::Kept;
 use super::narrow_phase::NarrowPhase;
 use super::screen::Screen;
-use crate::at_rest::StartCheck;
+use crate::at_rest::{Intersection, StartCheck};
 use crate::broad_phase::{BoxPairs, BroadPhase};
 use crate::overlaps::{Margin, Primitives, StepBoxes};
-use crate::pairs::{CanCollide, MinDistance, Pair, Searched};
+use crate::pairs::{CanCollide, MinDistance, Searched};
 use crate::steps::{Step, StepError};
 use crate::vector::minus;
 
@@ -83,19 +82,19 @@ impl CulledSearch {
         self.memory = Memory::new(can_collide);
     }
 
-    /// The contact of a pair in the last step.
-    pub(crate) fn contact(&self, step: &Step<'_>, pair: Pair) -> Option<Contact> {
-        self.memory.narrow_phase.contact(step.mesh(), pair)
-    }
-
-    /// Makes certain that nothing crosses at the start of a step.
+    /// Makes certain that nothing that counts crosses at the start of a step.
     ///
     /// # Errors
     /// As [`StartCheck::examine`].
-    pub(crate) fn check_start(&mut self, step: &Step<'_>, check: &mut StartCheck) -> Result<(), StepError> {
+    pub(crate) fn check_start(
+        &mut self,
+        step: &Step<'_>,
+        check: &mut StartCheck,
+        counts: &dyn Fn(Intersection) -> bool,
+    ) -> Result<(), StepError> {
         let Self { broad_phase, memory } = self;
         let can_collide = memory.narrow_phase.can_collide();
-        check.examine(&**broad_phase, step, &mut memory.primitives, can_collide)
+        check.examine(&**broad_phase, step, &mut memory.primitives, can_collide, counts)
     }
 
     /// Passes to the collector all candidates that come within their distance until its time, and possibly
@@ -180,10 +179,8 @@ impl CulledSearch {
                 until: collector.until(),
                 screened: None,
             };
-            pass.examine::<VertexFace>(resting, moving)?;
-            pass.examine::<EdgeEdge>(resting, moving)?;
-            pass.examine::<VertexEdge>(resting, moving)?;
-            pass.examine::<VertexVertex>(resting, moving)
+            let mut kinds = AnyKind::ALL.iter();
+            kinds.try_for_each(|&kind| with_kind!(kind, K => pass.examine::<K>(resting, moving)))
         });
     }
 }
@@ -221,10 +218,8 @@ impl CulledSearch {
                 collector,
                 marked,
             };
-            marked.examine::<VertexFace>(moving)?;
-            marked.examine::<EdgeEdge>(moving)?;
-            marked.examine::<VertexEdge>(moving)?;
-            marked.examine::<VertexVertex>(moving)
+            let mut kinds = AnyKind::ALL.iter();
+            kinds.try_for_each(|&kind| with_kind!(kind, K => marked.examine::<K>(moving)))
         });
     }
 }

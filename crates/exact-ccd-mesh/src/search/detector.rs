@@ -6,7 +6,7 @@ use exact_ccd::{Options, Point, TimeOutOfStep};
 
 use super::collect::Collect;
 use super::culled_search::CulledSearch;
-use crate::at_rest::StartCheck;
+use crate::at_rest::{Intersection, StartCheck};
 use crate::broad_phase::{BroadPhase, Bvh};
 use crate::mesh::TriangleMesh;
 use crate::pairs::{CanCollide, MinDistance};
@@ -122,6 +122,24 @@ impl Detector {
         }
     }
 
+    /// The check of the start alone, if it is on, for the edges and faces that count. They are asked for in
+    /// their order, until one counts, and only if they cross. Steps from the same positions need no further
+    /// pass.
+    ///
+    /// # Errors
+    /// [`StepError::Crossing`] has the first edge and face, and other errors are about the positions.
+    pub fn check_start(
+        &mut self,
+        x0: &[Point],
+        counts: impl Fn(Intersection) -> bool,
+    ) -> Result<(), StepError> {
+        let step = Step::new(&self.mesh, x0, x0)?;
+        match &mut self.start_check {
+            Some(start_check) => self.search.check_start(&step, start_check, &counts),
+            None => Ok(()),
+        }
+    }
+
     /// The number of passes over the mesh at rest that the check of the start has made; 0 without it.
     #[must_use]
     pub fn start_passes(&self) -> usize {
@@ -171,7 +189,7 @@ impl Detector {
         min_distance.check(&self.mesh)?;
         let step = Step::new(&self.mesh, x0, x1)?;
         if let Some(start_check) = &mut self.start_check {
-            self.search.check_start(&step, start_check)?;
+            self.search.check_start(&step, start_check, &|_| true)?;
         }
         Ok(Begun {
             step,

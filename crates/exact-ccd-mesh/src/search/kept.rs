@@ -34,7 +34,7 @@ impl Kept {
     /// Keeps some more pairs.
     pub(super) fn add<K: Searched>(&self, pairs: &[[u32; 2]]) {
         if self.count.fetch_add(pairs.len(), Ordering::Relaxed) + pairs.len() <= self.most {
-            K::of(&self.pairs).append(pairs.to_vec());
+            self.pairs[K::KIND].append(pairs.to_vec());
         }
     }
 
@@ -47,7 +47,7 @@ impl Kept {
 
 #[cfg(test)]
 mod tests {
-    use exact_ccd::VertexFace;
+    use exact_ccd::{AnyKind, VertexFace};
 
     use super::*;
 
@@ -60,7 +60,8 @@ mod tests {
             for &part in parts {
                 kept.add::<VertexFace>(&vec![[0, 0]; part]);
             }
-            kept.into_candidates().map(|kept| kept.vertex_face().len())
+            kept.into_candidates()
+                .map(|kept| kept.of_kind(AnyKind::VertexFace).len())
         };
         assert_eq!(kept(&[]), Some(0));
         assert_eq!(kept(&[1, most - 1]), Some(most));

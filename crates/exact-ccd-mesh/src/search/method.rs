@@ -4,7 +4,7 @@
 //! zero to them: so the loose pairs are pairs of edges, with the definition of contact for these.
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{Ccd, Decide, EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{AnyKind, Ccd, Decide, EdgeEdge, Kind, VertexFace, with_kind};
 use rayon::prelude::*;
 
 use crate::mesh::TriangleMesh;
@@ -15,52 +15,26 @@ use crate::steps::Step;
 /// may be a thousand times slower than the exact one.
 const GRAIN: usize = 64;
 
-/// A kind of pairs, as a kind of query that methods decide.
-trait Posed: PairKind {
-    type Query: Kind;
-
-    fn pose(vertices: Self::Vertices) -> <Self::Query as Kind>::Vertices;
-}
-
-impl Posed for VertexFace {
-    type Query = Self;
-
-    fn pose(vertices: [u32; 4]) -> [u32; 4] {
-        vertices
-    }
-}
-
-impl Posed for EdgeEdge {
-    type Query = Self;
-
-    fn pose(vertices: [u32; 4]) -> [u32; 4] {
-        vertices
-    }
-}
-
-impl Posed for VertexEdge {
-    type Query = EdgeEdge;
-
-    fn pose([p, a, b]: [u32; 3]) -> [u32; 4] {
-        [p, p, a, b]
-    }
-}
-
-impl Posed for VertexVertex {
-    type Query = EdgeEdge;
-
-    fn pose([p, q]: [u32; 2]) -> [u32; 4] {
-        [p, p, q, q]
-    }
-}
-
 /// Returns true if any of the pairs is in contact in the step, according to a method.
 pub(crate) fn collides(method: &dyn Ccd, pairs: &ByKind<Vec<[u32; 2]>>, step: &Step<'_>) -> bool {
-    let (mesh, x) = (step.mesh(), &trajectories(step));
-    has_collision::<VertexFace, _>(method, mesh, x, &pairs.vertex_face)
-        || has_collision::<EdgeEdge, _>(method, mesh, x, &pairs.edge_edge)
-        || has_collision::<VertexEdge, _>(method, mesh, x, &pairs.vertex_edge)
-        || has_collision::<VertexVertex, _>(method, mesh, x, &pairs.vertex_vertex)
+    let trajectories = &trajectories(step);
+    let collides = |kind: AnyKind, queries: &[[u32; 4]]| {
+        let mut collides = false;
+        let mut found = |_| collides = true;
+        let outcome = match kind {
+            AnyKind::VertexFace => {
+                Decide::<VertexFace>::collisions(method, trajectories, queries, &mut found)
+            }
+            _ => Decide::<EdgeEdge>::collisions(method, trajectories, queries, &mut found),
+        };
+        // A method that does not accept the queries decides nothing.
+        outcome.is_err() || collides
+    };
+    let any = |(kind, pairs): (AnyKind, &Vec<_>)| {
+        let chunks = pairs.par_chunks(GRAIN);
+        chunks.any(|pairs| collides(kind, &queries(step.mesh(), kind, pairs)))
+    };
+    pairs.iter().any(any)
 }
 
 /// The earliest time of impact of the pairs in the step, according to a method.
@@ -69,14 +43,28 @@ pub(crate) fn time_of_impact(
     pairs: &ByKind<Vec<[u32; 2]>>,
     step: &Step<'_>,
 ) -> Option<f64> {
-    let (mesh, x) = (step.mesh(), &trajectories(step));
-    let times = [
-        earliest::<VertexFace, _>(method, mesh, x, &pairs.vertex_face),
-        earliest::<EdgeEdge, _>(method, mesh, x, &pairs.edge_edge),
-        earliest::<VertexEdge, _>(method, mesh, x, &pairs.vertex_edge),
-        earliest::<VertexVertex, _>(method, mesh, x, &pairs.vertex_vertex),
-    ];
-    times.into_iter().flatten().reduce(f64::min)
+    let trajectories = &trajectories(step);
+    let earliest = |kind: AnyKind, queries: &[[u32; 4]]| {
+        let mut earliest: Option<f64> = None;
+        let mut found = |_, time: f64| {
+            let time = if time > 0.0 { time.min(1.0) } else { 0.0 };
+            earliest = Some(earliest.map_or(time, |earliest| earliest.min(time)));
+        };
+        let outcome = match kind {
+            AnyKind::VertexFace => {
+                Decide::<VertexFace>::times_of_impact(method, trajectories, queries, &mut found)
+            }
+            _ => Decide::<EdgeEdge>::times_of_impact(method, trajectories, queries, &mut found),
+        };
+        // A method that does not accept the queries has no later time.
+        outcome.map_or(Some(0.0), |()| earliest)
+    };
+    let of_kind = |(kind, pairs): (AnyKind, &Vec<_>)| {
+        let chunks = pairs.par_chunks(GRAIN);
+        let times = chunks.filter_map(|pairs| earliest(kind, &queries(step.mesh(), kind, pairs)));
+        times.reduce_with(f64::min)
+    };
+    pairs.iter().filter_map(of_kind).reduce(f64::min)
 }
 
 fn trajectories(step: &Step<'_>) -> Trajectories {
@@ -84,43 +72,10 @@ fn trajectories(step: &Step<'_>) -> Trajectories {
     Trajectories::new(x0, x1).expect("a step has as many positions at both ends, and all are finite")
 }
 
-/// Returns true if a method decides that any of the pairs collides.
-fn has_collision<K: Posed, M: Decide<K::Query> + ?Sized>(
-    method: &M,
-    mesh: &TriangleMesh,
-    trajectories: &Trajectories,
-    pairs: &[[u32; 2]],
-) -> bool {
-    pairs.par_chunks(GRAIN).any(|pairs| {
-        let mut collides = false;
-        let queries = queries::<K>(mesh, pairs);
-        let outcome = method.collisions(trajectories, &queries, &mut |_| collides = true);
-        // A method that does not accept the queries decides nothing.
-        outcome.is_err() || collides
+/// The pairs of a kind as queries that methods decide.
+fn queries(mesh: &TriangleMesh, kind: AnyKind, pairs: &[[u32; 2]]) -> Vec<[u32; 4]> {
+    with_kind!(kind, K => {
+        let vertices = pairs.iter().filter_map(|&ids| K::vertices(mesh, ids));
+        vertices.filter(K::are_apart).map(|vertices| K::OF_FOUR.map(|i| vertices[i])).collect()
     })
-}
-
-/// The earliest time of impact of the pairs according to a method.
-fn earliest<K: Posed, M: Decide<K::Query> + ?Sized>(
-    method: &M,
-    mesh: &TriangleMesh,
-    trajectories: &Trajectories,
-    pairs: &[[u32; 2]],
-) -> Option<f64> {
-    let earliest = |pairs: &[[u32; 2]]| {
-        let mut earliest: Option<f64> = None;
-        let queries = queries::<K>(mesh, pairs);
-        let outcome = method.times_of_impact(trajectories, &queries, &mut |_, time| {
-            let time = if time > 0.0 { time.min(1.0) } else { 0.0 };
-            earliest = Some(earliest.map_or(time, |earliest| earliest.min(time)));
-        });
-        // A method that does not accept the queries has no later time.
-        outcome.map_or(Some(0.0), |()| earliest)
-    };
-    pairs.par_chunks(GRAIN).filter_map(earliest).reduce_with(f64::min)
-}
-
-fn queries<K: Posed>(mesh: &TriangleMesh, pairs: &[[u32; 2]]) -> Vec<<K::Query as Kind>::Vertices> {
-    let query = |&ids: &[u32; 2]| K::vertices(mesh, ids).filter(K::are_apart).map(K::pose);
-    pairs.iter().filter_map(query).collect()
 }

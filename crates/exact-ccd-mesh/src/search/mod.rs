@@ -2,7 +2,6 @@
 //! few tests.
 
 mod answers;
-mod approach;
 mod candidates;
 mod chunks;
 mod clearances;
@@ -15,8 +14,10 @@ mod first_contacts;
 mod kept;
 mod method;
 mod narrow_phase;
+mod pair_collision;
 mod report;
 mod screen;
+mod worlds;
 
 pub use candidates::Candidates;
 pub use contact::Contact;
@@ -24,6 +25,7 @@ pub use contact_points::contact_points;
 pub use detector::Detector;
 pub use first_contacts::FirstContacts;
 pub use report::{StepReport, step};
+pub use worlds::Worlds;
 
 pub(crate) use collect::{AnyContact, Collect, Earliest};
 pub(crate) use culled_search::CulledSearch;

@@ -1,13 +1,12 @@
 //! The narrow phase: exact tests of candidates, in batches.
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{EdgeEdge, Options, Query, Separation, Separations, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{Options, Query, Separation, Separations};
 
-use super::approach::Approach;
 use super::chunks::for_each_chunk;
-use super::contact::Contact;
+use super::pair_collision::PairCollision;
 use crate::mesh::TriangleMesh;
-use crate::pairs::{CanCollide, MinDistance, Pair, PairKind};
+use crate::pairs::{CanCollide, MinDistance, PairKind};
 use crate::steps::Step;
 
 /// Exact tests of the candidates of a step, in batches.
@@ -52,53 +51,53 @@ impl NarrowPhase {
     ///
     /// Pairs with a common vertex are left out, and pairs that cannot collide, and pairs that `mesh`, the
     /// mesh of the step, does not have.
-    pub(crate) fn approaches<K: PairKind>(
+    pub(crate) fn collisions<K: PairKind>(
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
         until: f64,
-        mut found: impl FnMut([u32; 2], Approach<'_, K>),
+        mut found: impl FnMut([u32; 2], PairCollision<'_, K>),
     ) {
         let separations = self.min_distance.separations();
         // Each case compiles to a copy of the loop, so that the usual loop calls no predicate.
         if self.can_collide.is_all() && !K::CAN_BE_CONNECTED {
-            self.approaches_if(mesh, pairs, until, separations, K::are_apart, found);
+            self.collisions_if(mesh, pairs, until, separations, K::are_apart, found);
             return;
         }
         let can_collide = |vertices: &K::Vertices| self.can_collide.allows_pair::<K>(vertices);
         if !K::CAN_BE_CONNECTED {
-            self.approaches_if(mesh, pairs, until, separations, can_collide, found);
+            self.collisions_if(mesh, pairs, until, separations, can_collide, found);
             return;
         }
         let not_connected =
             |vertices: &K::Vertices| can_collide(vertices) && !K::are_connected(mesh, vertices);
         let connected = |vertices: &K::Vertices| can_collide(vertices) && K::are_connected(mesh, vertices);
         let contact = Separation::default().into();
-        self.approaches_if(mesh, pairs, until, separations, not_connected, &mut found);
-        self.approaches_if(mesh, pairs, until, contact, connected, found);
+        self.collisions_if(mesh, pairs, until, separations, not_connected, &mut found);
+        self.collisions_if(mesh, pairs, until, contact, connected, found);
     }
 
-    fn approaches_if<K: PairKind>(
+    fn collisions_if<K: PairKind>(
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
         until: f64,
         separations: Separations<'_>,
         can_collide: impl Fn(&K::Vertices) -> bool,
-        mut found: impl FnMut([u32; 2], Approach<'_, K>),
+        mut found: impl FnMut([u32; 2], PairCollision<'_, K>),
     ) {
         let inner = self.min_distance.inner();
         let options = Options::within(separations).until(until);
         for_each_chunk::<K>(mesh, pairs, can_collide, |ids, queries| {
             self.trajectories
                 .collisions::<K>(queries, options, |index, collision| {
-                    found(ids[index], Approach::new(collision, inner, until));
+                    found(ids[index], PairCollision::new(collision, inner, until));
                 })
                 .expect("a mesh has the vertices of its primitives, and each has a thickness");
         });
     }
 
-    /// Calls `found` with the vertices and the query of each pair that [`approaches`](Self::approaches)
+    /// Calls `found` with the vertices and the query of each pair that [`collisions`](Self::collisions)
     /// decides.
     pub(crate) fn queries<K: PairKind>(
         &self,
@@ -113,24 +112,5 @@ impl NarrowPhase {
                 found(&vertices, query);
             }
         }
-    }
-
-    /// The contact of a pair; `None` if the pair does not touch in the step, or if `mesh`, the mesh
-    /// of the step, does not have it.
-    pub(crate) fn contact(&self, mesh: &TriangleMesh, pair: Pair) -> Option<Contact> {
-        match pair {
-            Pair::VertexFace { vertex, face } => self.contact_of::<VertexFace>(mesh, [vertex, face]),
-            Pair::EdgeEdge { a, b } => self.contact_of::<EdgeEdge>(mesh, [a, b]),
-            Pair::VertexEdge { vertex, edge } => self.contact_of::<VertexEdge>(mesh, [vertex, edge]),
-            Pair::VertexVertex { a, b } => self.contact_of::<VertexVertex>(mesh, [a, b]),
-        }
-    }
-
-    fn contact_of<K: PairKind>(&self, mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Contact> {
-        let vertices = K::vertices(mesh, ids)?;
-        let query = self.trajectories.query::<K>(vertices)?;
-        let collision = query.collision(self.min_distance.between::<K>(mesh, &vertices))?;
-        let collision = Approach::new(collision, self.min_distance.inner(), 1.0).contact()?;
-        Some(Contact::new(K::pair(ids), &collision))
     }
 }

@@ -3,11 +3,12 @@
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use exact_ccd::{ContactTime, Point};
+use exact_ccd::Point;
 
-use super::contact::{Contact, earlier};
+use super::contact::Contact;
 use super::narrow_phase::NarrowPhase;
 use crate::broad_phase::{BroadPhase, Bvh};
+use crate::gathered::Gathered;
 use crate::mesh::TriangleMesh;
 use crate::overlaps::{self, CandidateError, CandidateOptions, Receive};
 use crate::pairs::{ByKind, Pair, PairCounts, Searched};
@@ -82,26 +83,49 @@ impl StepReport {
         options: &CandidateOptions,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, CandidateError> {
+        Self::tally(step, broad_phase, options, progress, None)
+    }
+
+    /// The same with all contacts, the earliest first.
+    ///
+    /// # Errors
+    /// As [`with_options`](Self::with_options).
+    pub fn with_contacts(
+        step: Step<'_>,
+        broad_phase: &dyn BroadPhase,
+        options: &CandidateOptions,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<(Self, Vec<Contact>), CandidateError> {
+        let list = Gathered::default();
+        let report = Self::tally(step, broad_phase, options, progress, Some(&list))?;
+        let mut contacts = list.into_list();
+        contacts.sort_unstable_by_key(Contact::key);
+        Ok((report, contacts))
+    }
+
+    fn tally(
+        step: Step<'_>,
+        broad_phase: &dyn BroadPhase,
+        options: &CandidateOptions,
+        progress: &(dyn Fn(usize) + Sync),
+        list: Option<&Gathered<Contact>>,
+    ) -> Result<Self, CandidateError> {
         let tallies = Tallies {
             narrow_phase: NarrowPhase::of(&step, options.min_distance.clone()),
             mesh: step.mesh(),
             progress,
             tallies: ByKind::default(),
+            list,
         };
         let _ = overlaps::stream(step, broad_phase, options, &tallies)?;
-        let Tallies {
-            narrow_phase,
-            tallies,
-            ..
-        } = tallies;
-        let tallies = tallies.map(|tally| tally.into_inner().unwrap_or_else(PoisonError::into_inner));
-        let earliest = tallies.into_array().map(|tally| tally.earliest);
-        let earliest = earliest.into_iter().fold(None, earlier);
+        let of_kind = |tally: Mutex<Tally>| tally.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let tallies = tallies.tallies.map(of_kind);
+        let earliest = tallies.iter().filter_map(|(_, tally)| tally.earliest);
         Ok(Self {
             candidates: tallies.map(|tally| tally.candidates),
             colliding: tallies.map(|tally| tally.colliding),
             touching: tallies.map(|tally| tally.touching),
-            earliest: earliest.and_then(|(_, pair)| narrow_phase.contact(step.mesh(), pair)),
+            earliest: earliest.min_by_key(Contact::key),
         })
     }
 
@@ -124,6 +148,8 @@ struct Tallies<'a> {
     mesh: &'a TriangleMesh,
     progress: &'a (dyn Fn(usize) + Sync),
     tallies: ByKind<Mutex<Tally>>,
+    /// All contacts, if they are wanted.
+    list: Option<&'a Gathered<Contact>>,
 }
 
 /// The counts of one kind of pairs.
@@ -132,7 +158,7 @@ struct Tally {
     candidates: usize,
     colliding: usize,
     touching: usize,
-    earliest: Option<(ContactTime, Pair)>,
+    earliest: Option<Contact>,
 }
 
 impl Receive for Tallies<'_> {
@@ -140,37 +166,48 @@ impl Receive for Tallies<'_> {
         if candidates.is_empty() {
             return ControlFlow::Continue(());
         }
-        let mut tally = Tally {
-            candidates: candidates.len(),
-            ..Tally::default()
-        };
-        self.narrow_phase
-            .approaches::<K>(self.mesh, &candidates, 1.0, |ids, approach| {
-                let times = approach.times();
-                tally.touching += usize::from(times.starts_within);
-                tally.colliding += usize::from(times.contact.is_some());
-                let contact = times.contact.map(|time| (time, K::pair(ids)));
-                tally.earliest = earlier(tally.earliest, contact);
-            });
-        {
-            let mut all = K::of(&self.tallies)
+        let tally = || {
+            self.tallies[K::KIND]
                 .lock()
-                .unwrap_or_else(PoisonError::into_inner);
-            *all = all.merge(tally);
+                .unwrap_or_else(PoisonError::into_inner)
+        };
+        let (mut earliest, mut contacts) = (tally().earliest, Vec::new());
+        let (mut colliding, mut touching) = (0, 0);
+        self.narrow_phase
+            .collisions::<K>(self.mesh, &candidates, 1.0, |ids, pair| {
+                touching += usize::from(pair.starts_within());
+                let Some(collision) = pair.contact() else {
+                    return;
+                };
+                colliding += 1;
+                let pair = Pair::new(K::KIND, ids);
+                let is_earliest =
+                    earliest.is_none_or(|first: Contact| (collision.time(), pair) < first.key());
+                if !is_earliest && self.list.is_none() {
+                    return;
+                }
+                let contact = Contact::new(pair, &collision);
+                if is_earliest {
+                    earliest = Some(contact);
+                }
+                contacts.push(contact);
+            });
+        if let Some(list) = self.list {
+            list.append(contacts);
+        }
+        {
+            let mut tally = tally();
+            tally.candidates += candidates.len();
+            tally.colliding += colliding;
+            tally.touching += touching;
+            tally.earliest = tally
+                .earliest
+                .into_iter()
+                .chain(earliest)
+                .min_by_key(Contact::key);
         }
         // After the lock is released: the callback may take long, or wait for other threads.
         (self.progress)(candidates.len());
         ControlFlow::Continue(())
-    }
-}
-
-impl Tally {
-    fn merge(self, other: Self) -> Self {
-        Self {
-            candidates: self.candidates + other.candidates,
-            colliding: self.colliding + other.colliding,
-            touching: self.touching + other.touching,
-            earliest: earlier(self.earliest, other.earliest),
-        }
     }
 }

@@ -15,7 +15,7 @@ fn pairs(mesh: &TriangleMesh, takes_part: &[bool]) -> Vec<([Vec<u32>; 2], bool)>
     let all = Candidates::with_options(step, &Bvh, &options).unwrap();
     let both = |pair: Pair| {
         let vertices = pair.vertices(mesh).unwrap();
-        let (a, b) = vertices.split_at(pair.first_len());
+        let (a, b) = vertices.split_at(pair.kind().sizes()[0]);
         let connects = |edge: &[u32; 2]| a.len() == 1 && meet(edge, a) && b.len() == 2 && meet(edge, b);
         let keeps_distance = !mesh.edges().iter().any(connects);
         ([a.to_vec(), b.to_vec()], keeps_distance)

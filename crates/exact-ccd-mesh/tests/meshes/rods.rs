@@ -2,7 +2,7 @@
 //! consist of.
 
 use exact_ccd::{
-    CONTACT, ContactTime, EdgeEdge, Options, Query, Separation, Thickness, VertexEdge, VertexFace,
+    AnyKind, CONTACT, ContactTime, EdgeEdge, Options, Query, Separation, Thickness, VertexEdge, VertexFace,
     VertexVertex,
 };
 use exact_ccd_mesh::{
@@ -32,7 +32,10 @@ fn a_rod_that_folds_through_its_neighbour_is_in_contact() {
     let report = step(&mesh, &x0, &x1).unwrap();
     let earliest = report.earliest.unwrap();
     assert_eq!((earliest.pair, earliest.impact.time.lower()), (PAIR, 0.5));
-    assert_eq!((report.colliding.vertex_edge, report.colliding.total()), (1, 1));
+    assert_eq!(
+        (report.colliding[AnyKind::VertexEdge], report.colliding.total()),
+        (1, 1)
+    );
 
     let mut detector = Detector::new(mesh.clone());
     assert_eq!(detector.collides(&x0, &x1, CONTACT), Ok(true));

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace};
+use exact_ccd::{AnyKind, EdgeEdge, VertexEdge, VertexFace};
 use exact_ccd_mesh::{Candidates, PairKind, Point};
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -103,32 +103,41 @@ fn near(
         points,
         barrier,
     };
-    let faces = candidates.vertex_face().par_iter().filter_map(|&pair| {
-        let vertices = VertexFace::vertices(mesh, pair)?;
-        let weight = surface.weight_of_vertex(pair[0])?;
-        let (gap, collision) = near.collision(vertices, 1..4, point_triangle, None)?;
-        Some((pair, (gap, collision.weighted(weight))))
-    });
-    let edges = candidates.edge_edge().par_iter().filter_map(|&pair| {
-        let vertices = EdgeEdge::vertices(mesh, pair)?;
-        let weight = surface.weight_of_edges(pair)?;
-        let (gap, collision) =
-            near.collision(vertices, 2..4, edge_edge, Some(&|| near.mollifier(vertices)))?;
-        Some((gap, collision.weighted(weight)))
-    });
+    let faces = candidates
+        .of_kind(AnyKind::VertexFace)
+        .par_iter()
+        .filter_map(|&pair| {
+            let vertices = VertexFace::vertices(mesh, pair)?;
+            let weight = surface.weight_of_vertex(pair[0])?;
+            let (gap, collision) = near.collision(vertices, 1..4, point_triangle, None)?;
+            Some((pair, (gap, collision.weighted(weight))))
+        });
+    let edges = candidates
+        .of_kind(AnyKind::EdgeEdge)
+        .par_iter()
+        .filter_map(|&pair| {
+            let vertices = EdgeEdge::vertices(mesh, pair)?;
+            let weight = surface.weight_of_edges(pair)?;
+            let (gap, collision) =
+                near.collision(vertices, 2..4, edge_edge, Some(&|| near.mollifier(vertices)))?;
+            Some((gap, collision.weighted(weight)))
+        });
     let ends = ends_and_edges(surface, candidates);
     let ends = ends
         .par_iter()
         .filter_map(|&[vertex, a, b]| near.vertex_and_edge(vertex, [a, b]));
-    let rods = candidates.vertex_edge().par_iter().filter_map(|&pair| {
-        let vertices = VertexEdge::vertices(mesh, pair)?;
-        near.vertex_and_rod(vertices)
-    });
+    let rods = candidates
+        .of_kind(AnyKind::VertexEdge)
+        .par_iter()
+        .filter_map(|&pair| {
+            let vertices = VertexEdge::vertices(mesh, pair)?;
+            near.vertex_and_rod(vertices)
+        });
     let (pairs, mut all): (Vec<[u32; 2]>, Vec<(f64, Collision)>) = faces.unzip();
     all.par_extend(edges);
     all.par_extend(ends);
     all.par_extend(rods);
-    let points = candidates.vertex_vertex().par_iter();
+    let points = candidates.of_kind(AnyKind::VertexVertex).par_iter();
     all.par_extend(points.filter_map(|&pair| near.two_vertices(pair)));
     all.extend(near.corrections(&pairs));
     for (half_space, plane) in (0..).zip(surface.half_spaces.iter().map(Plane::of)) {
@@ -267,7 +276,7 @@ fn ends_and_edges(surface: Surface<'_>, candidates: &Candidates) -> Vec<[u32; 3]
     let mesh = surface.mesh;
     let first_loose = (mesh.edges().len() - mesh.loose_edges().len()) as u32;
     let mut pairs: Vec<[u32; 3]> = Vec::new();
-    for &[a, b] in candidates.edge_edge() {
+    for &[a, b] in candidates.of_kind(AnyKind::EdgeEdge) {
         if a.max(b) >= first_loose
             && surface.weight_of_edges([a, b]).is_some()
             && let Some([p, q, r, s]) = EdgeEdge::vertices(mesh, [a, b])

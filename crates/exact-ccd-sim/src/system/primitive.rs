@@ -30,14 +30,12 @@ impl Primitive {
 
     /// The two primitives of a pair of a mesh.
     pub(crate) fn of_pair(mesh: &TriangleMesh, pair: Pair) -> [Self; 2] {
-        let edge = |edge: u32| Self::Edge(mesh.edges()[edge as usize]);
-        let vertex = Self::Vertex;
-        match pair {
-            Pair::VertexFace { vertex: v, face } => [vertex(v), Self::Face(mesh.faces()[face as usize])],
-            Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
-            Pair::VertexEdge { vertex: v, edge: e } => [vertex(v), edge(e)],
-            Pair::VertexVertex { a, b } => [vertex(a), vertex(b)],
-        }
+        let (ids, sizes) = (pair.ids(), pair.kind().sizes());
+        [0, 1].map(|i| match (ids[i], sizes[i]) {
+            (vertex, 1) => Self::Vertex(vertex),
+            (edge, 2) => Self::Edge(mesh.edges()[edge as usize]),
+            (face, _) => Self::Face(mesh.faces()[face as usize]),
+        })
     }
 
     /// The primitive with its vertex indices mapped by a function.

@@ -1,6 +1,6 @@
 //! The candidate pairs of the broad phase, against all pairs of primitives.
 
-use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
     Aabb, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, TriangleMesh,
 };
@@ -135,12 +135,12 @@ impl Scene {
 }
 
 fn assert_has_all(pairs: &Candidates, expected: &Candidates, what: &str) {
-    for pair in expected.vertex_face() {
-        let found = pairs.vertex_face().binary_search(pair);
+    for pair in expected.of_kind(AnyKind::VertexFace) {
+        let found = pairs.of_kind(AnyKind::VertexFace).binary_search(pair);
         assert!(found.is_ok(), "{what}: vertex and face {pair:?}");
     }
-    for pair in expected.edge_edge() {
-        let found = pairs.edge_edge().binary_search(pair);
+    for pair in expected.of_kind(AnyKind::EdgeEdge) {
+        let found = pairs.of_kind(AnyKind::EdgeEdge).binary_search(pair);
         assert!(found.is_ok(), "{what}: edges {pair:?}");
     }
 }
@@ -166,8 +166,11 @@ fn candidates_contain_all_near_and_colliding_pairs_at_any_step_size() {
 
             apart += usize::from(pairs.counts().total() < scene.all().counts().total());
             colliding += collisions.counts().total();
-            let is_new = |pair: &&[u32; 2]| ends.iter().all(|ends| !ends.vertex_face().contains(pair));
-            between += near.vertex_face().iter().filter(is_new).count();
+            let is_new = |pair: &&[u32; 2]| {
+                ends.iter()
+                    .all(|ends| !ends.of_kind(AnyKind::VertexFace).contains(pair))
+            };
+            between += near.of_kind(AnyKind::VertexFace).iter().filter(is_new).count();
         }
     }
     // The scenes must contain pairs of all kinds.

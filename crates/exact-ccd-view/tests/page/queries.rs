@@ -1,14 +1,14 @@
 //! Pages of queries.
 
-use exact_ccd::{EdgeEdge, Query, Separation, VertexFace, VertexVertex};
-use exact_ccd_view::{Page, PageKind};
+use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexFace, VertexVertex};
+use exact_ccd_view::Page;
 use serde_json::json;
 
 use crate::html::Html;
 
 const FACE: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
-fn page<K: PageKind>(title: &str, query: &Query<K>) -> Page {
+fn page<K: Kind>(title: &str, query: &Query<K>) -> Page {
     Page::of_query(title, query, Separation::new(0.0).unwrap())
 }
 

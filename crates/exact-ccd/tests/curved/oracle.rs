@@ -1,57 +1,23 @@
 //! The answers to generated queries agree with the definition.
 
 use exact_ccd::motion::Chain;
-use exact_ccd::{
-    ContactTime, EdgeEdge, Interval, Kind, Options, Separation, VertexEdge, VertexFace, VertexVertex,
-};
+use exact_ccd::{AnyKind, EdgeEdge, Kind, Options, Separation, VertexEdge, VertexFace, VertexVertex};
 use fastrand::Rng;
 
 use crate::cases::{Case, Numbers};
-use crate::definition::{self, Moment, Primitives};
+use crate::definition::{self, found, moment};
 use crate::places;
 
 /// The number of queries of each family, of each kind.
 const COUNT: usize = if cfg!(debug_assertions) { 40 } else { 1000 };
 
-trait Defined: Kind {
-    const PRIMITIVES: Primitives;
-}
-
-impl Defined for VertexFace {
-    const PRIMITIVES: Primitives = Primitives::VertexFace;
-}
-
-impl Defined for EdgeEdge {
-    const PRIMITIVES: Primitives = Primitives::EdgeEdge;
-}
-
-impl Defined for VertexEdge {
-    const PRIMITIVES: Primitives = Primitives::VertexEdge;
-}
-
-impl Defined for VertexVertex {
-    const PRIMITIVES: Primitives = Primitives::VertexVertex;
-}
-
-fn moment(time: ContactTime) -> Moment {
-    (time.lower(), time.is_exact())
-}
-
 /// Compares all answers; returns true if the primitives touch.
-fn assert_defined<K: Defined>(case: &Case<K>, d: f64) -> bool {
+fn assert_defined<K: Kind>(case: &Case<K>, d: f64) -> bool {
     let (points, distance) = places::common(&case.places, K::FIRST, d);
-    let truth = definition::intervals_of(K::PRIMITIVES, &points, &distance);
+    let truth = definition::intervals_of(K::KIND, &points, &distance);
     let query = &case.query;
     let d = Separation::new(d).expect("a distance");
-    let found = query.intervals(d).into_iter();
-    let found = found.map(
-        |Interval {
-             start,
-             end,
-             is_moment,
-         }| ([moment(start), moment(end)], is_moment),
-    );
-    assert_eq!(found.collect::<Vec<_>>(), truth, "{d}: {query:?}");
+    assert_eq!(found(&query.intervals(d)), truth, "{d}: {query:?}");
     let first = truth.first().map(|(ends, _)| ends[0]);
     assert_eq!(
         query.time_of_impact(d),
@@ -71,13 +37,13 @@ fn assert_defined<K: Defined>(case: &Case<K>, d: f64) -> bool {
 
 /// Compares the queries of a family with numbers of all sorts, for contact and within a distance. Fewer are
 /// compared where the definition is slow: with many digits, and within a distance.
-fn check<K: Defined>(share: usize, case: impl Fn(Numbers, &mut Rng) -> Case<K>) {
+fn check<K: Kind>(share: usize, case: impl Fn(Numbers, &mut Rng) -> Case<K>) {
     let mut random = Rng::with_seed(1);
     let (mut touching, mut free) = (0, 0);
     // Vertices are seldom in contact.
-    let every = match K::PRIMITIVES {
-        Primitives::VertexFace | Primitives::EdgeEdge => 8,
-        Primitives::VertexEdge | Primitives::VertexVertex => 2,
+    let every = match K::KIND {
+        AnyKind::VertexFace | AnyKind::EdgeEdge => 8,
+        AnyKind::VertexEdge | AnyKind::VertexVertex => 2,
     };
     for numbers in Numbers::ALL {
         let part = match numbers {

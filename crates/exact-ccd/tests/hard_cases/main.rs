@@ -14,14 +14,14 @@ mod primitives;
 use exact_ccd::batch::Queries;
 use exact_ccd::{EdgeEdge, Query, Separation, Stage, VertexEdge, VertexFace, VertexVertex};
 
-use check::{Defined, assert_defined};
+use check::assert_defined;
 use hard_cases::hard::Hard;
 use hard_cases::{Case, cases, families};
 
 /// The number of queries of each family, for contact and within a distance.
 const COUNT: usize = if cfg!(debug_assertions) { 4 } else { 40 };
 
-fn are_defined<K: Hard + Defined>() {
+fn are_defined<K: Hard>() {
     for Case { query, distance, .. } in cases::<K>(COUNT) {
         assert_defined(&query, distance);
     }

@@ -1,18 +1,19 @@
 //! The oracle on motions whose times within a distance are known by hand. So a test that compares with it
 //! does not depend on the oracle alone.
 
+#[allow(dead_code, reason = "other test targets compare answers of the crate")]
 mod definition;
 
-use definition::Primitives::{self, EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::AnyKind::{self, EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd::Point;
 
 /// Intervals by their ends. A time that is not an f64 is given by the one below it.
 type Expected<'a> = &'a [[(f64, bool); 2]];
 
-fn assert_within(primitives: Primitives, start: &[Point], end: &[Point], d: f64, expected: Expected<'_>) {
-    let found = definition::intervals(primitives, [start, end], d);
+fn assert_within(kind: AnyKind, start: &[Point], end: &[Point], d: f64, expected: Expected<'_>) {
+    let found = definition::intervals(kind, [start, end], d);
     let ends: Vec<_> = found.iter().map(|(ends, _)| *ends).collect();
-    assert_eq!(ends, expected, "{primitives:?} {d}");
+    assert_eq!(ends, expected, "{kind:?} {d}");
 }
 
 const fn exactly(t: f64) -> (f64, bool) {

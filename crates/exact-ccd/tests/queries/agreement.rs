@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use exact_ccd::{EdgeEdge, Kind, Separation, Stage, VertexFace};
 use proptest::prelude::*;
 
-use crate::check::{Defined, assert_defined};
+use crate::check::assert_defined;
 use crate::each_kind::for_each_kind;
 use crate::families::{Rule, cases, extreme, ordinary, rule};
 use crate::generators::*;
@@ -21,7 +21,7 @@ fn agrees<K: Primitives>(cases: u32, points: impl Strategy<Value = Points>) {
 }
 
 /// The definition is slow: it is compared on fewer cases.
-fn is_defined<K: Primitives + Defined>(cases: u32, points: impl Strategy<Value = Points>) {
+fn is_defined<K: Primitives>(cases: u32, points: impl Strategy<Value = Points>) {
     for_all(cases / 200 + 4, points, |points| {
         assert_defined(&query::<K>(&points), Separation::ZERO);
     });
@@ -105,7 +105,7 @@ fn contact<K: Kind>() {
 }
 
 /// Checks some queries against the definition; both decisions must occur.
-fn are_defined<K: Defined>(
+fn are_defined<K: Kind>(
     count: u32,
     points: impl Strategy<Value = Points>,
     rule: impl Strategy<Value = Rule>,
@@ -119,7 +119,7 @@ fn are_defined<K: Defined>(
     assert!(counts.borrow().iter().all(|&count| count > least), "{counts:?}");
 }
 
-fn defined<K: Defined>() {
+fn defined<K: Kind>() {
     are_defined::<K>(250, ordinary(), rule());
     are_defined::<K>(12, extreme(), rule());
     are_defined::<K>(400, ordinary(), Just(Rule::Fixed(0.0)));

@@ -15,7 +15,7 @@ mod primitives;
 
 use exact_ccd::{CONTACT, EdgeEdge, Point, Query, Separation, Stage, VertexFace};
 
-use check::{Defined, assert_defined};
+use check::assert_defined;
 use hard_cases::digest::Digest;
 use hard_cases::extremes::families;
 use hard_cases::hard::Hard;
@@ -27,7 +27,7 @@ const COUNT: usize = 100;
 /// The number of queries of each family that are compared with the definition, which is slow on them.
 const DEFINED: usize = 5;
 
-fn are_defined<K: Hard + Defined>() {
+fn are_defined<K: Hard>() {
     for (_, family) in families::<K>() {
         for query in queries::<K>(family, DEFINED) {
             assert_defined(&query, Separation::ZERO);

@@ -1,6 +1,6 @@
 //! Every search examines only the pairs that can collide.
 
-use exact_ccd::CONTACT;
+use exact_ccd::{AnyKind, CONTACT};
 use exact_ccd_mesh::{
     BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, GroupError, GroupMatrix, Pair,
     StepReport, TriangleMesh,
@@ -38,7 +38,7 @@ impl Rule {
 
     fn is_allowed(&self, mesh: &TriangleMesh, pair: Pair) -> bool {
         let vertices = pair.vertices(mesh).unwrap();
-        let (a, b) = vertices.split_at(pair.first_len());
+        let (a, b) = vertices.split_at(pair.kind().sizes()[0]);
         (self.allows)(a, b)
     }
 
@@ -166,10 +166,16 @@ fn candidates_are_those_of_all_pairs_that_can_collide() {
                 a.iter().filter(|pair| b.contains(pair)).copied().collect()
             };
             assert_eq!(
-                candidates.vertex_face(),
-                both(all.vertex_face(), allowed.vertex_face())
+                candidates.of_kind(AnyKind::VertexFace),
+                both(
+                    all.of_kind(AnyKind::VertexFace),
+                    allowed.of_kind(AnyKind::VertexFace)
+                )
             );
-            assert_eq!(candidates.edge_edge(), both(all.edge_edge(), allowed.edge_edge()));
+            assert_eq!(
+                candidates.of_kind(AnyKind::EdgeEdge),
+                both(all.of_kind(AnyKind::EdgeEdge), allowed.of_kind(AnyKind::EdgeEdge))
+            );
         }
     }
 }

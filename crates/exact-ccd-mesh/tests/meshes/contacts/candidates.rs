@@ -4,7 +4,9 @@ use std::ops::ControlFlow;
 use std::sync::Mutex;
 
 use exact_ccd::batch::{Trajectories, VertexOutOfRange};
-use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
+use exact_ccd::{
+    AnyKind, CONTACT, Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuarantee, VertexFace,
+};
 use exact_ccd_mesh::{
     AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, Pair, Point,
     Step, StepError, Sweep, TriangleMesh,
@@ -79,14 +81,20 @@ fn methods_decide_candidates_one_by_one() {
         let candidates = Candidates::new(step, &Bvh);
         let methods: [&dyn Ccd; 2] = [&Exact, &Odd];
         for method in methods {
-            let faces = candidates.vertex_face().iter().filter_map(|&[vertex, face]| {
-                let query = step.query::<VertexFace>([vertex, face]).unwrap();
-                Decide::<VertexFace>::time_of_impact(method, &query)
-            });
-            let edges = candidates.edge_edge().iter().filter_map(|&[a, b]| {
-                let query = step.query::<EdgeEdge>([a, b]).unwrap();
-                Decide::<EdgeEdge>::time_of_impact(method, &query)
-            });
+            let faces = candidates
+                .of_kind(AnyKind::VertexFace)
+                .iter()
+                .filter_map(|&[vertex, face]| {
+                    let query = step.query::<VertexFace>([vertex, face]).unwrap();
+                    Decide::<VertexFace>::time_of_impact(method, &query)
+                });
+            let edges = candidates
+                .of_kind(AnyKind::EdgeEdge)
+                .iter()
+                .filter_map(|&[a, b]| {
+                    let query = step.query::<EdgeEdge>([a, b]).unwrap();
+                    Decide::<EdgeEdge>::time_of_impact(method, &query)
+                });
             let expected = faces.chain(edges).reduce(f64::min);
             assert_eq!(candidates.time_of_impact_by(step, method), expected);
             assert_eq!(candidates.collides_by(step, method), expected.is_some());
@@ -220,7 +228,7 @@ fn swept_boxes_overlap_in_a_common_motion() {
     for (boxes, expected) in [(BoxKind::Swept, 1), (BoxKind::Moving, 0)] {
         let options = CandidateOptions::default().with_boxes(boxes);
         let found = Candidates::with_options(step, &Bvh, &options).unwrap();
-        assert_eq!(found.vertex_vertex().len(), expected, "{boxes:?}");
+        assert_eq!(found.of_kind(AnyKind::VertexVertex).len(), expected, "{boxes:?}");
     }
 }
 
@@ -258,7 +266,7 @@ fn candidates_meet_at_any_time_of_the_step() {
         let candidates = Candidates::with_options(scene.step(), &Bvh, &options).unwrap();
         assert_eq!(candidates, scene.pairs());
         let counts = candidates.counts();
-        assert!(counts.vertex_edge > 0 && counts.vertex_vertex > 0);
+        assert!(counts[AnyKind::VertexEdge] > 0 && counts[AnyKind::VertexVertex] > 0);
     }
 }
 
@@ -336,11 +344,17 @@ fn each_pair_is_kept_once() {
         .flat_map(|[i, j]| pairs(i, j))
         .collect();
     assert_eq!(
-        (kept.vertex_face(), kept.vertex_edge()),
+        (
+            kept.of_kind(AnyKind::VertexFace),
+            kept.of_kind(AnyKind::VertexEdge)
+        ),
         (&[[4, 7], [7, 4]][..], &[[4, 7], [7, 4]][..])
     );
     assert_eq!(
-        (kept.edge_edge(), kept.vertex_vertex()),
+        (
+            kept.of_kind(AnyKind::EdgeEdge),
+            kept.of_kind(AnyKind::VertexVertex)
+        ),
         (&[[4, 7]][..], &[[4, 7]][..])
     );
 }

@@ -204,7 +204,12 @@ fn rounds(scene: &Scene, min_distance: &MinDistance, keep: f64, common: f64) -> 
         for contact in contacts {
             let (impact, vertices) = (contact.impact, contact.pair.vertices(&scene.mesh).unwrap());
             let can_retreat = |vertex: u32| before[vertex as usize] > least;
-            let approaching = approaching(&vertices, contact.pair.first_len(), &impact, [&scene.x0, &end]);
+            let approaching = approaching(
+                &vertices,
+                contact.pair.kind().sizes()[0],
+                &impact,
+                [&scene.x0, &end],
+            );
             let approaching: Vec<u32> = approaching.into_iter().filter(|&v| can_retreat(v)).collect();
             let held_back = if approaching.is_empty() {
                 vertices

@@ -23,7 +23,7 @@ fn points_of_contacts_are_at_the_distance_of_contact() {
         let positions = [&scene.x0[..], &scene.x1];
         for contact in detector.collisions(&scene.x0, &scene.x1, options).unwrap() {
             let vertices = contact.pair.vertices(&scene.mesh).unwrap();
-            let (first, second) = vertices.split_at(contact.pair.first_len());
+            let (first, second) = vertices.split_at(contact.pair.kind().sizes()[0]);
             let points = contact_points([first, second], positions, &contact.impact).unwrap();
             let found = distance(points);
             assert!(found <= d + 1e-8 * scale, "{contact:?} {found} {d}");
@@ -56,7 +56,7 @@ fn points_of_contacts_are_means_by_the_weights() {
     let assert_at = |mesh: &TriangleMesh, x0: &[Point], x1: &[Point], expected: Point| {
         let contact = step(mesh, x0, x1).unwrap().earliest.unwrap();
         let vertices = contact.pair.vertices(mesh).unwrap();
-        let (first, second) = vertices.split_at(contact.pair.first_len());
+        let (first, second) = vertices.split_at(contact.pair.kind().sizes()[0]);
         let points = contact_points([first, second], [x0, x1], &contact.impact).unwrap();
         for point in points {
             assert!(distance([point, expected]) < 1e-9, "{points:?} {expected:?}");

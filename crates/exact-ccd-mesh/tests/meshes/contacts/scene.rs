@@ -1,6 +1,6 @@
 //! Random scenes and their pairs, by definition.
 
-use exact_ccd::{DistanceBounds, EdgeEdge, Separation, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{DistanceBounds, EdgeEdge, Separation, VertexEdge, VertexFace, VertexVertex, with_kind};
 use exact_ccd_mesh::{Candidates, Contact, MinDistance, Pair, PairKind, Point, Step, TriangleMesh};
 use fastrand::Rng;
 
@@ -150,7 +150,7 @@ impl Scene {
                 let (a, b) = vertices.as_ref().split_at(K::FIRST);
                 a.iter().all(|vertex| !b.contains(vertex))
             })
-            .map(K::pair)
+            .map(|ids| Pair::new(K::KIND, ids))
     }
 }
 
@@ -172,12 +172,7 @@ pub(crate) fn contacts_within(
     pairs: &Candidates,
     min_distance: &MinDistance,
 ) -> Vec<Contact> {
-    let contact = |pair: Pair| match pair {
-        Pair::VertexFace { vertex, face } => contact::<VertexFace>(step, [vertex, face], min_distance),
-        Pair::EdgeEdge { a, b } => contact::<EdgeEdge>(step, [a, b], min_distance),
-        Pair::VertexEdge { vertex, edge } => contact::<VertexEdge>(step, [vertex, edge], min_distance),
-        Pair::VertexVertex { a, b } => contact::<VertexVertex>(step, [a, b], min_distance),
-    };
+    let contact = |pair: Pair| with_kind!(pair.kind(), K => contact::<K>(step, pair.ids(), min_distance));
     let mut contacts: Vec<Contact> = pairs.pairs().filter_map(contact).collect();
     contacts.sort_by(|a, b| {
         let times = a.impact.time.partial_cmp(&b.impact.time).unwrap();
@@ -197,7 +192,7 @@ fn contact<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistanc
         DistanceBounds { lower, upper }
     };
     Some(Contact {
-        pair: K::pair(ids),
+        pair: Pair::new(K::KIND, ids),
         impact,
         distance,
     })

@@ -93,6 +93,24 @@ fn what_touches_at_the_start_is_contact() {
     }
 }
 
+/// The check alone asks for the pairs that cross; steps from a start that it accepts need no further pass.
+#[test]
+fn a_crossing_that_does_not_count_is_no_error() {
+    let pierced = above(-0.5);
+    let mut detector = Detector::new(two_faces());
+    assert_eq!(detector.check_start(&pierced, |_| true), Ok(()));
+    detector.set_start_check(true);
+    let refused = detector.check_start(&pierced, |crossing| crossing.edge == 4);
+    assert!(matches!(
+        refused,
+        Err(StepError::Crossing { edge: 4, face: 0, .. })
+    ));
+    assert_eq!(detector.check_start(&pierced, |_| false), Ok(()));
+    let passes = detector.start_passes();
+    assert_eq!(detector.collides(&pierced, &pierced, CONTACT), Ok(false));
+    assert_eq!((passes, detector.start_passes()), (2, 2));
+}
+
 #[test]
 fn known_positions_need_no_pass() {
     let options = FreeStepOptions::default().with_keep(0.5);

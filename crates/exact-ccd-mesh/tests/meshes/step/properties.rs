@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::CONTACT;
+use exact_ccd::{AnyKind, CONTACT};
 use exact_ccd_mesh::{
     AllPairs, BroadPhase, Bvh, Candidates, Detector, Motion, StepError, StepReport, Sweep, step,
 };
@@ -27,10 +27,10 @@ proptest! {
     fn a_report_counts_the_contacts_of_every_pair(motion in small_motion()) {
         let truth = Truth::of(&motion);
         let candidates = Candidates::new(motion.step().unwrap(), &Bvh);
-        prop_assert_eq!(candidates.vertex_face(), truth.vertex_face);
-        prop_assert_eq!(candidates.edge_edge(), truth.edge_edge);
-        prop_assert_eq!(candidates.vertex_edge(), truth.vertex_edge);
-        prop_assert_eq!(candidates.vertex_vertex(), truth.vertex_vertex);
+        prop_assert_eq!(candidates.of_kind(AnyKind::VertexFace), truth.vertex_face);
+        prop_assert_eq!(candidates.of_kind(AnyKind::EdgeEdge), truth.edge_edge);
+        prop_assert_eq!(candidates.of_kind(AnyKind::VertexEdge), truth.vertex_edge);
+        prop_assert_eq!(candidates.of_kind(AnyKind::VertexVertex), truth.vertex_vertex);
 
         let report = step(&motion.mesh, &motion.x0, &motion.x1).unwrap();
         prop_assert_eq!(report.candidates, candidates.counts());

@@ -46,7 +46,10 @@ fn a_pair_has_the_vertices_of_its_first_primitive_first() {
         (Pair::VertexEdge { vertex: 5, edge: 3 }, vec![5, 3, 4], 1),
         (Pair::VertexVertex { a: 5, b: 6 }, vec![5, 6], 1),
     ] {
-        assert_eq!((pair.vertices(&mesh), pair.first_len()), (Some(vertices), first));
+        assert_eq!(
+            (pair.vertices(&mesh), pair.kind().sizes()[0]),
+            (Some(vertices), first)
+        );
     }
     assert_eq!(Pair::VertexVertex { a: 5, b: 8 }.vertices(&mesh), None);
 }

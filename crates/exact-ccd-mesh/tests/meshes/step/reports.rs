@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use exact_ccd::{CONTACT, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, VertexFace};
 use exact_ccd_mesh::{Bvh, Pair, PairCounts, Point, StepReport, TriangleMesh, step};
 
 use super::motions::falling_sheet;
@@ -21,7 +21,10 @@ fn the_report_is_the_same_on_any_number_of_threads() {
         })
     });
     // Enough for several batches on every thread.
-    assert!(reports[0].candidates.vertex_face > 10_000 && reports[0].candidates.edge_edge > 10_000);
+    assert!(
+        reports[0].candidates[AnyKind::VertexFace] > 10_000
+            && reports[0].candidates[AnyKind::EdgeEdge] > 10_000
+    );
     assert_eq!(reports[0], reports[1]);
     assert_eq!(reports[0], reports[2]);
 }
@@ -29,7 +32,7 @@ fn the_report_is_the_same_on_any_number_of_threads() {
 #[test]
 fn among_contacts_at_the_same_time_the_least_pair_is_named() {
     let report = report(&falling_sheet(), &Bvh);
-    assert!(report.colliding.vertex_face > 1000);
+    assert!(report.colliding[AnyKind::VertexFace] > 1000);
     let earliest = report.earliest.unwrap();
     // Vertex 0 falls from or onto the corner of the first face of the other sheet, the first of its
     // 24 × 24 × 2.
@@ -47,11 +50,8 @@ fn neighbours_are_left_out() {
     let motion = motion(corners.clone(), corners, faces);
     let report = report(&motion, &Bvh);
     // Each vertex and the face opposite, each edge and the edge opposite.
-    let opposite = PairCounts {
-        vertex_face: 4,
-        edge_edge: 3,
-        ..PairCounts::default()
-    };
+    let mut opposite = PairCounts::default();
+    (opposite[AnyKind::VertexFace], opposite[AnyKind::EdgeEdge]) = (4, 3);
     assert_eq!(report.candidates, opposite);
     assert_eq!(report.touching, opposite);
 }
@@ -83,7 +83,10 @@ fn points_that_coincide_touch() {
     let points = motion(vec![a, b, a], vec![a, a, b], vec![]);
     let report = report(&points, &Bvh);
     assert_eq!(
-        (report.colliding.vertex_vertex, report.touching.vertex_vertex),
+        (
+            report.colliding[AnyKind::VertexVertex],
+            report.touching[AnyKind::VertexVertex]
+        ),
         (3, 1)
     );
     let earliest = report.earliest.unwrap();

@@ -29,9 +29,7 @@ impl Truth {
                     truth.vertex_face.push([vertex, face]);
                 }
                 let pair = Pair::VertexFace { vertex, face };
-                let (colliding, touching) = truth.count(pair, Query::<VertexFace>::new(t0, t1).unwrap());
-                truth.colliding.vertex_face += colliding;
-                truth.touching.vertex_face += touching;
+                truth.count(pair, Query::<VertexFace>::new(t0, t1).unwrap());
             }
         }
         let edges = motion.mesh.edges();
@@ -44,10 +42,7 @@ impl Truth {
                 if boxes_meet([&t0[..2], &t1[..2]], [&t0[2..], &t1[2..]]) {
                     truth.edge_edge.push([a, b]);
                 }
-                let (colliding, touching) =
-                    truth.count(Pair::EdgeEdge { a, b }, Query::<EdgeEdge>::new(t0, t1).unwrap());
-                truth.colliding.edge_edge += colliding;
-                truth.touching.edge_edge += touching;
+                truth.count(Pair::EdgeEdge { a, b }, Query::<EdgeEdge>::new(t0, t1).unwrap());
             }
         }
         truth.edge_edge.sort_unstable();
@@ -73,9 +68,7 @@ impl Truth {
                     self.vertex_edge.push([p, edge]);
                 }
                 let pair = Pair::VertexEdge { vertex: p, edge };
-                let (colliding, touching) = self.count(pair, Query::<VertexEdge>::new(t0, t1).unwrap());
-                self.colliding.vertex_edge += colliding;
-                self.touching.vertex_edge += touching;
+                self.count(pair, Query::<VertexEdge>::new(t0, t1).unwrap());
             }
         }
         for (i, &p) in points.iter().enumerate() {
@@ -85,17 +78,15 @@ impl Truth {
                     self.vertex_vertex.push([p, q]);
                 }
                 let pair = Pair::VertexVertex { a: p, b: q };
-                let (colliding, touching) = self.count(pair, Query::<VertexVertex>::new(t0, t1).unwrap());
-                self.colliding.vertex_vertex += colliding;
-                self.touching.vertex_vertex += touching;
+                self.count(pair, Query::<VertexVertex>::new(t0, t1).unwrap());
             }
         }
     }
 
-    /// Counts a pair: 1 if it collides, and 1 if it touches at t = 0. Keeps the earliest contact.
-    fn count<K: Kind>(&mut self, pair: Pair, query: Query<K>) -> (usize, usize) {
+    /// Counts a pair if it collides, and if it touches at t = 0. Keeps the earliest contact.
+    fn count<K: Kind>(&mut self, pair: Pair, query: Query<K>) {
         let Some(time) = query.exactly().intervals(CONTACT).first_time() else {
-            return (0, 0);
+            return;
         };
         let impact = query.impact(CONTACT).unwrap();
         assert_eq!(impact.time, time);
@@ -107,7 +98,8 @@ impl Truth {
         if earlier {
             self.earliest = Some((pair, impact));
         }
-        (1, usize::from(time.is_exact() && time.lower() == 0.0))
+        self.colliding[pair.kind()] += 1;
+        self.touching[pair.kind()] += usize::from(time.is_exact() && time.lower() == 0.0);
     }
 }
 

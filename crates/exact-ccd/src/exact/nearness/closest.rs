@@ -2,8 +2,8 @@
 
 use core::cmp::Ordering;
 
-use super::approach::Approach;
 use super::feature::{Feature, Pair};
+use super::scaled::Scaled;
 use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::{Vector, dot};
@@ -15,7 +15,7 @@ use crate::values::Impact;
 type PointPair = ([f64; 2], Option<Point>);
 
 /// The closest points at the first instant within d.
-pub(super) fn impact<K: Tables>(approach: &Approach, features: &[Feature], first: &Instant) -> Impact {
+pub(super) fn impact<K: Tables>(scaled: &Scaled, features: &[Feature], first: &Instant) -> Impact {
     let time = first.round();
     // In a bracket narrower than the resolution of the ratios, approximations prove nearly all of
     // their signs.
@@ -29,10 +29,10 @@ pub(super) fn impact<K: Tables>(approach: &Approach, features: &[Feature], first
     let (parameters, normal) = match closest.pair {
         Pair::Vertices(difference, parameters) => (
             parameters,
-            approach.direction(approach.difference(difference), &instant),
+            scaled.direction(scaled.difference(difference), &instant),
         ),
-        Pair::VertexEdge(side) => vertex_edge(approach, side, &instant),
-        Pair::Inner => inner::<K>(approach, closest, &instant),
+        Pair::VertexEdge(side) => vertex_edge(scaled, side, &instant),
+        Pair::Inner => inner::<K>(scaled, closest, &instant),
     };
     Impact {
         time,
@@ -43,11 +43,11 @@ pub(super) fn impact<K: Tables>(approach: &Approach, features: &[Feature], first
 
 /// With x from the edge's start to the vertex, the closest point is at s = (e · x) / (e · e), and the vector
 /// (e · e) x − (e · x) e points from it to the vertex.
-fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPair {
+fn vertex_edge(scaled: &Scaled, side: &Side, instant: &Narrowing) -> PointPair {
     let [a, b] = side.edge;
     let (x, e) = (
-        approach.difference((side.vertex, a)),
-        approach.weighted_difference((b, a)),
+        scaled.difference((side.vertex, a)),
+        scaled.weighted_difference((b, a)),
     );
     let (along, squared_length) = (dot(&e, &x), dot(&e, &e));
     let s = instant.ratio(&along, &squared_length);
@@ -60,18 +60,18 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPa
             -towards_vertex
         }
     });
-    (side.parameters(s), approach.direction(direction, instant))
+    (side.parameters(s), scaled.direction(direction, instant))
 }
 
 /// The parameters are guards of the feature over n · n. The direction is n or −n, on the side of w.
-fn inner<K: Tables>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> PointPair {
-    let (volume, n) = approach.plane::<K>();
+fn inner<K: Tables>(scaled: &Scaled, feature: &Feature, instant: &Narrowing) -> PointPair {
+    let (volume, n) = scaled.plane::<K>();
     let squared_length = dot(&n, &n);
     let parameters = K::PARAMETERS.map(|side| instant.ratio(&feature.guards[side], &squared_length));
     let side = instant.sign(&volume);
     let direction = match side {
-        Ordering::Greater => approach.direction(n, instant),
-        Ordering::Less => approach.direction(n.map(|component| -component), instant),
+        Ordering::Greater => scaled.direction(n, instant),
+        Ordering::Less => scaled.direction(n.map(|component| -component), instant),
         Ordering::Equal => None,
     };
     (parameters, direction)

@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot};
 
-use super::approach::Approach;
+use super::scaled::Scaled;
 use crate::exact::dyadic::{ENOUGH_BITS, rounded_down};
 use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
@@ -14,10 +14,10 @@ use crate::values::DistanceBounds;
 
 /// The distance of the primitives at a time of the step, by the integral part of a square root.
 pub(crate) fn distance_at<K: Tables>(points: &Points<f64>, t: f64) -> DistanceBounds {
-    let approach = Approach::at(points, t);
+    let scaled = Scaled::at(points, t);
     // All polynomials are constant.
     let now = Narrowing::new(Instant::At(Split::START));
-    let closest = approach
+    let closest = scaled
         .features::<K>()
         .into_iter()
         .filter(|feature| feature.exists(&now))
@@ -25,7 +25,7 @@ pub(crate) fn distance_at<K: Tables>(points: &Points<f64>, t: f64) -> DistanceBo
     let square = closest.map_or([IBig::ZERO, IBig::ONE], |feature| {
         feature.squared_distance().map(Polynomial::at_start)
     });
-    let (lower, is_exact) = root(square, approach.unit as isize);
+    let (lower, is_exact) = root(square, scaled.unit as isize);
     DistanceBounds {
         lower: f64::from_bits(lower),
         upper: f64::from_bits(lower + u64::from(!is_exact)),

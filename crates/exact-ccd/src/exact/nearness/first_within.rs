@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::approach::Approach;
 use super::feature::Feature;
+use super::scaled::Scaled;
 use super::{STEP, closest, is_within_at};
 use crate::exact::instant::Instant;
 use crate::exact::intervals::{Event, Passage, intervals_of};
@@ -17,7 +17,7 @@ use crate::values::{ContactTime, Impact, Intervals, Separation};
 /// The first time at which the primitives are within d, with the polynomials that it follows from.
 #[derive(Clone, Debug)]
 pub(crate) struct FirstWithin {
-    approach: Approach,
+    scaled: Scaled,
     features: Vec<Feature>,
     /// The crossings of each feature; none if the primitives are within d at t = 0.
     crossings: Vec<Crossings>,
@@ -33,8 +33,8 @@ impl FirstWithin {
 
     /// The first time within d, if there is one.
     pub(crate) fn along<K: Tables>(points: &MovingPoints, d: Separation) -> Option<Self> {
-        let approach = Approach::new(points, d);
-        let features = approach.features::<K>();
+        let scaled = Scaled::new(points, d);
+        let features = scaled.features::<K>();
         let starts = is_within_at(&features, &STEP[0]);
         let crossings = if starts { Vec::new() } else { crossings(&features) };
         let time = if starts {
@@ -45,7 +45,7 @@ impl FirstWithin {
             times.min()?
         };
         Some(Self {
-            approach,
+            scaled,
             features,
             crossings,
             time,
@@ -73,7 +73,7 @@ impl FirstWithin {
         let earliest = || first_ones(&self.features, &self.crossings).reduce(Instant::earlier);
         // Cannot panic: the first time is a root of an excess unless it is a number.
         let first = exact.or_else(earliest).expect("a first time");
-        closest::impact::<K>(&self.approach, &self.features, &first)
+        closest::impact::<K>(&self.scaled, &self.features, &first)
     }
 }
 

@@ -5,11 +5,11 @@
 //! intervals, which begin and end at 0, at 1, or at roots of the features' excesses over d². The
 //! proofs are in `docs/separation.md`.
 
-mod approach;
 mod closest;
 mod distance;
 mod feature;
 mod first_within;
+mod scaled;
 
 #[cfg(test)]
 use alloc::vec::Vec;
@@ -25,15 +25,15 @@ use super::polynomial::Polynomial;
 use super::split::Split;
 use crate::tables::Tables;
 use crate::values::Separation;
-use approach::Approach;
 use feature::Feature;
+use scaled::Scaled;
 
 /// The first and the last time.
 static STEP: [Split; 2] = [Split::START, Split::END];
 
 /// Returns true if the primitives come within d.
 pub(super) fn comes_within<K: Tables>(points: &MovingPoints, d: Separation) -> bool {
-    let features = Approach::new(points, d).features::<K>();
+    let features = Scaled::new(points, d).features::<K>();
     STEP.iter().any(|t| is_within_at(&features, t)) || features.iter().any(Feature::crosses)
 }
 
@@ -50,6 +50,6 @@ pub(super) fn excess_degrees<K: Tables>(
     d: Separation,
     degree: impl Fn(&Polynomial) -> usize,
 ) -> Vec<usize> {
-    let features = Approach::new(points, d).features::<K>();
+    let features = Scaled::new(points, d).features::<K>();
     features.iter().map(|feature| degree(feature.excess())).collect()
 }

@@ -4,8 +4,8 @@ use std::array::from_fn;
 use std::cmp::Ordering::{Equal, Greater, Less};
 
 use dashu_int::IBig;
+use exact_ccd::AnyKind;
 
-use super::Primitives;
 use super::polynomial::Polynomial;
 use super::root::{self, Function, Root};
 use super::time::Time;
@@ -26,25 +26,25 @@ pub(crate) struct Feature {
 }
 
 /// All pairs of features of two primitives.
-pub(crate) fn all(primitives: Primitives, p: &[Vector], d: &Polynomial) -> Vec<Feature> {
+pub(crate) fn all(kind: AnyKind, p: &[Vector], d: &Polynomial) -> Vec<Feature> {
     let pairs = |vertices: &[[usize; 2]], edges: &[[usize; 3]]| -> Vec<Feature> {
         let vertices = vertices.iter().map(|&[i, j]| vertex_vertex(&p[i], &p[j], d));
         let edges = edges.iter().map(|&[i, j, k]| vertex_edge(&p[i], &p[j], &p[k], d));
         vertices.chain(edges).collect()
     };
-    let mut all = match primitives {
-        Primitives::VertexFace => pairs(&[[0, 1], [0, 2], [0, 3]], &[[0, 1, 2], [0, 2, 3], [0, 3, 1]]),
-        Primitives::EdgeEdge => pairs(
+    let mut all = match kind {
+        AnyKind::VertexFace => pairs(&[[0, 1], [0, 2], [0, 3]], &[[0, 1, 2], [0, 2, 3], [0, 3, 1]]),
+        AnyKind::EdgeEdge => pairs(
             &[[0, 2], [0, 3], [1, 2], [1, 3]],
             &[[0, 2, 3], [1, 2, 3], [2, 0, 1], [3, 0, 1]],
         ),
-        Primitives::VertexEdge => pairs(&[[0, 1], [0, 2]], &[[0, 1, 2]]),
-        Primitives::VertexVertex => pairs(&[[0, 1]], &[]),
+        AnyKind::VertexEdge => pairs(&[[0, 1], [0, 2]], &[[0, 1, 2]]),
+        AnyKind::VertexVertex => pairs(&[[0, 1]], &[]),
     };
-    match primitives {
-        Primitives::VertexFace => all.push(vertex_face(&p[0], &p[1], &p[2], &p[3], d)),
-        Primitives::EdgeEdge => all.push(edge_edge(&p[0], &p[1], &p[2], &p[3], d)),
-        Primitives::VertexEdge | Primitives::VertexVertex => {}
+    match kind {
+        AnyKind::VertexFace => all.push(vertex_face(&p[0], &p[1], &p[2], &p[3], d)),
+        AnyKind::EdgeEdge => all.push(edge_edge(&p[0], &p[1], &p[2], &p[3], d)),
+        AnyKind::VertexEdge | AnyKind::VertexVertex => {}
     }
     all
 }

@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use dashu_ratio::RBig;
-use exact_ccd::Point;
+use exact_ccd::{AnyKind, ContactTime, Interval, Intervals, Point};
 
 use feature::Feature;
 pub(crate) use feature::Vector;
@@ -27,37 +27,34 @@ use polynomial::Polynomial;
 use root::Root;
 use time::Time;
 
-/// The two primitives of a query, as the feature pairs of its points.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Primitives {
-    VertexFace,
-    EdgeEdge,
-    VertexEdge,
-    VertexVertex,
-}
-
 /// A time: the largest f64 that is not above it, and true if it is that f64.
 pub(crate) type Moment = (f64, bool);
 
+/// A time of the crate.
+pub(crate) fn moment(time: ContactTime) -> Moment {
+    (time.lower(), time.is_exact())
+}
+
+/// Intervals of the crate, as [`intervals`] has them.
+pub(crate) fn found(intervals: &Intervals) -> Vec<([Moment; 2], bool)> {
+    let ends = |found: &Interval| [moment(found.start), moment(found.end)];
+    intervals
+        .iter()
+        .map(|found| (ends(found), found.is_moment))
+        .collect()
+}
+
 /// The maximal intervals of the times at which the primitives are at most d apart: the first and last time of
 /// each, and true if its length is 0.
-pub(crate) fn intervals(
-    primitives: Primitives,
-    [start, end]: [&[Point]; 2],
-    d: f64,
-) -> Vec<([Moment; 2], bool)> {
+pub(crate) fn intervals(kind: AnyKind, [start, end]: [&[Point]; 2], d: f64) -> Vec<([Moment; 2], bool)> {
     let (points, d) = in_integers([start, end], d);
-    intervals_of(primitives, &points, &Polynomial::new(vec![d]))
+    intervals_of(kind, &points, &Polynomial::new(vec![d]))
 }
 
 /// The same for points whose coordinates are polynomials, and for a distance that is one, not negative in the
 /// step.
-pub(crate) fn intervals_of(
-    primitives: Primitives,
-    points: &[Vector],
-    d: &Polynomial,
-) -> Vec<([Moment; 2], bool)> {
-    let features: Vec<Feature> = feature::all(primitives, points, d)
+pub(crate) fn intervals_of(kind: AnyKind, points: &[Vector], d: &Polynomial) -> Vec<([Moment; 2], bool)> {
+    let features: Vec<Feature> = feature::all(kind, points, d)
         .into_iter()
         .filter(Feature::is_ever_near)
         .collect();

@@ -16,14 +16,14 @@ use crate::values::Separation;
 /// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
 /// contact, distance is not invariant under a scaling of one axis.
 #[derive(Clone, Debug)]
-pub(super) struct Approach {
+pub(super) struct Scaled {
     points: MovingPoints,
     squared_separation: Polynomial,
     /// The coordinates are integers times two to this power.
     pub(super) unit: i32,
 }
 
-impl Approach {
+impl Scaled {
     pub(super) fn new(points: &MovingPoints, d: Separation) -> Self {
         let ([separation], of_separation) = to_integers([d.get()]);
         let unit = points.least_unit().into_iter().chain(of_separation).min();
@@ -39,16 +39,16 @@ impl Approach {
     /// The points at one time, as constant polynomials, and d = 0.
     pub(super) fn at(points: &Points<f64>, t: f64) -> Self {
         let (numerator, exponent) = decompose(t);
-        let approach = Self::new(&MovingPoints::along(points), Separation::ZERO);
+        let scaled = Self::new(&MovingPoints::along(points), Separation::ZERO);
         let at_time = |coordinate: &Polynomial| {
             let (start, end) = (coordinate.at_start(), coordinate.at_end());
             let moved = (end - &start) * IBig::from(numerator);
             Polynomial::constant((start << exponent.unsigned_abs() as usize) + moved)
         };
         Self {
-            points: approach.points.map(at_time),
+            points: scaled.points.map(at_time),
             squared_separation: Polynomial::constant(IBig::ZERO),
-            unit: approach.unit + exponent,
+            unit: scaled.unit + exponent,
         }
     }
 

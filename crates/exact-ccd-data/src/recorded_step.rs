@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use exact_ccd::{CONTACT, EdgeEdge, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Kind, VertexFace};
 use exact_ccd_files::read_motion;
 use exact_ccd_mesh::{Motion, Step, TriangleMesh};
 
@@ -11,20 +11,19 @@ use crate::error::DataError;
 use crate::json::{read_pairs, read_verdicts};
 use crate::kind::DataKind;
 use crate::list::list;
-use crate::query_kind::QueryKind;
 use crate::record::{Record, Sample, number};
 use crate::roots::{Roots, read_roots};
 
 /// A time step of a simulation in the folder of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Scene {
+pub struct RecordedStep {
     folder: PathBuf,
     /// The frame at which the step starts, in a folder with more than two of them.
     start: Option<usize>,
 }
 
-impl Scene {
-    /// The scene in a folder with two frames.
+impl RecordedStep {
+    /// The step in a folder with two frames.
     #[must_use]
     pub fn new(folder: PathBuf) -> Self {
         Self { folder, start: None }
@@ -84,7 +83,7 @@ impl Scene {
             self.file("boxes", kind, "json").is_ok()
                 && self.file("mma_bool", &format!("{kind}_mma_bool"), "json").is_ok()
         };
-        has(VertexFace::SHORT) && has(EdgeEdge::SHORT)
+        has(VertexFace::KIND.short()) && has(EdgeEdge::KIND.short())
     }
 
     /// The motion between the two frames.
@@ -101,7 +100,7 @@ impl Scene {
     /// # Errors
     /// If the file is missing or wrong.
     pub fn pairs<K: DataKind>(&self, mesh: &TriangleMesh) -> Result<Vec<[u32; 2]>, DataError> {
-        read_pairs::<K>(&self.file("boxes", K::SHORT, "json")?, mesh)
+        read_pairs::<K>(&self.file("boxes", K::KIND.short(), "json")?, mesh)
     }
 
     /// The queries of a kind, rebuilt from the motion and the pairs, with the verdicts on them.
@@ -110,7 +109,7 @@ impl Scene {
     /// If a file is missing or wrong, or if the numbers of pairs and of verdicts differ.
     pub fn samples<K: DataKind>(&self, step: &Step<'_>) -> Result<Vec<Sample<K>>, DataError> {
         let pairs = self.pairs::<K>(step.mesh())?;
-        let verdict_file = self.file("mma_bool", &format!("{}_mma_bool", K::SHORT), "json")?;
+        let verdict_file = self.file("mma_bool", &format!("{}_mma_bool", K::KIND.short()), "json")?;
         let verdicts = read_verdicts(&verdict_file)?;
         if verdicts.len() != pairs.len() {
             return Err(DataError::VerdictCount {
@@ -173,7 +172,7 @@ impl Scene {
     /// # Errors
     /// If the folder cannot be read or has more than one such file.
     pub fn queries<K: DataKind>(&self) -> Result<Option<PathBuf>, DataError> {
-        self.optional_file("queries", K::SHORT, "csv")
+        self.optional_file("queries", K::KIND.short(), "csv")
     }
 
     /// The file with the contact times of the colliding queries, if it was published.
@@ -181,7 +180,7 @@ impl Scene {
     /// # Errors
     /// If the folder cannot be read or has more than one such file.
     pub fn roots<K: DataKind>(&self) -> Result<Option<PathBuf>, DataError> {
-        self.optional_file("roots", K::SHORT, "csv")
+        self.optional_file("roots", K::KIND.short(), "csv")
     }
 
     fn optional_file(

@@ -1,19 +1,9 @@
-//! The names of the kinds of query, and of their points, in query files.
+//! The points of a query in the order of query files.
 
 use exact_ccd::{Kind, NonFinite, Point, Query};
 
-/// A kind of query, with its names in query files.
-pub trait QueryKind: Kind + Send + Sync {
-    /// The short name of the kind.
-    const SHORT: &'static str = Self::KIND.short();
-    /// The names of the points of a query, in the order of [`Query::points`].
-    const POINTS: &'static [&'static str] = Self::KIND.point_names();
-}
-
-impl<K: Kind + Send + Sync> QueryKind for K {}
-
 /// The points of a query in the order of the files: all at t = 0, then all at t = 1.
-pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Point> {
+pub(crate) fn points<K: Kind>(query: &Query<K>) -> impl Iterator<Item = Point> {
     query.points().iter().flat_map(AsRef::as_ref).copied()
 }
 
@@ -24,8 +14,8 @@ pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Poi
 ///
 /// # Panics
 /// If the kind has another number of points.
-pub(crate) fn query<K: QueryKind>(points: &[Point]) -> Result<Query<K>, NonFinite> {
-    let (start, end) = points.split_at(K::POINTS.len());
+pub(crate) fn query<K: Kind>(points: &[Point]) -> Result<Query<K>, NonFinite> {
+    let (start, end) = points.split_at(K::KIND.point_names().len());
     let [t0, t1] = [start, end].map(|points| {
         let mut all = K::Points::default();
         all.as_mut().copy_from_slice(points);
@@ -40,11 +30,11 @@ mod tests {
 
     use super::*;
 
-    fn assert_inverse<K: QueryKind + PartialEq>(count: usize) {
+    fn assert_inverse<K: Kind + PartialEq>(count: usize) {
         let row = |i: usize| [0.0, 1.0, 2.0].map(|axis| 3.0 * i as f64 + axis);
         let rows: Vec<Point> = (0..2 * count).map(row).collect();
         let query = query::<K>(&rows).unwrap();
-        assert_eq!(points(&query).collect::<Vec<_>>(), rows, "{}", K::SHORT);
+        assert_eq!(points(&query).collect::<Vec<_>>(), rows, "{}", K::KIND.short());
     }
 
     #[test]
