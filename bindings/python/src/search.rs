@@ -6,8 +6,8 @@ use exact_ccd::{Options, Point, Separation};
 use exact_ccd_certify::{Maker, MakerError};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, FreeSteps, Intersection,
-    IntersectionOptions, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount, TriangleMesh,
-    has_intersections, intersections,
+    IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
+    TriangleMesh, has_intersections, intersections,
 };
 
 use crate::broad_phase::Interruptible;

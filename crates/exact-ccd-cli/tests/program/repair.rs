@@ -183,7 +183,7 @@ fn single_precision_and_the_certificate_are_about_the_written_file() {
         .positions;
     assert!(positions.as_flattened().iter().all(|&x| f64::from(x as f32) == x));
     let certificate = fs::read(folder.path("proof")).unwrap();
-    let proved = check(&certificate, [frame(), frame()].into_iter()).unwrap();
+    let proved = check(&certificate, [frame(), frame()]).unwrap();
     assert!(proved.steps[0].head.rest);
     assert_eq!(
         folder

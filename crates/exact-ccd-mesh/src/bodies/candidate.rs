@@ -1,7 +1,7 @@
 //! Two primitives of different bodies, and the decisions about them.
 
 use exact_ccd::motion::{BodyPair, CurvedQuery};
-use exact_ccd::{AnyKind, ContactTime, Impact, Kind, Options, WithKind};
+use exact_ccd::{AnyKind, ContactTime, Impact, Kind, Options, with_kind};
 
 use super::Bodies;
 use super::body::Set;
@@ -28,38 +28,23 @@ impl Candidate {
     }
 
     pub(super) fn collides(&self, bodies: &Bodies, options: Options) -> bool {
-        self.ask(bodies, options, Question::Collides).is_some()
+        with_kind!(self.kind, K => self.query::<K>(bodies).is_some_and(|query| query.collides(options)))
     }
 
     /// Times between which the first contact is, if there may be one.
     pub(super) fn bracket(&self, bodies: &Bodies, options: Options) -> Option<[f64; 2]> {
-        match self.ask(bodies, options, Question::Bracket) {
-            Some(Answer::Bracket(bracket)) => Some(bracket),
-            _ => None,
-        }
+        let bracket = with_kind!(self.kind, K => self.query::<K>(bodies)?.bracket(options));
+        // Not known, or known to be free.
+        let bracket = bracket.unwrap_or([0.0, f64::INFINITY]);
+        (bracket[0] <= 1.0).then_some(bracket)
     }
 
     pub(super) fn first_time(&self, bodies: &Bodies, options: Options) -> Option<ContactTime> {
-        match self.ask(bodies, options, Question::FirstTime) {
-            Some(Answer::FirstTime(time)) => Some(time),
-            _ => None,
-        }
+        with_kind!(self.kind, K => self.query::<K>(bodies)?.first_time(options))
     }
 
     pub(super) fn impact(&self, bodies: &Bodies, options: Options) -> Option<Impact> {
-        match self.ask(bodies, options, Question::Impact) {
-            Some(Answer::Impact(impact)) => Some(impact),
-            _ => None,
-        }
-    }
-
-    fn ask(&self, bodies: &Bodies, options: Options, question: Question) -> Option<Answer> {
-        self.kind.with(Ask {
-            candidate: self,
-            bodies,
-            options,
-            question,
-        })
+        with_kind!(self.kind, K => self.query::<K>(bodies)?.impact(options))
     }
 
     /// The query of the primitives, whose coordinates are finite.
@@ -76,48 +61,5 @@ impl Candidate {
             *target = point;
         }
         self.motions.query(points).ok()
-    }
-}
-
-/// A question about a query whose kind is known at run time.
-struct Ask<'a> {
-    candidate: &'a Candidate,
-    bodies: &'a Bodies,
-    options: Options,
-    question: Question,
-}
-
-#[derive(Clone, Copy)]
-enum Question {
-    Collides,
-    Bracket,
-    FirstTime,
-    Impact,
-}
-
-enum Answer {
-    Collides,
-    Bracket([f64; 2]),
-    FirstTime(ContactTime),
-    Impact(Impact),
-}
-
-impl WithKind for Ask<'_> {
-    type Output = Option<Answer>;
-
-    fn with<K: Kind>(self) -> Option<Answer> {
-        let query = self.candidate.query::<K>(self.bodies)?;
-        let options = self.options;
-        match self.question {
-            Question::Collides => query.collides(options).then_some(Answer::Collides),
-            Question::Bracket => match query.bracket(options) {
-                // Not known, or known to be free.
-                None => Some(Answer::Bracket([0.0, f64::INFINITY])),
-                Some([start, _]) if start > 1.0 => None,
-                Some(bracket) => Some(Answer::Bracket(bracket)),
-            },
-            Question::FirstTime => query.first_time(options).map(Answer::FirstTime),
-            Question::Impact => query.impact(options).map(Answer::Impact),
-        }
     }
 }
