@@ -4,9 +4,7 @@
 
 use arbitrary::{Result, Unstructured};
 use exact_ccd::batch::{Instructions, Queries, Trajectories};
-use exact_ccd::{
-    AnyKind, ContactTime, Kind, Options, Query, Separation, with_kind,
-};
+use exact_ccd::{AnyKind, ContactTime, Kind, Options, Query, Separation, with_kind};
 use exact_ccd_fuzz::{coordinate, positions};
 use libfuzzer_sys::fuzz_target;
 

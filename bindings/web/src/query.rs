@@ -29,7 +29,9 @@ pub(crate) fn answer(
     let finder = RootFinder::new(distance + tolerance)?;
     let method = finder.method();
     let mut kinds = AnyKind::ALL.iter().copied();
-    let kind = kinds.find(|any| any.name() == kind).ok_or_else(|| Error::Kind(kind.to_owned()))?;
+    let kind = kinds
+        .find(|any| any.name() == kind)
+        .ok_or_else(|| Error::Kind(kind.to_owned()))?;
     let page = with_kind!(kind, K => Page::of_query(title(kind), &query::<K>(coordinates)?, separation));
     let root_finder = match kind {
         AnyKind::VertexFace => Some(Verdict::of::<VertexFace>(method, &query(coordinates)?)),

@@ -1,8 +1,8 @@
 //! The published queries of curved motion: the share that the filters leave to integers, and times of a
 //! query, with filters and in integers alone; near misses of two bodies; and steps of two meshes.
 //!
-//! `cargo bench -p exact-ccd-bench --bench curved`, on one thread. Times are means over the queries of a file,
-//! in microseconds. The motion of a pair of bodies is prepared before, as for many queries.
+//! `cargo bench -p exact-ccd-bench --bench curved`, on one thread. Times are means over the queries of a
+//! file, in microseconds. The motion of a pair of bodies is prepared before, as for many queries.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 

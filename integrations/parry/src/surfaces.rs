@@ -2,9 +2,7 @@
 
 use std::error::Error;
 
-use exact_ccd::{
-    CONTACT, Impact, Options, Point, Query, Separation, with_kind,
-};
+use exact_ccd::{CONTACT, Impact, Options, Point, Query, Separation, with_kind};
 use exact_ccd_mesh::{
     Bvh, CanCollide, Detector, IntersectionOptions, Meeting, Pair, PairKind, TriangleMesh, contact_points,
     intersections,

@@ -98,7 +98,8 @@ impl Report {
         }
     }
 
-    /// Adds the outcome for a mesh that had these positions. A displacement above the limit counts as not repaired.
+    /// Adds the outcome for a mesh that had these positions. A displacement above the limit counts as not
+    /// repaired.
     pub(super) fn add(
         &mut self,
         scene: &Scene,

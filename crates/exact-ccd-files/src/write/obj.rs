@@ -37,8 +37,8 @@ pub fn write_obj(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {
 
 /// The text of an OBJ file with other coordinates of its vertices, and otherwise the same.
 ///
-/// Returns `None` if the file has another number of vertices, or one in several lines. Weights and colors behind the
-/// coordinates stay. Each coordinate is the shortest decimal that reads back as the same `f64`.
+/// Returns `None` if the file has another number of vertices, or one in several lines. Weights and colors
+/// behind the coordinates stay. Each coordinate is the shortest decimal that reads back as the same `f64`.
 ///
 /// ```
 /// use exact_ccd_files::with_obj_positions;
