@@ -61,13 +61,13 @@ pub(crate) struct Arguments {
     #[arg(long)]
     f32: bool,
     /// Accept no larger displacement of a vertex: beyond it, the mesh counts as not repaired.
-    #[arg(long, value_name = "D", value_parser = distances::parse)]
+    #[arg(long, value_name = "D", value_parser = distances::parse, allow_hyphen_values = true)]
     max_displacement: Option<Separation>,
     /// End each phase after this number of rounds.
     #[arg(long, value_name = "N", default_value_t = RepairOptions::default().max_rounds)]
     max_rounds: usize,
     /// End after this time, with the state that was reached. The result depends on the speed of the machine.
-    #[arg(long, value_name = "SECONDS")]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     max_seconds: Option<f64>,
     /// Write the last positions of a mesh that is not repaired. They intersect.
     #[arg(long)]
