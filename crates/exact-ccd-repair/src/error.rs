@@ -23,6 +23,12 @@ pub enum RepairError {
         /// The number of vertices of the mesh.
         vertex_count: usize,
     },
+    /// A coordinate is beyond the range of `f32`.
+    #[error("vertex {vertex} has a coordinate beyond the range of single precision: scale the mesh")]
+    NotSingle {
+        /// The index of the vertex.
+        vertex: usize,
+    },
     /// The positions are so large or so small that lengths are not normal numbers.
     #[error(
         "the diagonal of the box around all positions is {0:e}, expected one from 1e-140 to 1e140: scale the mesh"

@@ -17,7 +17,8 @@ pub struct RepairOptions<'a> {
     pub pinned: Vec<u32>,
     /// The pairs that may not intersect. The default is all.
     pub can_collide: CanCollide,
-    /// The number of rounds after which loosening gives up. The default is 2,000.
+    /// The number of rounds after which a phase ends: loosening and separation are given up then. The default
+    /// is 2,000.
     pub max_rounds: usize,
     /// Called before each round; true ends the repair as it stands.
     pub stop: Option<&'a (dyn Fn(Progress) -> bool + Sync)>,

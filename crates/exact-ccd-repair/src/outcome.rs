@@ -40,9 +40,11 @@ pub struct Repaired {
 pub struct Unrepaired {
     /// The last positions. They may intersect.
     pub positions: Vec<Point>,
-    /// The edges that pass through faces in these positions.
+    /// The edges that pass through faces in these positions; with [`Reason::Pinned`], between pinned vertices
+    /// only.
     pub crossings: Vec<Intersection>,
-    /// The pairs within the minimum distance in these positions.
+    /// The pairs within the minimum distance in these positions; with [`Reason::Pinned`], between pinned vertices
+    /// only.
     pub contacts: Vec<Pair>,
     /// The reason.
     pub reason: Reason,

@@ -26,7 +26,7 @@ use report::Report;
 
 /// Move the vertices of a mesh that intersects itself until it does not, and decide exactly that it does not
 ///
-/// Vertices, edges and faces stay, in their order. The output is a mesh in which no
+/// Vertices, edges and faces that are examined stay, in their order. The output is a mesh in which no
 /// edge passes through a face and no pair touches; with --min-distance D, in which no
 /// pair is within D. This is decided exactly, for the coordinates as they are in the
 /// output file.
@@ -57,19 +57,19 @@ pub(crate) struct Arguments {
     /// The vertices of this part or group do not move; may be repeated.
     #[arg(long, value_name = "NAME")]
     pin: Vec<String>,
-    /// Make all coordinates numbers in single precision, and decide about these.
+    /// Make the coordinates of all vertices that move numbers in single precision, and decide about these.
     #[arg(long)]
     f32: bool,
     /// Accept no larger displacement of a vertex: beyond it, the mesh counts as not repaired.
     #[arg(long, value_name = "D", value_parser = distances::parse, allow_hyphen_values = true)]
     max_displacement: Option<Separation>,
-    /// End each phase after this number of rounds.
+    /// Give up after this number of rounds of a phase.
     #[arg(long, value_name = "N", default_value_t = RepairOptions::default().max_rounds)]
     max_rounds: usize,
     /// End after this time, with the state that was reached. The result depends on the speed of the machine.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     max_seconds: Option<f64>,
-    /// Write the last positions of a mesh that is not repaired. They intersect.
+    /// Write the last positions of a mesh that is not repaired. They may intersect.
     #[arg(long)]
     partial: bool,
     #[command(flatten)]
@@ -104,8 +104,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut report = Report::new(&scene, notes, Distances::new(distance, None));
     report.add(&scene, &mesh, &positions, limit, &outcome);
     let after = positions_of(&outcome);
+    if report.repaired {
+        scene.note_nesting(after, &mut report.notes)?;
+    }
     if report.repaired || arguments.partial {
-        output.write(&scene, &mesh, after)?;
+        output.write(&scene, &mesh, after, &mut report.notes)?;
         report.output = Some(arguments.output.display().to_string());
     }
     clock.end("write");
@@ -123,7 +126,9 @@ impl Arguments {
     /// Checks the places of the files before anything is computed.
     fn check_places(&self) -> Result<MeshOutput<'_>, Failure> {
         let inputs = self.scene.inputs(std::slice::from_ref(&self.mesh));
-        let output = MeshOutput::new(&self.mesh, &self.output)?;
+        // Without the name of its part.
+        let input = inputs.first().unwrap_or(&self.mesh).clone();
+        let output = MeshOutput::new(input, &self.output)?;
         let others = self.view.file().into_iter().chain(self.certificate.file());
         let mut files = vec![self.output.clone()];
         files.extend(others.map(PathBuf::from));

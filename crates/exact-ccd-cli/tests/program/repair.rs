@@ -153,7 +153,7 @@ fn a_mesh_that_is_not_repaired_is_written_on_request_only() {
     ]);
     assert_eq!(run.status, 1);
     assert!(
-        run.stdout.contains("more than --max-displacement 1e-9\n"),
+        run.stdout.contains(", more than --max-displacement 1e-9\n"),
         "{run:?}"
     );
     assert!(!folder.path("far.obj").exists());

@@ -37,8 +37,9 @@ pub fn write_obj(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {
 
 /// The text of an OBJ file with other coordinates of its vertices, and otherwise the same.
 ///
-/// Returns `None` if the file has another number of vertices, or one in several lines. Weights and colors
-/// behind the coordinates stay. Each coordinate is the shortest decimal that reads back as the same `f64`.
+/// Returns `None` if the file has another number of vertices, or one with two coordinates or in several
+/// lines. Weights, colors and comments behind the coordinates stay. Each coordinate is the shortest decimal
+/// that reads back as the same `f64`.
 ///
 /// ```
 /// use exact_ccd_files::with_obj_positions;
@@ -58,8 +59,11 @@ pub fn with_obj_positions(text: &str, positions: &[Point]) -> Option<String> {
             changed.push_str(line);
             continue;
         }
+        if line.trim_end().ends_with('\\') {
+            return None;
+        }
         // The text behind the third coordinate.
-        let z = words.nth(2).filter(|z| !z.starts_with(['#', '\\']))?;
+        let z = words.nth(2)?.split('#').next().filter(|z| !z.is_empty())?;
         let end = z.as_ptr().addr() - line.as_ptr().addr() + z.len();
         let [x, y, z] = places.next()?;
         push(&mut changed, format_args!("v {x:?} {y:?} {z:?}{}", &line[end..]));

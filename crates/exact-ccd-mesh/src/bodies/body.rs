@@ -64,7 +64,7 @@ impl Body {
         Ok(body)
     }
 
-    /// The primitives of a set, by their indices in the mesh.
+    /// The index in the mesh of a primitive of a set.
     pub(super) fn id(&self, set: Set, index: u32) -> u32 {
         match set {
             Set::LooseVertices => self.loose_vertices[index as usize],

@@ -34,8 +34,9 @@ impl Candidate {
     /// Times between which the first contact is, if there may be one.
     pub(super) fn bracket(&self, bodies: &Bodies, options: Options) -> Option<[f64; 2]> {
         let bracket = with_kind!(self.kind, K => self.query::<K>(bodies)?.bracket(options));
-        // Not known, or known to be free.
+        // Not known: any time.
         let bracket = bracket.unwrap_or([0.0, f64::INFINITY]);
+        // A bracket that begins after the step is a proof that there is no contact.
         (bracket[0] <= 1.0).then_some(bracket)
     }
 

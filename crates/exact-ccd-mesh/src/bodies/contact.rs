@@ -12,8 +12,8 @@ use super::candidate::Candidate;
 pub struct BodyContact {
     /// The kind of the pair.
     pub kind: AnyKind,
-    /// The index of the body of the first primitive, which may be the vertex of the kind, and of the second
-    /// one. Of two edges or two vertices, the one of the lesser body is first.
+    /// The indices of the bodies of the first and of the second primitive. Of a vertex and a face or an edge,
+    /// the vertex is first; of two edges or two vertices, the one of the lesser body.
     pub bodies: [usize; 2],
     /// The index of each primitive in the mesh of its body.
     pub primitives: [u32; 2],

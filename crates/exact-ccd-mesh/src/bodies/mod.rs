@@ -28,7 +28,10 @@ pub use error::BodiesError;
 /// be free of contact: see [`intersections`](crate::intersections) and [`enclosed`](crate::enclosed).
 ///
 /// [`Options`] have the distance at which bodies touch, and the last time that counts. No answer depends on
-/// the number of threads or the order of the bodies.
+/// the number of threads; whether bodies touch, and all times, do not depend on the order of the bodies.
+///
+/// Two bodies whose relative motion has a degree above 8 in the coordinates, such as more than four
+/// turns together, have no boxes of their paths: all pairs of their primitives are decided one by one.
 ///
 /// ```
 /// use exact_ccd::CONTACT;

@@ -6,8 +6,8 @@ use std::sync::{Mutex, PoisonError};
 use super::detector::Detector;
 
 /// Searches for the steps of many worlds, which have one mesh and positions of their own: a [`Detector`]
-/// each, or a type that has one. There are as many as worlds that are searched at a time, and each keeps its
-/// memory from world to world.
+/// each, or a type that has one. There are as many as worlds were searched at the same time, and each keeps
+/// its memory from world to world.
 ///
 /// ```
 /// use exact_ccd::CONTACT;
@@ -29,7 +29,7 @@ pub struct Worlds<S = Detector> {
 
 impl<S: Clone> Worlds<S> {
     /// The result of a search in one world, on any thread: by one that no other world uses, or by a copy of
-    /// `new`.
+    /// `new`. All calls have the same `new`, since a search that is not in use takes its place.
     pub fn search<T>(&self, new: &S, work: impl FnOnce(&mut S) -> T) -> T {
         let idle = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
         // The lock is not held while `new` is copied.
