@@ -43,8 +43,8 @@ pub struct Unrepaired {
     /// The edges that pass through faces in these positions; with [`Reason::Pinned`], between pinned vertices
     /// only.
     pub crossings: Vec<Intersection>,
-    /// The pairs within the minimum distance in these positions; with [`Reason::Pinned`], between pinned vertices
-    /// only.
+    /// The pairs within the minimum distance in these positions; with [`Reason::Pinned`], between pinned
+    /// vertices only.
     pub contacts: Vec<Pair>,
     /// The reason.
     pub reason: Reason,

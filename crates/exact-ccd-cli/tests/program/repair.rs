@@ -91,6 +91,23 @@ fn obstacles_and_pinned_groups_stay() {
         0
     );
 
+    // The obstacle is not in single precision, and not written.
+    folder.write("large.obj", cuboid([1.1; 3], 0.1, 0.0));
+    let run = folder.run(&[
+        "repair",
+        "small.obj",
+        "-o",
+        "single.ply",
+        "--f32",
+        "--with",
+        "large.obj",
+    ]);
+    assert_eq!(run.status, 0, "{run:?}");
+    assert_eq!(
+        folder.run(&["audit", "single.ply", "--with", "large.obj"]).status,
+        0
+    );
+
     folder.write("boxes.obj", overlapping());
     let run = folder.run(&["repair", "boxes.obj", "-o", "pinned.obj", "--pin", "large"]);
     assert_eq!(run.status, 0, "{run:?}");

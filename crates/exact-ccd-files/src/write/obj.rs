@@ -48,6 +48,7 @@ pub fn write_obj(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {
 /// let moved = with_obj_positions(text, &[[0.1, 0.0, 2.0]]);
 /// assert_eq!(moved.as_deref(), Some("# A point.\nv 0.1 0.0 2.0 1 0.5 0 # red\np 1\n"));
 /// assert_eq!(with_obj_positions(text, &[]), None);
+/// assert_eq!(with_obj_positions("v 0 0 0\\\nf 1 1 1\n", &[[0.0; 3]]), None);
 /// ```
 #[must_use]
 pub fn with_obj_positions(text: &str, positions: &[Point]) -> Option<String> {
