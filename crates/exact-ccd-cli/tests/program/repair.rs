@@ -11,7 +11,7 @@ use crate::verdicts::cuboid;
 
 /// Two boxes that overlap, in one OBJ file with a comment and names of groups.
 fn overlapping() -> String {
-    let second = cuboid([0.3, 0.4, 0.5], 20.0, 0.9);
+    let second = cuboid([0.3, 0.4, 0.5], 20.0, 1.2);
     let (points, faces) = second.split_at(second.find('f').unwrap());
     let faces: String = faces
         .lines()
@@ -75,7 +75,7 @@ fn a_repaired_file_is_free_and_the_same_otherwise() {
 fn obstacles_and_pinned_groups_stay() {
     let folder = Folder::new();
     folder.write("large.obj", cuboid([1.0; 3], 0.0, 0.0));
-    folder.write("small.obj", cuboid([0.3, 0.4, 0.5], 20.0, 0.9));
+    folder.write("small.obj", cuboid([0.3, 0.4, 0.5], 20.0, 1.2));
     let run = folder.run(&["repair", "small.obj", "-o", "free.obj", "--with", "large.obj"]);
     assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
     assert_eq!(
@@ -233,4 +233,17 @@ fn errors_name_the_remedy() {
     );
     let run = folder.run(&["repair", "boxes.obj", "-o", "out.obj", "--max-seconds", "-1"]);
     assert!(run.error().starts_with("--max-seconds: "), "{run:?}");
+}
+
+#[test]
+fn a_body_that_ends_up_inside_another_one_is_named() {
+    let folder = Folder::new();
+    folder.write("large.obj", cuboid([1.0; 3], 0.0, 0.0));
+    folder.write("small.obj", cuboid([0.3, 0.4, 0.5], 20.0, 0.9));
+    let run = folder.run(&["repair", "small.obj", "-o", "free.obj", "--with", "large.obj"]);
+    assert_eq!(run.status, 0, "{run:?}");
+    assert!(
+        run.stderr.contains("lies inside of the closed surface of large"),
+        "{run:?}"
+    );
 }
