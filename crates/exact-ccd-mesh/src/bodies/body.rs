@@ -28,8 +28,8 @@ pub(super) struct Body {
     pub(super) radius: f64,
     /// The box of all vertices.
     pub(super) around: Aabb,
-    /// The box of each vertex.
-    boxes: Vec<Aabb>,
+    /// The boxes of each set of primitives, relative to the center.
+    resting: Vec<Boxes<1>>,
 }
 
 impl Body {
@@ -49,18 +49,17 @@ impl Body {
         });
         // The length has less than ten roundings, in any direction; squares below 2⁻¹⁰²² may vanish.
         let radius = distances.fold(0.0, f64::max) * (1.0 + 1e-12) + 1e-150;
-        let body = Self {
+        let mut body = Self {
             loose_vertices: frame.mesh.loose_vertices().collect(),
             center,
             radius,
             around,
-            boxes,
+            resting: Vec::new(),
             frame,
         };
-        for set in [Set::Vertices, Set::Faces, Set::Edges] {
-            body.resting(set, center)
-                .map_err(|error| BodiesError::TooManyPrimitives { body: index, error })?;
-        }
+        let resting = Set::ALL.map(|set| body.boxes_of(set, &boxes, 0.0, center));
+        let resting: Result<_, _> = resting.into_iter().collect();
+        body.resting = resting.map_err(|error| BodiesError::TooManyPrimitives { body: index, error })?;
         Ok(body)
     }
 
@@ -77,8 +76,8 @@ impl Body {
     }
 
     /// The boxes of a set of primitives at rest.
-    pub(super) fn resting(&self, set: Set, origin: Point) -> Result<Boxes<1>, TooManyPrimitives> {
-        self.boxes_of(set, &self.boxes, 0.0, origin)
+    pub(super) fn resting(&self, set: Set) -> &Boxes<1> {
+        &self.resting[set as usize]
     }
 
     /// The boxes of a set of primitives, given the vertices' boxes, larger by a distance and relative to an
@@ -111,6 +110,15 @@ impl Body {
 }
 
 impl Set {
+    /// All sets, in their order.
+    const ALL: [Self; 5] = [
+        Self::Vertices,
+        Self::Faces,
+        Self::Edges,
+        Self::LooseVertices,
+        Self::LooseEdges,
+    ];
+
     /// The vertices of a primitive of a mesh that has it.
     pub(super) fn vertices(self, mesh: &TriangleMesh, id: u32) -> ArrayVec<u32, 3> {
         match self {

@@ -10,13 +10,15 @@ use super::candidate::Candidate;
 use super::error::BodiesError;
 use crate::broad_phase::{Aabb, BoxPairs, Boxes, Bvh, PairCollector};
 
-/// The kinds of pairs, and the sets of the first and of the second primitive.
-const KINDS: [(AnyKind, [Set; 2]); 4] = [
-    (AnyKind::VertexFace, [Set::Vertices, Set::Faces]),
-    (AnyKind::EdgeEdge, [Set::Edges, Set::Edges]),
-    (AnyKind::VertexEdge, [Set::LooseVertices, Set::LooseEdges]),
-    (AnyKind::VertexVertex, [Set::LooseVertices, Set::LooseVertices]),
-];
+/// The sets of the first and of the second primitive of a kind of pairs.
+fn sets(kind: AnyKind) -> [Set; 2] {
+    match kind {
+        AnyKind::VertexFace => [Set::Vertices, Set::Faces],
+        AnyKind::EdgeEdge => [Set::Edges; 2],
+        AnyKind::VertexEdge => [Set::LooseVertices, Set::LooseEdges],
+        AnyKind::VertexVertex => [Set::LooseVertices; 2],
+    }
+}
 
 /// The candidates of two bodies, by the boxes of the paths of the smaller one in the coordinates of the other
 /// one.
@@ -40,7 +42,8 @@ pub(super) fn candidates(
     let positions = body.frame.positions.par_iter();
     let paths: Vec<Aabb> = positions.map(|&point| path(&forward, point)).collect();
     let mut all = Vec::new();
-    for (kind, [first, second]) in KINDS {
+    for &kind in AnyKind::ALL {
+        let [first, second] = sets(kind);
         for is_swapped in [false, true] {
             // Of two edges or vertices, the one of the lesser body is first.
             if first == second && is_swapped == (moving < resting) {
@@ -51,31 +54,28 @@ pub(super) fn candidates(
             } else {
                 [first, second]
             };
-            let too_many = |body: usize| move |error| BodiesError::TooManyPrimitives { body, error };
             let moved = body.boxes_of(of_moving, &paths, d, other.center);
-            let at_rest = other.resting(of_resting, other.center);
-            let [moved, at_rest] = [
-                moved.map_err(too_many(moving))?,
-                at_rest.map_err(too_many(resting))?,
-            ];
-            let found = meeting(&moved, &at_rest).into_iter().map(|[i, j]| {
-                let [i, j] = [body.id(of_moving, i), other.id(of_resting, j)];
-                Candidate {
-                    kind,
-                    sets: [first, second],
-                    bodies: if is_swapped {
-                        [resting, moving]
-                    } else {
-                        [moving, resting]
-                    },
-                    primitives: if is_swapped { [j, i] } else { [i, j] },
-                    motions: if is_swapped {
-                        backward.clone()
-                    } else {
-                        forward.clone()
-                    },
-                }
-            });
+            let moved = moved.map_err(|error| BodiesError::TooManyPrimitives { body: moving, error })?;
+            let found = meeting(&moved, other.resting(of_resting))
+                .into_iter()
+                .map(|[i, j]| {
+                    let [i, j] = [body.id(of_moving, i), other.id(of_resting, j)];
+                    Candidate {
+                        kind,
+                        sets: [first, second],
+                        bodies: if is_swapped {
+                            [resting, moving]
+                        } else {
+                            [moving, resting]
+                        },
+                        primitives: if is_swapped { [j, i] } else { [i, j] },
+                        motions: if is_swapped {
+                            backward.clone()
+                        } else {
+                            forward.clone()
+                        },
+                    }
+                });
             all.extend(found);
         }
     }

@@ -1,10 +1,7 @@
 //! Rigid bodies: contacts against all pairs in integers, and against meshes in straight motion.
 
 use exact_ccd::motion::{BodyPair, Chain, CurvedQuery, RigidMotion};
-use exact_ccd::{
-    AnyKind, CONTACT, EdgeEdge, Impact, Kind, Options, Separation, TimeOutOfStep, VertexEdge, VertexFace,
-    VertexVertex,
-};
+use exact_ccd::{AnyKind, CONTACT, Impact, Kind, Options, Separation, TimeOutOfStep, with_kind};
 use exact_ccd_mesh::{
     Bodies, BodiesError, BodyContact, CanCollide, Detector, Frame, Pair, Point, TriangleMesh,
 };
@@ -97,12 +94,7 @@ fn all_contacts(frames: &[Frame], motions: &[Chain], options: Options) -> Vec<Bo
                         let of_a = of_a.iter().map(|vertex| at(first, vertex));
                         let points: Vec<_> =
                             of_a.chain(of_b.iter().map(|vertex| at(second, vertex))).collect();
-                        let impact = match kind {
-                            AnyKind::VertexFace => exactly::<VertexFace>(&points, &pair, options),
-                            AnyKind::EdgeEdge => exactly::<EdgeEdge>(&points, &pair, options),
-                            AnyKind::VertexEdge => exactly::<VertexEdge>(&points, &pair, options),
-                            _ => exactly::<VertexVertex>(&points, &pair, options),
-                        };
+                        let impact = with_kind!(kind, K => exactly::<K>(&points, &pair, options));
                         all.extend(impact.map(|impact| BodyContact {
                             kind,
                             bodies: [first, second],

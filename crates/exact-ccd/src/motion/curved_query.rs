@@ -7,6 +7,7 @@ use super::bezier::Bezier;
 use super::body_pair::BodyPair;
 use super::chain::Chain;
 use crate::exact::{First, MovingPoints};
+use crate::exactly::Exactly;
 use crate::filter::{self, CurvedDecision};
 use crate::kind::Kind;
 use crate::query::NonFinite;
@@ -124,6 +125,12 @@ impl<K: Kind> CurvedQuery<K> {
         }
     }
 
+    /// The same query, answered in integers alone.
+    #[must_use]
+    pub fn exactly(&self) -> Exactly<K> {
+        Exactly::along(self.points())
+    }
+
     fn first(&self, options: impl Into<Options>) -> Option<First<K>> {
         let options = options.into();
         match self.filtered(&options) {
@@ -160,7 +167,7 @@ impl<K: Kind> CurvedQuery<K> {
     }
 
     /// x₀ … x₃ in integers.
-    pub(super) fn points(&self) -> MovingPoints {
+    fn points(&self) -> MovingPoints {
         match &self.0 {
             Paths::Bezier(motion) => {
                 let control: Vec<_> = motion.control().iter().map(four::<K>).collect();

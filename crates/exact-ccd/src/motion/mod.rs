@@ -12,7 +12,6 @@
 mod bezier;
 mod body_pair;
 mod chain;
-mod curved_exactly;
 mod curved_query;
 mod error;
 mod pose;
@@ -21,7 +20,6 @@ mod rigid_motion;
 pub use bezier::Bezier;
 pub use body_pair::BodyPair;
 pub use chain::Chain;
-pub use curved_exactly::CurvedExactly;
 pub use curved_query::CurvedQuery;
 pub use error::InvalidMotion;
 pub use pose::Pose;
