@@ -34,9 +34,11 @@
 //! threads. It is not promised to be the same on other machines, as the answers of collision detection are.
 
 mod change;
+mod closest;
 mod contour;
 mod error;
 mod loosen;
+mod near;
 mod offsets;
 mod options;
 mod outcome;

@@ -1,9 +1,10 @@
 //! The last phase: vertices return towards the given positions and the given shape, by certified steps.
 
 use exact_ccd_mesh::vector::minus;
-use exact_ccd_mesh::{FreeStepOptions, Point, Separation};
+use exact_ccd_mesh::{FreeStepOptions, Point};
 
 use crate::error::RepairError;
+use crate::near::near_pairs;
 use crate::problem::{Problem, moved};
 use crate::progress::Phase;
 use crate::shape::Shape;
@@ -37,10 +38,10 @@ pub(crate) fn restore(problem: &mut Problem<'_>, mut x: Vec<Point>) -> Result<Ve
     let step_options = FreeStepOptions::default()
         .with_keep(KEEP)
         .with_min_distance(min_distance);
-    let near = Separation::new(min_distance.get() + NEAR * size.mean_edge).unwrap_or(min_distance);
+    let distance = min_distance.get() + NEAR * size.mean_edge;
     for round in 0..ROUNDS {
-        let contacts = problem.contacts(&x, near)?;
-        if problem.ends(Phase::Return, round, contacts.len()).is_some() {
+        let near = near_pairs(problem, &x, distance)?;
+        if problem.ends(Phase::Return, round, near.len()).is_some() {
             break;
         }
         let target = shape.nearer(&problem.unknowns, &x);
@@ -49,7 +50,7 @@ pub(crate) fn restore(problem: &mut Problem<'_>, mut x: Vec<Point>) -> Result<Ve
             .zip(&x)
             .map(|(&to, &from)| minus(to, from))
             .collect();
-        slide(problem, &contacts, &mut displacements);
+        slide(problem, &near, &mut displacements);
         let target = moved(&x, &displacements, 1.0);
         let step = problem
             .detector
