@@ -38,7 +38,11 @@ pub(crate) fn closest_of_edges([a, b]: [Point; 2], [c, d]: [Point; 2]) -> [f64; 
     let (along_first, along_second) = (dot(first, between), dot(second, between));
     let determinant = f * s - m * m;
     let place = (m * along_second - s * along_first) / determinant;
-    let place = if determinant > 0.0 { place.clamp(0.0, 1.0) } else { 0.0 };
+    let place = if determinant > 0.0 {
+        place.clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
     let point = [0, 1, 2].map(|axis: usize| a[axis] + place * first[axis]);
     let other = closest_on_edge(point, [c, d]);
     let point = [0, 1, 2].map(|axis: usize| c[axis] + other * second[axis]);
@@ -49,7 +53,11 @@ pub(crate) fn closest_of_edges([a, b]: [Point; 2], [c, d]: [Point; 2]) -> [f64; 
 fn closest_on_edge(point: Point, [a, b]: [Point; 2]) -> f64 {
     let along = minus(b, a);
     let place = dot(minus(point, a), along) / dot(along, along);
-    if place.is_nan() { 0.0 } else { place.clamp(0.0, 1.0) }
+    if place.is_nan() {
+        0.0
+    } else {
+        place.clamp(0.0, 1.0)
+    }
 }
 
 #[cfg(test)]
