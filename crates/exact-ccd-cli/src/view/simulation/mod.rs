@@ -12,8 +12,8 @@ use exact_ccd_view::Body;
 use super::View;
 use super::recording::Recording;
 use super::setup::Setup;
-use crate::failure::Failure;
-use crate::inputs::name;
+use crate::files::inputs::name;
+use crate::messages::failure::Failure;
 
 /// A simulation that is recorded for its page, if there is to be one.
 pub(crate) struct SimulationRecording {

@@ -1,0 +1,299 @@
+//! The report of a motion: one step, or a sequence of frames.
+
+use std::fmt;
+
+use exact_ccd::AnyKind;
+use exact_ccd_mesh::{PairCounts, StepReport};
+use serde::{Serialize, Serializer};
+
+use super::half_spaces::HalfSpaceCounts;
+use crate::assembly::{Assembly, Summary};
+use crate::contacts::{ContactList, ContactRecord};
+use crate::messages::notes::Notes;
+use crate::options::distances::Distances;
+use crate::text::json::to_json;
+use crate::text::numbers::shortest;
+use crate::text::seconds::Seconds;
+
+/// The answer, the contents of the files, and the distances within which pairs touch, in the shape of the
+/// JSON object.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    #[serde(skip)]
+    command: &'static str,
+    #[serde(flatten)]
+    summary: Summary,
+    #[serde(skip_serializing_if = "Notes::is_empty")]
+    pub(crate) notes: Notes,
+    #[serde(flatten)]
+    distances: Distances,
+    pub(crate) collision_free: bool,
+    /// True for a contact, also if the first one is not searched for.
+    #[serde(skip)]
+    touches: bool,
+    /// The number of frames: 2 of a step.
+    frames: usize,
+    /// The number of frames examined, until the first intersection or contact unless all are searched for.
+    pub(crate) examined: usize,
+    /// The times of the first and of the last frame examined, if the files have times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    times: Option<[f64; 2]>,
+    /// The first edge that meets a face in a frame at rest.
+    intersection: Option<Finding>,
+    /// The first time of the contact in its step, rounded down.
+    toi: Option<f64>,
+    /// The first contact; none also if the question is only whether there is a contact.
+    contact: Option<Finding>,
+    #[serde(flatten)]
+    pub(crate) counts: Counts,
+    /// The durations of the phases, unless they are left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) seconds: Option<Seconds>,
+}
+
+/// An intersection or a contact, and the files of its frame, and of the next one unless it is at rest.
+#[derive(Serialize)]
+pub(crate) struct Finding {
+    #[serde(flatten)]
+    record: ContactRecord,
+    files: Vec<String>,
+}
+
+/// The numbers of intersections and contacts, as far as they are known.
+#[derive(Default, Serialize)]
+pub(crate) struct Counts {
+    /// The intersections at t = 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) intersections: Option<usize>,
+    #[serde(flatten)]
+    pub(crate) pairs: Option<Pairs>,
+    /// The vertices that touch half spaces, if there are half spaces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) half_spaces: Option<HalfSpaceCounts>,
+    /// The violations in the list of all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) violations: Option<Violations>,
+}
+
+/// The pairs of a step whose candidates have all been examined.
+#[derive(Clone, Copy, Serialize)]
+pub(crate) struct Pairs {
+    touching_at_start: usize,
+    candidates: OfKinds,
+    colliding: OfKinds,
+}
+
+/// A number for each kind of pair.
+#[derive(Clone, Copy)]
+struct OfKinds(PairCounts);
+
+/// The number of intersections and contacts, and of the frames that have them or at which their steps begin.
+#[derive(Serialize)]
+pub(crate) struct Violations {
+    count: usize,
+    frames: usize,
+}
+
+impl Report {
+    /// The report of a motion in which nothing has been found yet.
+    pub(crate) fn new(command: &'static str, scene: &Assembly, notes: Notes, distances: Distances) -> Self {
+        Self {
+            command,
+            summary: scene.summary(),
+            notes,
+            distances,
+            collision_free: true,
+            touches: false,
+            frames: scene.frame_count(),
+            examined: scene.frame_count(),
+            times: None,
+            intersection: None,
+            toi: None,
+            contact: None,
+            counts: Counts::default(),
+            seconds: None,
+        }
+    }
+
+    /// Adds an intersection or a contact, unless there is an earlier one. A contact in motion is in the step
+    /// that leads to frame `index`.
+    pub(crate) fn add(&mut self, scene: &Assembly, index: usize, record: &ContactRecord) {
+        let is_at_rest = record.is_intersection();
+        let first = if is_at_rest {
+            &mut self.intersection
+        } else {
+            self.touches = true;
+            &mut self.contact
+        };
+        if first.is_none() {
+            let last = if is_at_rest { record.frame } else { index };
+            let files = (record.frame..=last).map(|frame| scene.frame_name(frame));
+            *first = Some(Finding {
+                record: record.clone(),
+                files: files.collect(),
+            });
+        }
+        self.toi = self.contact.as_ref().map(|contact| contact.record.toi());
+        self.collision_free = false;
+    }
+
+    /// Sets the times of the frames that were examined.
+    pub(crate) fn set_times(&mut self, scene: &Assembly) {
+        let last = self.examined.saturating_sub(1);
+        self.times = scene
+            .time(0)
+            .zip(scene.time(last))
+            .map(|(first, last)| [first, last]);
+    }
+
+    /// Adds a contact that is not known.
+    pub(crate) fn touch(&mut self) {
+        (self.collision_free, self.touches) = (false, true);
+    }
+
+    pub(crate) fn to_json(&self) -> String {
+        to_json(self.command, self)
+    }
+
+    /// The line of the text that has the answer.
+    pub(crate) fn verdict(&self) -> String {
+        let first = self.findings().first().map(|finding| self.headline(finding));
+        first.unwrap_or_else(|| self.decision().to_owned())
+    }
+
+    /// The line of the text about a contact that is not known, or that is absent.
+    fn decision(&self) -> &'static str {
+        if self.collision_free && self.summary.is_of_points() {
+            "free of contact of points alone"
+        } else if self.collision_free && self.frames == 1 {
+            "free of contact at rest: one frame has no motion"
+        } else if self.collision_free {
+            "free of contact"
+        } else if self.touches {
+            "contact"
+        } else {
+            "no contact of a vertex and a face, or of two edges, in the step"
+        }
+    }
+
+    /// The intersection and the contact, in the order of their frames.
+    fn findings(&self) -> Vec<&Finding> {
+        let mut findings: Vec<_> = self.intersection.iter().chain(&self.contact).collect();
+        findings.sort_by_key(|finding| finding.record.frame);
+        findings
+    }
+
+    /// The kind, the frames of an audit, the time unless it is at rest there, and the pair.
+    fn headline(&self, Finding { record, files }: &Finding) -> String {
+        let kind = if record.is_intersection() {
+            "intersection"
+        } else {
+            "contact"
+        };
+        let frame = record.frame;
+        let at = match &files[..] {
+            _ if self.command == "step" => format!("at t = {}", shortest(record.toi())),
+            [file, next] => {
+                let (after, t) = (frame + 1, shortest(record.toi()));
+                format!("between frame {frame} ({file}) and frame {after} ({next}) at t = {t}")
+            }
+            files => format!("in frame {frame} ({})", files.concat()),
+        };
+        format!("{kind} {at}: {record}")
+    }
+}
+
+impl From<&StepReport> for Pairs {
+    fn from(report: &StepReport) -> Self {
+        Self {
+            touching_at_start: report.touching.total(),
+            candidates: OfKinds(report.candidates),
+            colliding: OfKinds(report.colliding),
+        }
+    }
+}
+
+impl From<&ContactList> for Violations {
+    fn from(ContactList(records): &ContactList) -> Self {
+        Self {
+            count: records.len(),
+            frames: records.chunk_by(|a, b| a.frame == b.frame).count(),
+        }
+    }
+}
+
+/// The text on a terminal.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.summary, self.distances)?;
+        for finding in self.findings() {
+            writeln!(f, "{}{}", self.headline(finding), finding.record.place())?;
+        }
+        if self.contact.is_none() && (self.collision_free || self.command == "step") {
+            writeln!(f, "{}", self.decision())?;
+        }
+        self.counts.write(f, &self.distances)?;
+        if self.command == "audit" {
+            write!(f, "frames: {} of {} examined", self.examined, self.frames)?;
+            if let Some(times) = self.times {
+                let [first, last] = times.map(shortest);
+                write!(f, ", from time {first} to {last}")?;
+            }
+            writeln!(f)?;
+        }
+        self.seconds.iter().try_for_each(|seconds| seconds.fmt(f))
+    }
+}
+
+impl Counts {
+    /// Writes a line of text for each count.
+    fn write(&self, f: &mut fmt::Formatter<'_>, distances: &Distances) -> fmt::Result {
+        let touching = distances.touching();
+        if let Some(count) = self.intersections.filter(|count| *count > 0) {
+            writeln!(f, "pairs that intersect at t = 0: {count}")?;
+        }
+        if let Some(pairs) = &self.pairs {
+            writeln!(f, "candidate pairs: {}", pairs.candidates)?;
+            if pairs.colliding.0.total() > 0 {
+                writeln!(f, "pairs in contact: {}", pairs.colliding)?;
+            }
+            writeln!(f, "pairs {touching} at t = 0: {}", pairs.touching_at_start)?;
+        }
+        if let Some(vertices) = &self.half_spaces {
+            let (colliding, at_start) = (vertices.colliding, vertices.touching_at_start);
+            writeln!(
+                f,
+                "vertices in contact with half spaces: {colliding}; those {touching} at t = 0: {at_start}"
+            )?;
+        }
+        match self.violations {
+            Some(Violations { count, frames }) if count > 0 => writeln!(
+                f,
+                "violations: {count}, in {frames} of the frames or in the steps after them"
+            ),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Serialize for OfKinds {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(kind, count)| (kind.short(), count)))
+    }
+}
+
+impl fmt::Display for OfKinds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let is_of_faces = |kind| matches!(kind, AnyKind::VertexFace | AnyKind::EdgeEdge);
+        // A mesh of faces alone has no others.
+        let has_others = self
+            .0
+            .iter()
+            .any(|(kind, &count)| count > 0 && !is_of_faces(kind));
+        let shown = self.0.iter().filter(|&(kind, _)| has_others || is_of_faces(kind));
+        let counts: Vec<String> = shown
+            .map(|(kind, count)| format!("{count} {}", kind.name()))
+            .collect();
+        f.write_str(&counts.join(", "))
+    }
+}
