@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use exact_ccd_sim::{
-    Body, Checkpoint, Load, Scripted, Settings, Simulation, SimulationError, StepFilter, System,
+    Body, Checkpoint, Load, ScriptedVertices, Settings, Simulation, SimulationError, StepFilter, System,
 };
 
 use super::body::{Loaded, check_name, load};
@@ -163,7 +163,7 @@ impl Scene {
 #[derive(Default)]
 struct Parts {
     bodies: Vec<Body>,
-    scripts: Vec<Scripted>,
+    scripts: Vec<ScriptedVertices>,
     loads: Vec<Load>,
     vertex_count: u32,
     notes: Vec<String>,
@@ -182,7 +182,7 @@ impl Parts {
             selected.map_err(|message| FieldError::new(format!("{number}.vertices"), message))
         };
         for (number, script) in described.script.iter().enumerate() {
-            let scripted = Scripted {
+            let scripted = ScriptedVertices {
                 vertices: selected(&script.vertices, number).map_err(|error| error.below("script"))?,
                 script: script.motion.clone(),
                 axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),

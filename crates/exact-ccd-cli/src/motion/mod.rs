@@ -1,4 +1,5 @@
-//! The commands about a mesh in motion, `step` and `audit`, have the same arguments, half spaces, files and report.
+//! The arguments, the half spaces, the files and the report of `step` and `audit`, the commands about a mesh
+//! in motion.
 
 pub(crate) mod arguments;
 pub(crate) mod half_spaces;

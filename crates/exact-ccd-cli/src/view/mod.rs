@@ -24,6 +24,8 @@ use crate::messages::failure::Failure;
 pub(crate) use query::{ChosenQuery, QueryView};
 pub(crate) use recording::Recording;
 use setup::Setup;
+#[cfg(feature = "simulate")]
+pub(crate) use simulation::SimulationPage;
 
 /// The options `--view` and `--view-up` of the commands that read meshes, and of `exact-ccd simulate`.
 #[derive(clap::Args)]

@@ -6,8 +6,8 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::Simulation;
-use crate::contact::{Collision, Collisions};
-use crate::energy::{Energy, gather_some};
+use crate::energies::contact::{Collision, Collisions};
+use crate::energies::term::{Energy, gather_some};
 
 /// Two features (vertices, edges, faces) within the contact distance, or a vertex and a half space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,12 +22,6 @@ pub struct Contact {
     /// first one. Some contacts of the convergent formulation correct others: their force points inward, and
     /// the sum is that on the body.
     pub force: Point,
-}
-
-/// The collisions of some positions. They are computed again where these are others: no result depends on it.
-pub(super) struct KnownCollisions {
-    pub(super) positions: Vec<Point>,
-    pub(super) collisions: Collisions,
 }
 
 impl Simulation {
@@ -54,22 +48,19 @@ impl Simulation {
 
     fn contact(&self, collision: &Collision) -> Contact {
         let corners = gather_some(&self.state.positions, collision.vertices());
-        let separation = collision.separation(&self.state.positions);
+        let shortest = collision.shortest_vector(&self.state.positions);
         // Weights are positive for the first feature, negative for the second.
         let weighted = corners
             .iter()
-            .zip(separation.weights)
+            .zip(shortest.weights)
             .filter(|(_, weight)| *weight > 0.0);
         let first: Vector3<f64> = weighted.map(|(corner, weight)| corner * weight).sum();
-        let direction = separation
-            .vector
-            .try_normalize(0.0)
-            .unwrap_or_else(Vector3::zeros);
+        let direction = shortest.vector.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
         let stiffness = self.state.stiffness.unwrap_or(0.0);
         let force = direction * (stiffness * collision.normal_force(&self.state.positions));
         Contact {
             bodies: self.system.bodies_of(collision),
-            points: [first, first - separation.vector].map(Point::from),
+            points: [first, first - shortest.vector].map(Point::from),
             distance: collision.gap(&self.state.positions),
             force: force.into(),
         }

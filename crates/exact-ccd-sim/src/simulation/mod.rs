@@ -1,6 +1,7 @@
 //! Simulations.
 
 mod contacts;
+mod known;
 mod minimise;
 mod problem;
 mod record;
@@ -18,10 +19,10 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use crate::checkpoint::Checkpoint;
-use crate::contact::{Barrier, StiffnessRange};
+use crate::energies::contact::{Barrier, StiffnessRange};
+use crate::energies::friction::Coefficients;
 use crate::error::SimulationError;
 use crate::filter::StepFilter;
-use crate::friction::Coefficients;
 use crate::integrator::Scheme;
 use crate::iteration::{Iteration, Watch};
 use crate::range::{OutOfRange, check, check_finite, check_not_negative};
@@ -31,7 +32,7 @@ use crate::state::State;
 use crate::system::{Fingerprint, System};
 
 pub use contacts::Contact;
-use contacts::KnownCollisions;
+use known::KnownCollisions;
 pub use warning::Warning;
 
 /// The motion of a system under elasticity, gravity, contact and friction.
@@ -149,7 +150,7 @@ impl Simulation {
     /// The same simulation with another filter. Settings and checkpoints then have the name of this filter.
     ///
     /// # Errors
-    /// [`SimulationError::Separation`] and [`SimulationError::ByVertex`], if the method of the filter is not
+    /// [`SimulationError::Offset`] and [`SimulationError::ByVertex`], if the method of the filter is not
     /// exact, and a body has an offset or the line search is by vertex.
     pub fn with_filter(mut self, filter: StepFilter) -> Result<Self, SimulationError> {
         check_filter(&self.system, &self.settings, &filter)?;
@@ -277,7 +278,7 @@ fn check_filter(system: &System, settings: &Settings, filter: &StepFilter) -> Re
     }
     let name = filter.name().to_owned();
     if system.is_thick() {
-        return Err(SimulationError::Separation { name });
+        return Err(SimulationError::Offset { name });
     }
     match settings.line_search {
         LineSearch::Common => Ok(()),

@@ -4,8 +4,8 @@
 use nalgebra::Vector3;
 
 use super::Simulation;
-use crate::contact::Collisions;
-use crate::elasticity::Twist;
+use crate::energies::contact::Collisions;
+use crate::energies::elasticity::Twist;
 use crate::integrator::Scheme;
 use crate::prescribed::{Dirichlet, HeldChains, Paths};
 use crate::solver::{Form, Iterate, Newton, Terms};

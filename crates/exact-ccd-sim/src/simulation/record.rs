@@ -4,8 +4,8 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::problem::Problem;
-use crate::contact::Collisions;
-use crate::elasticity::Twist;
+use crate::energies::contact::Collisions;
+use crate::energies::elasticity::Twist;
 use crate::solver::{Form, Iterate};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Statistics};

@@ -3,7 +3,7 @@
 use exact_ccd::Options;
 use exact_ccd_mesh::{Audit, MotionError, Point, Step, StepError, TriangleMesh, Violation};
 
-use crate::contact::Barrier;
+use crate::energies::contact::Barrier;
 use crate::error::SimulationError;
 use crate::settings::Formulation;
 use crate::state::State;

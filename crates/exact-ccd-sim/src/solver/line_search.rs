@@ -9,7 +9,7 @@ use super::direction::{Direction, FARTHEST, SLACK, dot};
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
 use super::vertex_steps::VertexSteps;
-use crate::contact::Collisions;
+use crate::energies::contact::Collisions;
 use crate::error::SimulationError;
 use crate::settings::LineSearch;
 use crate::statistics::Statistics;

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::body_error::Selecting;
 use super::{System, SystemError, selection};
-use crate::load::{Force, Load};
+use crate::energies::load::{Force, Load};
 use crate::range::check;
 
 impl System {

@@ -1,6 +1,7 @@
 //! The bodies of a scene, as one list of vertices and lists of elements over it.
 
 mod affine;
+pub(crate) mod ball;
 mod bodies;
 mod body_error;
 mod coils;
@@ -19,7 +20,7 @@ mod parts;
 mod primitive;
 mod selection;
 mod shells;
-pub(crate) mod size;
+mod size;
 mod spring_error;
 mod springs;
 
@@ -29,9 +30,9 @@ use exact_ccd_mesh::{Frame, MinDistance, Point, PositionsError, TriangleMesh};
 
 use crate::body::Body;
 use crate::carriers::Carriers;
-use crate::contact::{Barrier, Collisions, Surface};
-use crate::load::Load;
-use crate::scripted::{Coordinates, Scripted};
+use crate::energies::contact::{Barrier, Collisions, Surface};
+use crate::energies::load::Load;
+use crate::prescribed::{Coordinates, ScriptedVertices};
 use crate::settings::Formulation;
 use bodies::Bodies;
 use elastic::Elastic;
@@ -70,7 +71,7 @@ impl System {
     ///
     /// # Errors
     /// [`SystemError`] names the body or the script, unless it is about the mesh of all bodies.
-    pub fn new(bodies: &[Body], scripts: &[Scripted]) -> Result<Self, SystemError> {
+    pub fn new(bodies: &[Body], scripts: &[ScriptedVertices]) -> Result<Self, SystemError> {
         let listed = Bodies::new(bodies);
         let mut parts = Parts::default();
         for (place, body) in bodies.iter().enumerate() {

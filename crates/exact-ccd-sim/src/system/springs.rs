@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::{SpringError, System, SystemError};
-use crate::spring::{Spring, SpringEnd, SpringEnergy};
+use crate::energies::spring::{Spring, SpringEnd, SpringEnergy};
 
 /// The greatest distance of the end of a spring from its vertex, relative to the extent of the scene.
 const NEAR: f64 = 1e-6;

@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 
 use super::differences::{Points, random_rotation, random_vector};
 use super::naive::Naive;
-use crate::contact::{Barrier, Collisions, Surface};
-use crate::energy::Energy;
+use crate::energies::contact::{Barrier, Collisions, Surface};
+use crate::energies::term::Energy;
 use crate::solver::Form;
 
 /// The activation distance of the barrier.

@@ -8,7 +8,7 @@ use exact_ccd_methods::parity::Displacement;
 use fastrand::Rng;
 use nalgebra::Vector3;
 
-use crate::distance::{edge_edge, point_triangle};
+use crate::energies::distance::{edge_edge, point_triangle};
 
 /// The number of pieces of a scene, with two triangles each. The first and the last are obstacles.
 const PIECES: usize = 5;
@@ -111,8 +111,13 @@ impl Scene {
         let at = |vertices: [u32; 4]| vertices.map(|vertex| Vector3::from(points[vertex as usize]));
         let limit = self.distance * self.distance;
         self.filtered(
-            |vertices| point_triangle(&at(vertices)).separation(&at(vertices)).squared() < limit,
-            |vertices| edge_edge(&at(vertices)).separation(&at(vertices)).squared() < limit,
+            |vertices| {
+                point_triangle(&at(vertices))
+                    .shortest_vector(&at(vertices))
+                    .squared()
+                    < limit
+            },
+            |vertices| edge_edge(&at(vertices)).shortest_vector(&at(vertices)).squared() < limit,
         )
     }
 

@@ -5,7 +5,7 @@ use std::process;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::Arguments;
+use super::arguments::Arguments;
 
 /// The exit status of a program that SIGINT ends, in shells: 128 plus the number of the signal.
 pub(super) const STATUS: u8 = 130;

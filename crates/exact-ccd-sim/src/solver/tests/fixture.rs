@@ -4,11 +4,11 @@ use exact_ccd_mesh::{Candidates, Point, Step};
 use fastrand::Rng;
 use nalgebra::{DMatrix, Vector3};
 
-use crate::anchor::Anchor;
-use crate::contact::{Barrier, Collisions};
-use crate::energy::{Energy, Projection};
-use crate::friction::{FrictionContact, Smoothing};
-use crate::scripted::Axes;
+use crate::energies::anchor::Anchor;
+use crate::energies::contact::{Barrier, Collisions};
+use crate::energies::friction::{FrictionContact, Smoothing};
+use crate::energies::term::{Energy, Projection};
+use crate::prescribed::Axes;
 use crate::settings::Formulation;
 use crate::shapes;
 use crate::solver::couplings::Couplings;
@@ -75,9 +75,9 @@ impl Fixture {
         };
         let collisions = fixture.collisions(&fixture.points);
         let friction = collisions.as_slice().iter().map(|collision| {
-            let separation = collision.separation(&fixture.points);
+            let shortest = collision.shortest_vector(&fixture.points);
             let vertices = collision.vertices().iter().copied().collect();
-            FrictionContact::new(vertices, &origin, &separation, 1e3, SMOOTHING)
+            FrictionContact::new(vertices, &origin, &shortest, 1e3, SMOOTHING)
         });
         fixture.terms.friction = friction.collect();
         fixture

@@ -19,7 +19,7 @@ use exact_ccd_files::{write_ply_with_parts, write_pvd};
 use exact_ccd_scene::Scene;
 use exact_ccd_sim::{Checkpoint, Simulation, State, Statistics, System};
 
-use super::Arguments;
+use super::arguments::Arguments;
 use crate::files::outputs::{make_folder, write_file, write_file_soon};
 use crate::messages::failure::Failure;
 use grid::Grid;

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::{fs, io};
 
-/// The name of the file that a draft of [`replace_file`](crate::files::outputs::replace_file) belongs to, or none for
-/// other names.
+/// The name of the file to which a draft of [`replace_file`](crate::files::outputs::replace_file) belongs, or
+/// none for other names.
 pub(crate) fn draft_of(name: &str) -> Option<&str> {
     let (file, number) = name.strip_prefix('.')?.rsplit_once('.')?;
     is_number(number).then_some(file)

@@ -9,7 +9,7 @@ use crate::text::json::to_json;
 
 /// The scene, before the first time step. Names end with units.
 #[derive(Serialize)]
-struct Scene {
+struct SceneLine {
     vertices: usize,
     faces: usize,
     rod_edges: usize,
@@ -27,7 +27,7 @@ pub(crate) fn of_scene(simulation: &Simulation, steps: u64) -> String {
     let (system, settings) = (simulation.system(), simulation.settings());
     to_json(
         "simulate",
-        &Scene {
+        &SceneLine {
             vertices: system.mesh_vertices().len(),
             faces: system.surface().faces().len(),
             rod_edges: system.surface().loose_edges().len(),
@@ -43,7 +43,7 @@ pub(crate) fn of_scene(simulation: &Simulation, steps: u64) -> String {
 
 /// A time step: the columns of `statistics.csv`, with the durations apart.
 #[derive(Serialize)]
-struct TimeStep {
+struct StepLine {
     #[serde(flatten)]
     columns: Map<String, Value>,
     #[serde(skip_serializing_if = "Map::is_empty")]
@@ -51,10 +51,10 @@ struct TimeStep {
 }
 
 /// The line for a time step.
-pub(crate) fn of(statistics: &Statistics, no_seconds: bool) -> String {
+pub(crate) fn of_step(statistics: &Statistics, no_seconds: bool) -> String {
     let row = serde_json::to_value(Row::from(statistics)).expect("numbers only");
     let columns = row.as_object().into_iter().flatten();
-    let mut step = TimeStep {
+    let mut step = StepLine {
         columns: Map::new(),
         seconds: Map::new(),
     };

@@ -8,7 +8,7 @@ use super::significant::significant;
 use crate::commands::simulate::queries::{Counts, Numbers};
 
 /// The line for a scene, simulated up to a time step. Its lengths help to notice wrong units.
-pub(crate) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> String {
+pub(crate) fn of_scene(simulation: &Simulation, last: u64, is_saved: bool) -> String {
     let system = simulation.system();
     let mut line = format!(
         "{} vertices, {} faces, {}{}; {}",
@@ -16,7 +16,7 @@ pub(crate) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> S
         system.surface().faces().len(),
         rods_and_particles(system),
         lengths(simulation),
-        time_steps(simulation, steps)
+        time_steps(simulation, last)
     );
     if !is_saved {
         line += "; without --output, nothing is saved";
@@ -24,8 +24,13 @@ pub(crate) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> S
     line
 }
 
+/// The lines about a scene on its page.
+pub(crate) fn description(simulation: &Simulation, last: u64) -> String {
+    format!("{}\n{}", lengths(simulation), time_steps(simulation, last))
+}
+
 /// The size of the scene and the contact distance.
-pub(crate) fn lengths(simulation: &Simulation) -> String {
+fn lengths(simulation: &Simulation) -> String {
     let size = simulation.system().size();
     let distance = simulation.settings().contact_distance.meters(size);
     format!(
@@ -36,7 +41,7 @@ pub(crate) fn lengths(simulation: &Simulation) -> String {
 }
 
 /// The time steps from the present one to the last one.
-pub(crate) fn time_steps(simulation: &Simulation, steps: u64) -> String {
+fn time_steps(simulation: &Simulation, steps: u64) -> String {
     let done = simulation.state().step;
     let time_step = simulation.settings().time_step;
     let plural = if steps == 1 { "" } else { "s" };
@@ -59,7 +64,7 @@ fn rods_and_particles(system: &System) -> String {
 }
 
 /// The line for a time step.
-pub(crate) fn of(statistics: &Statistics, no_seconds: bool) -> String {
+pub(crate) fn of_step(statistics: &Statistics, no_seconds: bool) -> String {
     let Statistics {
         step,
         time,
