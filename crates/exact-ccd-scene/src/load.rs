@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use exact_ccd_sim::{
-    Body, Checkpoint, Load, ScriptedVertices, Settings, Simulation, SimulationError, StepFilter, System,
+    Body, Load, ScriptedVertices, Settings, Simulation, StepFilter, System,
 };
 
 use super::body::{Loaded, check_name, load};
@@ -20,15 +20,11 @@ use super::springs::springs;
 /// message with the names that there are. It may replace settings, which are checked after it.
 pub type FilterByName<'a> = dyn Fn(&mut Settings, &System) -> Result<StepFilter, String> + 'a;
 
-/// The system, the settings and the duration of a scene file.
-#[derive(Clone, Debug)]
+/// A scene file as a simulation.
+#[derive(Debug)]
 pub struct Scene {
-    /// The bodies and their scripts.
-    pub system: System,
-    /// The settings.
-    pub settings: Settings,
-    /// The filter of the CCD method that the scene names.
-    pub filter: StepFilter,
+    /// The simulation from its start, with the settings and the CCD method of the scene.
+    pub simulation: Simulation,
     /// The duration, as a number of time steps.
     pub steps: u64,
     /// The settings of the pictures.
@@ -122,40 +118,17 @@ impl Scene {
         let mut settings = description.settings;
         let filter = filter_by_name(&mut settings, &system)
             .map_err(|message| FieldError::new("settings.ccd", message))?;
-        let mut scene = Self {
-            system,
-            settings,
-            filter,
-            steps: 0,
+        let simulation = Simulation::with_method(system, settings, filter);
+        let simulation = simulation.map_err(|error| of_simulation(&error))?;
+        // The simulation has checked that the time step is positive.
+        let steps = steps(duration, simulation.settings().time_step)?;
+        Ok(Self {
+            simulation,
+            steps,
             rendering: description.render,
             notes: Vec::new(),
             mesh_notes: parts.notes,
-        };
-        // A simulation checks the settings: the number of steps needs a positive time step.
-        let simulation = scene.simulation();
-        simulation.map_err(|error| of_simulation(&error))?;
-        scene.steps = steps(duration, scene.settings.time_step)?;
-        Ok(scene)
-    }
-
-    /// The simulation from its start.
-    ///
-    /// # Errors
-    /// As [`Simulation::new`].
-    pub fn simulation(&self) -> Result<Simulation, SimulationError> {
-        let settings = Settings {
-            ccd: StepFilter::default().name().to_owned(),
-            ..self.settings.clone()
-        };
-        Simulation::new(self.system.clone(), settings)?.with_filter(self.filter.clone())
-    }
-
-    /// The simulation from a checkpoint of this scene.
-    ///
-    /// # Errors
-    /// As [`Checkpoint::resume`].
-    pub fn resume(&self, checkpoint: Checkpoint) -> Result<Simulation, SimulationError> {
-        checkpoint.resume(self.system.clone(), self.settings.clone(), self.filter.clone())
+        })
     }
 }
 

@@ -1,6 +1,8 @@
 //! The meshes of a command, as one scene: parts that move or rest, read and joined frame by frame.
 
+mod can_collide;
 mod frames;
+mod named_file;
 mod names;
 mod nesting;
 mod options;
@@ -27,7 +29,8 @@ use crate::messages::notes::Notes;
 pub(crate) use frames::Frames;
 use names::Names;
 pub(crate) use options::AssemblyOptions;
-use part::{Part, named, part_name};
+use named_file::named;
+use part::{Part, part_name};
 use rules::Rules;
 pub(crate) use summary::Summary;
 pub(crate) use turns::Turns;
@@ -94,7 +97,7 @@ impl Assembly {
         }
         let mut ids = FileIds::default();
         parts.iter().for_each(|part| ids.append(&part.ids));
-        let can_collide = rules::can_collide(&parts, &options.rules)?;
+        let can_collide = can_collide::can_collide(&parts, &options.rules)?;
         let (mesh, first) = (frame.mesh.clone(), Some(frame));
         Ok(Self {
             mesh,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use exact_ccd_files::{Polygons, ReadOptions};
 
-use super::part::named;
+use super::named_file::named;
 use super::rules::Rules;
 
 /// The options `--with`, `--ignore`, `--only`, `--weld`, `--faces-only`, `--points`,

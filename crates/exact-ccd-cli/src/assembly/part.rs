@@ -1,7 +1,6 @@
 //! One part of a scene.
 
 use std::ops::Range;
-use std::path::{Path, PathBuf};
 
 use exact_ccd_files::{Contents, FileIds, Group, MeshFile, Note, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, Point, TriangleMesh, Welding};
@@ -269,21 +268,6 @@ pub(super) fn contents(parts: &[Part], frame: &Frame) -> Contents {
     contents.polygons = parts.iter().map(|part| part.contents.polygons).sum();
     contents.solids = parts.iter().map(|part| part.contents.solids).sum();
     contents
-}
-
-/// The name of a part and its file: NAME=FILE, unless there is such a file. Otherwise the name is the name of
-/// the file, up to the first dot.
-pub(super) fn named(path: &Path) -> (String, PathBuf) {
-    let text = path.to_string_lossy();
-    if let Some((name, file)) = text.split_once('=')
-        && !name.is_empty()
-        && !path.exists()
-    {
-        return (name.to_owned(), file.into());
-    }
-    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-    let stem = name.split('.').find(|stem| !stem.is_empty()).unwrap_or("part");
-    (stem.to_owned(), path.to_owned())
 }
 
 /// The name of a part of a file: the file's name, and the part's own name, if it has one.

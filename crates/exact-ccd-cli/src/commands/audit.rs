@@ -15,7 +15,7 @@ use crate::messages::progress::{self, during};
 use crate::motion::arguments::MeshArguments;
 use crate::motion::half_spaces::HalfSpaces;
 use crate::motion::paraview;
-use crate::motion::report::{Report, Violations};
+use crate::motion::report::{Report, ReportForm, Violations};
 use crate::options::certificate::Certificate;
 use crate::options::distances::Distances;
 use crate::text::seconds::Seconds;
@@ -112,7 +112,7 @@ impl<'a> Run<'a> {
             audit: audit.with_can_collide(scene.can_collide()),
             certificate,
             page: mesh.view.recording(frames, &scene, half_spaces.all()),
-            report: Report::new("audit", &scene, notes, Distances::new(mesh.min_distance, None)),
+            report: Report::new(ReportForm::Frames, &scene, notes, Distances::new(mesh.min_distance, None)),
             turns: Turns::of(&scene),
             list: ContactList::default(),
             clock,

@@ -20,7 +20,7 @@ use crate::text::seconds::Seconds;
 #[derive(Serialize)]
 pub(crate) struct Report {
     #[serde(skip)]
-    command: &'static str,
+    form: ReportForm,
     #[serde(flatten)]
     summary: Summary,
     #[serde(skip_serializing_if = "Notes::is_empty")]
@@ -49,6 +49,15 @@ pub(crate) struct Report {
     /// The durations of the phases, unless they are left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) seconds: Option<Seconds>,
+}
+
+/// The form of a report.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ReportForm {
+    /// Of `step`: times from 0 to 1, and the answer also beside an intersection at the start.
+    Step,
+    /// Of `audit`: frames, and times between them.
+    Frames,
 }
 
 /// An intersection or a contact, and the files of its frame, and of the next one unless it is at rest.
@@ -96,9 +105,9 @@ pub(crate) struct Violations {
 
 impl Report {
     /// The report of a motion in which nothing has been found yet.
-    pub(crate) fn new(command: &'static str, scene: &Assembly, notes: Notes, distances: Distances) -> Self {
+    pub(crate) fn new(form: ReportForm, scene: &Assembly, notes: Notes, distances: Distances) -> Self {
         Self {
-            command,
+            form,
             summary: scene.summary(),
             notes,
             distances,
@@ -152,7 +161,11 @@ impl Report {
     }
 
     pub(crate) fn to_json(&self) -> String {
-        to_json(self.command, self)
+        let command = match self.form {
+            ReportForm::Step => "step",
+            ReportForm::Frames => "audit",
+        };
+        to_json(command, self)
     }
 
     /// The line of the text that has the answer.
@@ -192,7 +205,7 @@ impl Report {
         };
         let frame = record.frame;
         let at = match &files[..] {
-            _ if self.command == "step" => format!("at t = {}", shortest(record.toi())),
+            _ if self.form == ReportForm::Step => format!("at t = {}", shortest(record.toi())),
             [file, next] => {
                 let (after, t) = (frame + 1, shortest(record.toi()));
                 format!("between frame {frame} ({file}) and frame {after} ({next}) at t = {t}")
@@ -229,11 +242,11 @@ impl fmt::Display for Report {
         for finding in self.findings() {
             writeln!(f, "{}{}", self.headline(finding), finding.record.place())?;
         }
-        if self.contact.is_none() && (self.collision_free || self.command == "step") {
+        if self.contact.is_none() && (self.collision_free || self.form == ReportForm::Step) {
             writeln!(f, "{}", self.decision())?;
         }
         self.counts.write(f, &self.distances)?;
-        if self.command == "audit" {
+        if self.form == ReportForm::Frames {
             write!(f, "frames: {} of {} examined", self.examined, self.frames)?;
             if let Some(times) = self.times {
                 let [first, last] = times.map(shortest);

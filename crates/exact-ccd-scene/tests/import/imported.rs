@@ -30,7 +30,7 @@ pub(crate) fn assert_lines<'a>(
 
 /// Checks the position of each vertex of `box.msh` in a scene of this body.
 pub(crate) fn assert_placed(scene: &Scene, expected: impl Fn(Point) -> Point) {
-    for (rest, placed) in crate::solid().points.into_iter().zip(scene.system.start()) {
+    for (rest, placed) in crate::solid().points.into_iter().zip(scene.simulation.system().start()) {
         let expected = expected(rest);
         assert!(
             (0..3).all(|axis| (placed[axis] - expected[axis]).abs() < 1e-12),

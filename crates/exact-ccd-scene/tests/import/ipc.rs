@@ -219,11 +219,11 @@ fn the_toml_file_is_the_scene() {
     let scene = folder.scene("scene.txt", text).unwrap();
     let imported = folder.import("scene.txt", text).unwrap();
     let again = Scene::parse(&imported.toml, &folder.path.join("scene.toml"), None, &exact).unwrap();
-    assert_eq!(scene.system.start(), again.system.start());
-    assert_eq!(scene.system.masses(), again.system.masses());
-    assert_eq!(scene.settings, again.settings);
+    assert_eq!(scene.simulation.system().start(), again.simulation.system().start());
+    assert_eq!(scene.simulation.system().masses(), again.simulation.system().masses());
+    assert_eq!(scene.simulation.settings(), again.simulation.settings());
     assert_eq!(scene.steps, 100);
-    let [mut first, mut second] = [scene, again].map(|scene| scene.simulation().unwrap());
+    let [mut first, mut second] = [scene, again].map(|scene| scene.simulation);
     first.step().unwrap();
     second.step().unwrap();
     assert_eq!(first.state(), second.state());
@@ -289,9 +289,9 @@ fn friction_of_obstacles_is_that_of_pairs() {
         "{ONE}meshCO floor.obj 0 -9 0  8 50 0.7\nselfFric 0.3\nground 0.3 -20\nhalfSpace 0 -30 0  0 1 0  50 0.5\n"
     );
     let scene = folder.scene("scene.txt", &text).unwrap();
-    assert_eq!(scene.system.names(), ["shapes", "mesh-1", "", "half-space-2"]);
-    assert_eq!(scene.settings.friction.coefficient, 0.3);
-    let pairs = scene.settings.friction.pairs.iter();
+    assert_eq!(scene.simulation.system().names(), ["shapes", "mesh-1", "", "half-space-2"]);
+    assert_eq!(scene.simulation.settings().friction.coefficient, 0.3);
+    let pairs = scene.simulation.settings().friction.pairs.iter();
     let pairs: Vec<(&str, &str, f64)> = pairs
         .map(|pair| (&*pair.between[0], &*pair.between[1], pair.coefficient))
         .collect();
@@ -308,8 +308,8 @@ fn friction_of_obstacles_is_that_of_pairs() {
     let scene = folder
         .scene("same.txt", &format!("{ONE}selfFric 0.3\nground 0.3 -20\n"))
         .unwrap();
-    assert_eq!(scene.system.names(), ["", ""]);
-    assert!(scene.settings.friction.pairs.is_empty());
+    assert_eq!(scene.simulation.system().names(), ["", ""]);
+    assert!(scene.simulation.settings().friction.pairs.is_empty());
 }
 
 /// `size` scales the scene, and moves its lower corner to the origin.
@@ -318,7 +318,7 @@ fn size_scales_the_whole_scene() {
     let folder = Folder::new("size");
     let text = "shapes input 2\nbox.msh -1 2 0  0 0 0  1 1 1\nbox.msh 2.5 2 0  0 0 0  1 1 1\nsize 2\n";
     let scene = folder.scene("scene.txt", text).unwrap();
-    let bounds: exact_ccd_mesh::Aabb = scene.system.start().iter().copied().collect();
+    let bounds: exact_ccd_mesh::Aabb = scene.simulation.system().start().iter().copied().collect();
     assert_eq!(bounds.lower, [0.0; 3]);
     // The longest side is along x, of 4 m.
     assert_eq!(bounds.upper, [2.0, 0.5, 0.75]);

@@ -14,7 +14,7 @@ fn with(attributes: &str) -> String {
 /// The state of a scene after some time steps.
 fn after(folder: &Folder, attributes: &str, steps: usize) -> Simulation {
     let scene = folder.scene("run.txt", &with(attributes)).unwrap();
-    let mut simulation = scene.simulation().unwrap();
+    let mut simulation = scene.simulation;
     for _ in 0..steps {
         assert!(simulation.step().unwrap().converged);
     }
@@ -103,7 +103,7 @@ fn boxes_select_vertices_of_the_surface() {
     let scene = folder
         .scene("hull.txt", &with("DBC 0 0 0  1 1 1  0 0 0  0 0 0"))
         .unwrap();
-    let free: Vec<usize> = (0..27).filter(|&vertex| scene.system.is_free(vertex)).collect();
+    let free: Vec<usize> = (0..27).filter(|&vertex| scene.simulation.system().is_free(vertex)).collect();
     assert_eq!(free, [13]);
 }
 

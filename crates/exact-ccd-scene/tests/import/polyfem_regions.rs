@@ -52,7 +52,7 @@ fn physical_tags_are_ids_of_materials() {
     );
     // The boxes below and above have the same volume, of 0.375 m³.
     let scene = folder.scene("scene.json", &of(&json!(null), &two)).unwrap();
-    let mass: f64 = scene.system.masses().iter().sum();
+    let mass: f64 = scene.simulation.system().masses().iter().sum();
     assert!((mass - 0.375 * 4000.0).abs() < 1e-9, "{mass}");
 
     // Of two materials with an id, the last one counts.

@@ -8,9 +8,9 @@ use crate::Folder;
 
 /// Takes some steps of a scene. Checks that each increment is free of contact. The result is the final
 /// positions.
-fn run(scene: &Scene, steps: usize) -> Vec<Point> {
-    let surface = scene.system.surface().clone();
-    let mut simulation = scene.simulation().unwrap();
+fn run(scene: Scene, steps: usize) -> Vec<Point> {
+    let surface = scene.simulation.system().surface().clone();
+    let mut simulation = scene.simulation;
     let mut at = simulation.state().positions.clone();
     let mut contacts = 0;
     for _ in 0..steps {
@@ -41,7 +41,7 @@ fn a_text_scene_of_ipc() {
     let scene = folder.scene("scene.txt", text).unwrap();
     assert_eq!(scene.steps, 15);
     assert_eq!(scene.notes.len(), 1);
-    let end = run(&scene, 15);
+    let end = run(scene, 15);
     let bounds: Aabb = end[..54].iter().copied().collect();
     assert!(bounds.lower[1] > 0.0, "{bounds:?}");
     // The box that was held has fallen.
@@ -70,8 +70,8 @@ fn a_scene_of_polyfem() {
     });
     let scene = folder.scene("scene.json", &scene.to_string()).unwrap();
     assert_eq!(scene.steps, 10);
-    let start = scene.system.start().to_vec();
-    let end = run(&scene, 10);
+    let start = scene.simulation.system().start().to_vec();
+    let end = run(scene, 10);
     for vertex in (0..27).filter(|&vertex| start[vertex][1] == 0.0) {
         assert_eq!(end[vertex][..2], start[vertex][..2]);
     }

@@ -97,14 +97,14 @@ fn parse(text: &str, name: &str) -> Result<Scene, String> {
 #[test]
 fn a_column_of_two_materials_stretches_as_two_springs() {
     let scene = parse(SCENE, "groups-column").unwrap();
-    let mass: f64 = scene.system.masses().iter().sum();
+    let mass: f64 = scene.simulation.system().masses().iter().sum();
     assert!((mass - 2000.0).abs() < 1e-9, "{mass}");
-    let mut simulation = scene.simulation().unwrap();
+    let mut simulation = scene.simulation;
     for _ in 0..scene.steps {
         assert!(simulation.step().unwrap().converged);
     }
     let expected = 100.0 * (0.5 / 1e6 + 0.5 / 4e6);
-    let pairs = scene.system.start().iter().zip(&simulation.state().positions);
+    let pairs = simulation.system().start().iter().zip(&simulation.state().positions);
     let mut ends = 0;
     for (start, now) in pairs.filter(|(start, _)| start[1] == 1.0) {
         let stretch = now[1] - start[1];

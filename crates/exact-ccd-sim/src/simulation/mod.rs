@@ -10,7 +10,6 @@ mod start;
 mod step;
 mod warning;
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -70,17 +69,22 @@ impl Simulation {
     /// [`SimulationError`] names the setting that is out of range, or two primitives that intersect or touch
     /// at the start. A body entirely inside another one has no such pair: it is accepted and stays inside.
     pub fn new(system: System, settings: Settings) -> Result<Self, SimulationError> {
-        let state = State {
-            step: 0,
-            positions: system.start.clone(),
-            velocities: system.velocities.clone(),
-            earlier: None,
-            stiffness: None,
-            origins: BTreeMap::new(),
-            behind: BTreeMap::new(),
-            twists: BTreeMap::new(),
-        };
+        let state = start::state(&system);
         Self::resume(system, settings, state)
+    }
+
+    /// The simulation of a system from its initial positions and velocities, with a filter, whose name
+    /// replaces the name in the settings.
+    ///
+    /// # Errors
+    /// As for [`Simulation::new`] and [`Simulation::with_filter`].
+    pub fn with_method(
+        system: System,
+        settings: Settings,
+        filter: StepFilter,
+    ) -> Result<Self, SimulationError> {
+        let state = start::state(&system);
+        Self::resume_with(system, settings, state, filter)
     }
 
     /// The simulation of a system from an earlier state.

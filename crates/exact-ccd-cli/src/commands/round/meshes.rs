@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use exact_ccd_files::{Format, read_frame, write_ply};
 use exact_ccd_mesh::{Aabb, Frame};
 
+use super::arguments::Arguments;
+use super::displacement::shared_displacement;
 use super::report::Report;
-use super::{Arguments, shared_displacement};
 use crate::files::outputs::{make_folder, write_file};
 use crate::messages::failure::Failure;
 

@@ -7,8 +7,9 @@ use exact_ccd_data::{DataKind, Record, Rounding, Seventh};
 use exact_ccd_methods::parity::{Displacement, Rounded, RoundingError};
 use rayon::prelude::*;
 
+use super::arguments::Arguments;
+use super::displacement::shared_displacement;
 use super::report::Report;
-use super::{Arguments, shared_displacement};
 use crate::messages::failure::Failure;
 use crate::query_files::method::answered;
 use crate::query_files::rows;

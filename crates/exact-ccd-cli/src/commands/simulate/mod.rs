@@ -26,8 +26,7 @@ use run::Run;
 /// Runs the command. `command` is the program with its arguments if it is a process of its own, in which
 /// Ctrl-C can be handled.
 pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
-    let scene = read(arguments)?;
-    let mut run = Run::begin(arguments, command, &scene)?;
+    let mut run = Run::begin(arguments, command, read(arguments)?)?;
     let ended = run.advance()?;
     run.finish(ended)
 }

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd_scene::Scene;
-use exact_ccd_sim::{Simulation, State, Statistics, System};
+use exact_ccd_scene::Rendering;
+use exact_ccd_sim::{Simulation, Statistics};
 
 use super::arguments::Arguments;
 use super::drawings::pictures::Pictures;
@@ -25,14 +25,15 @@ pub(super) struct Outputs {
 }
 
 impl Outputs {
-    /// A simulation from its start or from the checkpoint in the folder of --output, and its files up to this
-    /// state. `last` is the number of the last time step.
+    /// The simulation in its state at the start, or in the state of the checkpoint in the folder of --output,
+    /// and its files up to this state. `last` is the number of the last time step.
     pub(super) fn open(
         arguments: &Arguments,
-        scene: &Scene,
+        simulation: Simulation,
+        rendering: &Rendering,
         last: u64,
     ) -> Result<(Simulation, Self), Failure> {
-        let (mut simulation, folder) = open_folder(arguments, scene)?;
+        let (mut simulation, folder) = open_folder(arguments, simulation)?;
         let mut queries = None;
         if let Some(folder) = &arguments.dump_queries {
             let opened = QueryFolder::open(folder, simulation, arguments.dump_most as usize)?;
@@ -41,12 +42,12 @@ impl Outputs {
         let mut page = None;
         if arguments.view.file().is_some() {
             let view = &arguments.view;
-            let mut recording = view.simulation(&arguments.scene, &simulation, &scene.rendering);
+            let mut recording = view.simulation(&arguments.scene, &simulation, rendering);
             recording.add_state(&simulation, None)?;
             page = Some((recording, text::description(&simulation, last)));
         }
         let drawn = folder.as_ref().filter(|_| arguments.render);
-        let pictures = drawn.map(|folder| Pictures::begin(folder, &simulation, scene.rendering));
+        let pictures = drawn.map(|folder| Pictures::begin(folder, &simulation, *rendering));
         let outputs = Self {
             pictures: pictures.transpose()?,
             folder,
@@ -56,9 +57,9 @@ impl Outputs {
         Ok((simulation, outputs))
     }
 
-    /// The writer for the Newton steps of the time step of a system from a state, if they are written.
-    pub(super) fn path<'a>(&self, system: &'a System, state: &State) -> Option<NewtonPath<'a>> {
-        self.folder.as_ref()?.path(system, state)
+    /// The writer for the Newton steps of the next time step, if they are written.
+    pub(super) fn path(&self, simulation: &Simulation) -> Option<NewtonPath<'_>> {
+        self.folder.as_ref()?.path(simulation)
     }
 
     /// Adds a time step, with the files of its path.
@@ -125,16 +126,14 @@ fn contact_distance(simulation: &Simulation) -> f64 {
     distance.meters(simulation.system().size())
 }
 
-/// A simulation from its start or from the checkpoint in the folder of --output, with the opened folder.
-fn open_folder(arguments: &Arguments, scene: &Scene) -> Result<(Simulation, Option<OutputFolder>), Failure> {
+/// The simulation at its start, or from the checkpoint in the folder of --output, with the opened folder.
+fn open_folder(arguments: &Arguments, simulation: Simulation) -> Result<(Simulation, Option<OutputFolder>), Failure> {
     let folder = arguments.output.as_deref();
     if let Some(folder) = folder.filter(|_| arguments.resume) {
-        let simulation = OutputFolder::simulation(folder, scene)?;
+        let simulation = OutputFolder::resumed(folder, &simulation)?;
         let folder = OutputFolder::resume(folder, &simulation, arguments)?;
         return Ok((simulation, Some(folder)));
     }
-    let simulation = scene.simulation();
-    let simulation = simulation.map_err(|error| Failure::of(&arguments.scene, error))?;
     let folder = folder.map(|folder| OutputFolder::begin(folder, &simulation, arguments));
     Ok((simulation, folder.transpose()?))
 }

@@ -23,7 +23,6 @@ pub(super) struct Run<'a> {
     arguments: &'a Arguments,
     /// The command line of the process, if Ctrl-C ends the run.
     command: Option<&'a [OsString]>,
-    scene: &'a Scene,
     simulation: Simulation,
     outputs: Outputs,
     notes: Notes,
@@ -48,13 +47,13 @@ impl<'a> Run<'a> {
     pub(super) fn begin(
         arguments: &'a Arguments,
         command: Option<&'a [OsString]>,
-        scene: &'a Scene,
+        scene: Scene,
     ) -> Result<Self, Failure> {
         let mut notes = Notes::default();
         scene.notes.iter().for_each(|text| notes.note(text.to_string()));
         scene.mesh_notes.iter().for_each(|text| notes.note(text.clone()));
         let last = arguments.steps.unwrap_or(scene.steps);
-        let (mut simulation, outputs) = Outputs::open(arguments, scene, last)?;
+        let (mut simulation, outputs) = Outputs::open(arguments, scene.simulation, &scene.rendering, last)?;
         print(&arguments.lines.of_scene(&simulation, last, arguments.has_files()))?;
         if simulation.state().step == 0 {
             let warnings = simulation.warnings();
@@ -70,7 +69,6 @@ impl<'a> Run<'a> {
         Ok(Self {
             arguments,
             command,
-            scene,
             simulation: iterations::watched(simulation, &bar),
             outputs,
             notes,
@@ -97,7 +95,7 @@ impl<'a> Run<'a> {
     /// Simulates a time step, writes its files and prints its line. Returns the end of the run if it is
     /// before the last time step.
     fn step(&mut self) -> Result<Option<Ended>, Failure> {
-        let mut path = self.outputs.path(&self.scene.system, self.simulation.state());
+        let mut path = self.outputs.path(&self.simulation);
         let stepped = self.simulation.step_along(&mut |positions| {
             if let Some(path) = &mut path {
                 path.add(positions);

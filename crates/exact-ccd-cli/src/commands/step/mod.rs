@@ -21,7 +21,7 @@ use crate::messages::progress::{self, during};
 use crate::motion::arguments::MeshArguments;
 use crate::motion::half_spaces::{HalfSpaceCounts, HalfSpaces};
 use crate::motion::paraview;
-use crate::motion::report::{Counts, Pairs, Report, Violations};
+use crate::motion::report::{Counts, Pairs, Report, ReportForm, Violations};
 use crate::options::distances::{self, Distances, kept};
 use crate::text::seconds::Seconds;
 use timed::Timed;
@@ -100,7 +100,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
     let mut found = arguments.find(&problem, &mut detector, &mut clock)?;
     let distances = Distances::new(mesh.min_distance, arguments.inner_distance());
-    let mut report = Report::new("step", &scene, notes, distances);
+    let mut report = Report::new(ReportForm::Step, &scene, notes, distances);
     arguments.tell(&problem, &found, &mut report)?;
     if mesh.has_files() {
         let contacts = match found.answer.contacts.take() {

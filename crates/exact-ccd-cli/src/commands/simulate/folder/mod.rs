@@ -16,8 +16,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use exact_ccd_files::{write_ply_with_parts, write_pvd};
-use exact_ccd_scene::Scene;
-use exact_ccd_sim::{Checkpoint, Simulation, State, Statistics, System};
+use exact_ccd_sim::{Checkpoint, Simulation, Statistics, System};
 
 use super::arguments::Arguments;
 use crate::files::outputs::{make_folder, write_file, write_file_soon};
@@ -47,16 +46,16 @@ pub(crate) struct OutputFolder {
     frames: Vec<u64>,
     /// The number of time steps from one with files to the next.
     every: u64,
-    /// True if the path is written: the folder has a subfolder for it.
-    has_path: bool,
+    /// The system, if the path is written: the folder has a subfolder for it.
+    path_of: Option<System>,
     /// The files that have been written since the last checkpoint.
     pending: Vec<PathBuf>,
     saved: Instant,
 }
 
 impl OutputFolder {
-    /// The simulation of a scene, resumed from the checkpoint in a folder.
-    pub(crate) fn simulation(folder: &Path, scene: &Scene) -> Result<Simulation, Failure> {
+    /// The simulation, resumed from the checkpoint in a folder.
+    pub(crate) fn resumed(folder: &Path, simulation: &Simulation) -> Result<Simulation, Failure> {
         let file = folder.join(CHECKPOINT);
         let failed = |message: String| Failure::of(&file, message);
         let reader = File::open(&file).map_err(|error| {
@@ -74,9 +73,9 @@ impl OutputFolder {
                 "{error}; the file is damaged or not a checkpoint: start a new run with --overwrite"
             ))
         })?;
-        scene
-            .resume(checkpoint)
-            .map_err(|error| failed(error.to_string()))
+        let (system, settings) = (simulation.system().clone(), simulation.settings().clone());
+        let resumed = checkpoint.resume(system, settings, simulation.filter().clone());
+        resumed.map_err(|error| failed(error.to_string()))
     }
 
     /// Writes the initial state. If `overwrite`, the results of an earlier run are removed; otherwise they
@@ -132,7 +131,7 @@ impl OutputFolder {
             grid: Grid::new(simulation.system()),
             frames,
             every: arguments.every,
-            has_path: path.is_dir(),
+            path_of: path.is_dir().then(|| simulation.system().clone()),
             pending: Vec::new(),
             saved: Instant::now(),
         })
@@ -228,11 +227,9 @@ impl OutputFolder {
         Ok(())
     }
 
-    /// The writer for the path of the time step of a system from a state, if the folder has a path.
-    pub(crate) fn path<'a>(&self, system: &'a System, state: &State) -> Option<NewtonPath<'a>> {
-        if !self.has_path {
-            return None;
-        }
+    /// The writer for the path of the next time step, if the folder has a path.
+    pub(crate) fn path(&self, simulation: &Simulation) -> Option<NewtonPath<'_>> {
+        let (system, state) = (self.path_of.as_ref()?, simulation.state());
         let mut path = NewtonPath::new(self.file(PATH), system, state.step + 1);
         path.add(&state.positions);
         Some(path)
