@@ -10,7 +10,6 @@ use super::body::{Loaded, check_name, load};
 use super::description::{Axis, BodyDescription, Description, Selection};
 use super::document::{Document, SceneError};
 use super::field_error::FieldError;
-use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
 use super::rendering::Rendering;
@@ -29,15 +28,12 @@ pub struct Scene {
     pub steps: u64,
     /// The settings of the pictures.
     pub rendering: Rendering,
-    /// The entries of a scene of another program that are ignored.
-    pub notes: Vec<Note>,
     /// Facts about the mesh files that could change the result, each with its file.
-    pub mesh_notes: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 impl Scene {
-    /// Reads a scene file, or one of another program as of [`import`]. Mesh files are read from the folder
-    /// `meshes`, or from the folder of the scene file.
+    /// Reads a scene file. Mesh files are read from the folder `meshes`, or from the folder of the scene file.
     ///
     /// # Errors
     /// [`SceneError`] names the file, the line and the field.
@@ -47,12 +43,6 @@ impl Scene {
         filter_by_name: &FilterByName<'_>,
     ) -> Result<Self, SceneError> {
         let file = file.as_ref();
-        if let Some(Imported { toml, meshes, notes }) = import(file, meshes)? {
-            let mut label = file.as_os_str().to_owned();
-            label.push(" as TOML");
-            let scene = Self::parse(&toml, Path::new(&label), Some(&meshes), filter_by_name)?;
-            return Ok(Self { notes, ..scene });
-        }
         let bytes = std::fs::read(file).map_err(|source| SceneError::Io {
             file: file.to_owned(),
             source,
@@ -126,8 +116,7 @@ impl Scene {
             simulation,
             steps,
             rendering: description.render,
-            notes: Vec::new(),
-            mesh_notes: parts.notes,
+            notes: parts.notes,
         })
     }
 }

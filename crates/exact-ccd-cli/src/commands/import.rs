@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd_scene::{Imported, SceneError, import};
+use exact_ccd_import::{Imported, import};
 
 use crate::files::inputs::check_file;
 use crate::files::outputs::Output;
@@ -38,7 +38,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     check_file(&arguments.scene, "a scene of IPC or of PolyFEM")?;
-    let imported = import(&arguments.scene, arguments.meshes.as_deref()).map_err(SceneError::from)?;
+    let imported = import(&arguments.scene, arguments.meshes.as_deref())?;
     let Some(imported) = imported else {
         return Err(Failure::of(
             &arguments.scene,

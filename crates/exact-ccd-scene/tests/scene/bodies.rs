@@ -156,8 +156,8 @@ fn facts_about_mesh_files_are_notes() {
     let folder = folder("scene-notes");
     fs::write(folder.join("plane.obj"), "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n").unwrap();
     let scene = of_file(&folder, "plane.obj", "").unwrap();
-    let [note] = &scene.mesh_notes[..] else {
-        panic!("{:?}", scene.mesh_notes)
+    let [note] = &scene.notes[..] else {
+        panic!("{:?}", scene.notes)
     };
     assert!(
         note.contains("plane.obj: line 1: the vertices have two coordinates"),

@@ -48,10 +48,8 @@ impl<'a> Run<'a> {
         arguments: &'a Arguments,
         command: Option<&'a [OsString]>,
         scene: Scene,
+        mut notes: Notes,
     ) -> Result<Self, Failure> {
-        let mut notes = Notes::default();
-        scene.notes.iter().for_each(|text| notes.note(text.to_string()));
-        scene.mesh_notes.iter().for_each(|text| notes.note(text.clone()));
         let last = arguments.steps.unwrap_or(scene.steps);
         let (mut simulation, outputs) = Outputs::open(arguments, scene.simulation, &scene.rendering, last)?;
         print(&arguments.lines.of_scene(&simulation, last, arguments.has_files()))?;
