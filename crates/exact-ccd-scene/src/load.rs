@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use exact_ccd_sim::{
-    Body, Load, ScriptedVertices, Settings, Simulation, StepFilter, System,
-};
+use exact_ccd_sim::{Body, Load, ScriptedVertices, Settings, Simulation, StepFilter, System};
 
 use super::body::{Loaded, check_name, load};
 use super::description::{Axis, BodyDescription, Description, Selection};

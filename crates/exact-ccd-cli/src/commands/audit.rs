@@ -112,7 +112,12 @@ impl<'a> Run<'a> {
             audit: audit.with_can_collide(scene.can_collide()),
             certificate,
             page: mesh.view.recording(frames, &scene, half_spaces.all()),
-            report: Report::new(ReportForm::Frames, &scene, notes, Distances::new(mesh.min_distance, None)),
+            report: Report::new(
+                ReportForm::Frames,
+                &scene,
+                notes,
+                Distances::new(mesh.min_distance, None),
+            ),
             turns: Turns::of(&scene),
             list: ContactList::default(),
             clock,

@@ -11,7 +11,7 @@ use super::mesh_file::{MeshFile, assemble_cells};
 use super::numpy::{Arrays, Names};
 use super::options::{Polygons, ReadOptions};
 use super::series::{read_pvd_parts, read_pvd_within, read_series_within};
-use super::{content, gltf, numpy};
+use super::{gltf, numpy, recognise};
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::{Format, extension};
 
@@ -132,7 +132,7 @@ impl FrameSequence {
                     if !gltf::has_animations(bytes, budget)? {
                         return Ok(None);
                     }
-                    content::check(bytes, Format::Gltf)?;
+                    recognise::check(bytes, Format::Gltf)?;
                     let (scene, cells) = gltf::read_moving(bytes, folder, budget)?;
                     cells.charge(budget);
                     with_mesh(Positions::Scene(scene), cells, polygons).map(Some)
@@ -257,7 +257,7 @@ fn read_arrays(path: &Path, format: Format, options: &ReadOptions) -> Result<Sou
     let read_faces = |file| parse_file(Path::new(file), options.max_size, numpy::read_faces);
     let faces = faces_file.map(read_faces).transpose()?;
     parse_file(path, options.max_size, |bytes, budget| {
-        content::check(bytes, format)?;
+        recognise::check(bytes, format)?;
         let mut arrays = match format {
             Format::Npz => numpy::read_npz(bytes, &names, budget)?,
             _ => numpy::read_npy(bytes, budget)?,

@@ -6,12 +6,12 @@ use exact_ccd_mesh::{Aabb, Point};
 use exact_ccd_sim::Script;
 use nalgebra::Vector3;
 
-use crate::fault::{Fault, Problem};
-use crate::meshes::Meshes;
-use crate::notes::Notes;
 use super::file::{File, Obstacle, Script as Motion};
 use super::part::Part;
 use super::shape;
+use crate::fault::{Fault, Problem};
+use crate::meshes::Meshes;
+use crate::notes::Notes;
 use exact_ccd_scene::description::{BodyDescription, ScriptDescription, Selection};
 use exact_ccd_scene::description::{Placement, Scale};
 

@@ -3,11 +3,11 @@
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{HalfSpace, Length, SolidMaterial};
 
-use crate::fault::{Fault, Problem};
-use crate::notes::Notes;
 use super::file::{File, Obstacle, Script, TOLERANCE};
 use super::shape;
 use super::words::{Line, Text};
+use crate::fault::{Fault, Problem};
+use crate::notes::Notes;
 
 /// A number of friction lags at which they have converged.
 const CONVERGED: usize = 100;

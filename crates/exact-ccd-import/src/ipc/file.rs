@@ -5,8 +5,8 @@ use exact_ccd_sim::{
     Formulation, Friction, HalfSpace, Integrator, Length, Settings, SolidMaterial, SolidProperties,
 };
 
-use crate::fault::Place;
 use super::shape::Shape;
+use crate::fault::Place;
 
 /// The most Newton iterations of a time step in IPC (`Optimizer.cpp`).
 const MAX_ITERATIONS: usize = 10_000;

@@ -1,9 +1,9 @@
 //! Friction of obstacles.
 
-use crate::notes::Notes;
 use super::file::File;
-use exact_ccd_scene::description::BodyDescription;
+use crate::notes::Notes;
 use exact_ccd_mesh::HalfSpace;
+use exact_ccd_scene::description::BodyDescription;
 use exact_ccd_sim::FrictionPair;
 
 /// The name of all shapes of a file in which obstacles have other friction coefficients.

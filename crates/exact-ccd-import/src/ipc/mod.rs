@@ -20,8 +20,8 @@ use exact_ccd_sim::Length;
 use crate::fault::Fault;
 use crate::meshes::Meshes;
 use crate::notes::Notes;
-use exact_ccd_scene::description::Description;
 use exact_ccd_scene::Rendering;
+use exact_ccd_scene::description::Description;
 use file::File;
 
 /// The scene in the text of a file.

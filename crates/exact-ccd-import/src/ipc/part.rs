@@ -6,15 +6,15 @@ use exact_ccd_mesh::{Aabb, Point};
 use exact_ccd_sim::{Force, SolidProperties};
 use nalgebra::Vector3;
 
-use crate::fault::{Fault, Problem};
-use crate::meshes::Meshes;
-use crate::notes::Notes;
 use super::file::{File, Script as Motion};
 use super::held::{self, Piece};
 use super::shape::{RelativeBox, Shape};
-use exact_ccd_scene::description::{BodyDescription, LoadDescription, Selection};
+use crate::fault::{Fault, Problem};
+use crate::meshes::Meshes;
+use crate::notes::Notes;
 use exact_ccd_scene::Mesh;
 use exact_ccd_scene::description::Placement;
+use exact_ccd_scene::description::{BodyDescription, LoadDescription, Selection};
 
 /// A shape with its mesh and its body.
 pub(super) struct Part<'a> {

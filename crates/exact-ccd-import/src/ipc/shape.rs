@@ -6,9 +6,9 @@ use exact_ccd_mesh::{Aabb, Point};
 use exact_ccd_sim::{SolidMaterial, SolidProperties};
 use nalgebra::Vector3;
 
-use crate::fault::{Fault, Place, Problem};
 use super::held::Piece;
 use super::words::{Line, Text};
+use crate::fault::{Fault, Place, Problem};
 use exact_ccd_scene::description::{Placement, Rotation, Scale};
 
 /// The most shapes of a file, so that a number in it does not exhaust the memory.

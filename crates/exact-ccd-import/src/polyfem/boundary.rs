@@ -5,11 +5,11 @@ use std::cell::Cell;
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{Force, Script};
 
-use crate::fault::Fault;
 use super::entry::{Entry, NOTHING, Rule};
 use super::motion::{Held, held};
 use super::settings::Time;
 use super::surface::{Ids, Surface};
+use crate::fault::Fault;
 use exact_ccd_scene::description::{Axis, BodyDescription, LoadDescription, ScriptDescription, Selection};
 
 /// The conditions of a file.

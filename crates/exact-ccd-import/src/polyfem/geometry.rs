@@ -5,8 +5,6 @@ use std::rc::Rc;
 use exact_ccd_mesh::{Aabb, HalfSpace, Point};
 use nalgebra::Vector3;
 
-use crate::fault::Fault;
-use crate::meshes::Meshes;
 use super::boundary::Conditions;
 use super::entry::{Entry, NOTHING, Rule};
 use super::material::{self, Material};
@@ -14,8 +12,10 @@ use super::region::Regions;
 use super::surface::Surface;
 use super::transformation::placement;
 use super::volume::Volumes;
-use exact_ccd_scene::description::BodyDescription;
+use crate::fault::Fault;
+use crate::meshes::Meshes;
 use exact_ccd_scene::Mesh;
+use exact_ccd_scene::description::BodyDescription;
 use exact_ccd_scene::description::Placement;
 
 /// The most copies of a mesh.

@@ -1,8 +1,8 @@
 //! Materials.
 
-use crate::fault::{Fault, Problem};
 use super::entry::{Entry, NOTHING, Rule};
 use super::surface::Ids;
+use crate::fault::{Fault, Problem};
 use exact_ccd_sim::{SolidMaterial, SolidProperties};
 
 /// The material of the bodies with an id.

@@ -25,9 +25,9 @@ use serde_json::Value;
 use crate::fault::{Fault, Place, Problem};
 use crate::meshes::Meshes;
 use crate::notes::Notes;
-use exact_ccd_scene::description::Description;
-use exact_ccd_scene::Rendering;
 use entry::{Entry, NOTHING, Rule};
+use exact_ccd_scene::Rendering;
+use exact_ccd_scene::description::Description;
 
 const VIEWING: Rule = Rule::Ignored("it concerns the output of PolyFEM");
 

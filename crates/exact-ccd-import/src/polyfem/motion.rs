@@ -2,10 +2,10 @@
 
 use exact_ccd_mesh::Point;
 
-use crate::fault::Fault;
 use super::entry::{Entry, NOTHING, Rule};
-use super::settings::Time;
 use super::expression;
+use super::settings::Time;
+use crate::fault::Fault;
 use exact_ccd_sim::{KeyFrame, Script};
 
 /// The most time steps of a motion that is not linear in time.

@@ -3,8 +3,8 @@
 use exact_ccd_mesh::{Aabb, Point, vector};
 use nalgebra::Vector3;
 
-use crate::fault::Fault;
 use super::entry::{Entry, Rule};
+use crate::fault::Fault;
 
 /// The keys of a selection. The faces of a body are the faces of its boundary.
 const RULES: [(&str, Rule); 1] = [(

@@ -2,8 +2,8 @@
 
 use exact_ccd_mesh::Point;
 
-use crate::fault::Fault;
 use super::entry::{Entry, NOTHING, Rule};
+use crate::fault::Fault;
 use exact_ccd_sim::{Formulation, Friction, Integrator, Length, Settings};
 
 const SOLVER: Rule = Rule::Ignored("it concerns the method by which PolyFEM solves a time step");

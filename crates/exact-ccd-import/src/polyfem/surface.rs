@@ -3,9 +3,9 @@
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
-use crate::fault::Fault;
 use super::entry::Entry;
 use super::region::Regions;
+use crate::fault::Fault;
 
 /// The faces of a body with their ids.
 pub(super) struct Surface<'a> {

@@ -3,8 +3,8 @@
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
-use crate::fault::Fault;
 use super::entry::{Entry, Rule};
+use crate::fault::Fault;
 use exact_ccd_scene::description::{Placement, Rotation, Scale};
 
 /// `transformation`, for a mesh with a box of these sides.

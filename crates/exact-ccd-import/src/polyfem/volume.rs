@@ -3,13 +3,13 @@
 use exact_ccd_files::Group;
 use exact_ccd_mesh::Point;
 
-use crate::fault::Fault;
 use super::boundary::Conditions;
 use super::entry::Entry;
 use super::material::{Material, of_id};
-use exact_ccd_scene::description::{BodyDescription, RegionDescription};
-use exact_ccd_scene::description::GroupKey;
+use crate::fault::Fault;
 use exact_ccd_scene::Mesh;
+use exact_ccd_scene::description::GroupKey;
+use exact_ccd_scene::description::{BodyDescription, RegionDescription};
 
 /// The ids of the tetrahedra of a body: one for each physical group of its mesh, and one for the rest.
 pub(super) struct Volumes {

@@ -1,7 +1,7 @@
 //! Properties of an imported scene.
 
-use exact_ccd_mesh::Point;
 use exact_ccd_import::Imported;
+use exact_ccd_mesh::Point;
 use exact_ccd_scene::Scene;
 
 /// True if the TOML file has these lines, one after the other.
@@ -31,7 +31,11 @@ pub(crate) fn assert_lines<'a>(
 
 /// Checks the position of each vertex of `box.msh` in a scene of this body.
 pub(crate) fn assert_placed(scene: &Scene, expected: impl Fn(Point) -> Point) {
-    for (rest, placed) in crate::solid().points.into_iter().zip(scene.simulation.system().start()) {
+    for (rest, placed) in crate::solid()
+        .points
+        .into_iter()
+        .zip(scene.simulation.system().start())
+    {
         let expected = expected(rest);
         assert!(
             (0..3).all(|axis| (placed[axis] - expected[axis]).abs() < 1e-12),

@@ -219,8 +219,14 @@ fn the_toml_file_is_the_scene() {
     let scene = folder.scene("scene.txt", text).unwrap();
     let imported = folder.import("scene.txt", text).unwrap();
     let again = Scene::parse(&imported.toml, &folder.path.join("scene.toml"), None, &exact).unwrap();
-    assert_eq!(scene.simulation.system().start(), again.simulation.system().start());
-    assert_eq!(scene.simulation.system().masses(), again.simulation.system().masses());
+    assert_eq!(
+        scene.simulation.system().start(),
+        again.simulation.system().start()
+    );
+    assert_eq!(
+        scene.simulation.system().masses(),
+        again.simulation.system().masses()
+    );
     assert_eq!(scene.simulation.settings(), again.simulation.settings());
     assert_eq!(scene.steps, 100);
     let [mut first, mut second] = [scene, again].map(|scene| scene.simulation);
@@ -289,7 +295,10 @@ fn friction_of_obstacles_is_that_of_pairs() {
         "{ONE}meshCO floor.obj 0 -9 0  8 50 0.7\nselfFric 0.3\nground 0.3 -20\nhalfSpace 0 -30 0  0 1 0  50 0.5\n"
     );
     let scene = folder.scene("scene.txt", &text).unwrap();
-    assert_eq!(scene.simulation.system().names(), ["shapes", "mesh-1", "", "half-space-2"]);
+    assert_eq!(
+        scene.simulation.system().names(),
+        ["shapes", "mesh-1", "", "half-space-2"]
+    );
     assert_eq!(scene.simulation.settings().friction.coefficient, 0.3);
     let pairs = scene.simulation.settings().friction.pairs.iter();
     let pairs: Vec<(&str, &str, f64)> = pairs

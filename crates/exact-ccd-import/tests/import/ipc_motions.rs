@@ -103,7 +103,9 @@ fn boxes_select_vertices_of_the_surface() {
     let scene = folder
         .scene("hull.txt", &with("DBC 0 0 0  1 1 1  0 0 0  0 0 0"))
         .unwrap();
-    let free: Vec<usize> = (0..27).filter(|&vertex| scene.simulation.system().is_free(vertex)).collect();
+    let free: Vec<usize> = (0..27)
+        .filter(|&vertex| scene.simulation.system().is_free(vertex))
+        .collect();
     assert_eq!(free, [13]);
 }
 

@@ -11,12 +11,12 @@ use exact_ccd_mesh::{HalfSpace, Point};
 use serde::{Deserialize, Serialize};
 
 use crate::rendering::Rendering;
-pub use group::GroupKey;
-pub use placement::{Placement, Rotation, Scale};
 use exact_ccd_sim::{
     AffineProperties, Force, ParticleProperties, RodProperties, Script, Settings, ShellProperties,
     SolidProperties,
 };
+pub use group::GroupKey;
+pub use placement::{Placement, Rotation, Scale};
 
 /// A scene.
 #[derive(Clone, Debug, Serialize, Deserialize)]

@@ -104,7 +104,11 @@ fn a_column_of_two_materials_stretches_as_two_springs() {
         assert!(simulation.step().unwrap().converged);
     }
     let expected = 100.0 * (0.5 / 1e6 + 0.5 / 4e6);
-    let pairs = simulation.system().start().iter().zip(&simulation.state().positions);
+    let pairs = simulation
+        .system()
+        .start()
+        .iter()
+        .zip(&simulation.state().positions);
     let mut ends = 0;
     for (start, now) in pairs.filter(|(start, _)| start[1] == 1.0) {
         let stretch = now[1] - start[1];

@@ -82,7 +82,9 @@ fn a_scene_file_determines_system_settings_and_steps() {
         "{corner:?}"
     );
     assert!((simulation.system().masses()[..12].iter().sum::<f64>() - 250.0).abs() < 1e-9);
-    let free: Vec<usize> = (12..22).filter(|&vertex| simulation.system().is_free(vertex)).collect();
+    let free: Vec<usize> = (12..22)
+        .filter(|&vertex| simulation.system().is_free(vertex))
+        .collect();
     assert_eq!(free, [13, 16]);
 
     let statistics = simulation.step().unwrap();
@@ -122,6 +124,9 @@ fn the_scene_of_the_documentation_is_valid() {
     assert_eq!(settings.friction.pairs.len(), 1);
     settings.friction.pairs.clear();
     assert_eq!(settings, Settings::default());
-    assert_eq!(scene.simulation.system().names(), ["block", "", "", "", "ring", "", "ground"]);
+    assert_eq!(
+        scene.simulation.system().names(),
+        ["block", "", "", "", "ring", "", "ground"]
+    );
     scene.simulation.step().unwrap();
 }

@@ -2,10 +2,10 @@
 
 use exact_ccd_mesh::Point;
 
-use crate::energies::contact::Collisions;
+use crate::energies::contact::CollisionSet;
 
 /// The collisions of some positions. They are computed again where these are others: no result depends on it.
 pub(super) struct KnownCollisions {
     pub(super) positions: Vec<Point>,
-    pub(super) collisions: Collisions,
+    pub(super) collisions: CollisionSet,
 }

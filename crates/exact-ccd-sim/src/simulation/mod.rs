@@ -1,10 +1,10 @@
 //! Simulations.
 
-mod contacts;
 mod known;
 mod minimise;
 mod problem;
 mod record;
+mod reported_contact;
 mod resume;
 mod start;
 mod step;
@@ -30,8 +30,8 @@ use crate::solver::Memory;
 use crate::state::State;
 use crate::system::{Fingerprint, System};
 
-pub use contacts::Contact;
 use known::KnownCollisions;
+pub use reported_contact::Contact;
 pub use warning::Warning;
 
 /// The motion of a system under elasticity, gravity, contact and friction.

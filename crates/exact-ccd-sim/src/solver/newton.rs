@@ -13,7 +13,7 @@ use super::potential::{Potential, Terms};
 use super::stagnation::Stagnation;
 use super::unknowns::Unknowns;
 use super::vertex_steps::VertexSteps;
-use crate::energies::contact::{Barrier, Collisions, StiffnessRange};
+use crate::energies::contact::{Barrier, CollisionSet, StiffnessRange};
 use crate::energies::elasticity::Twist;
 use crate::error::SimulationError;
 use crate::filter::StepFilter;
@@ -51,7 +51,7 @@ pub(crate) struct Memory {
 /// An iterate of Newton's method.
 pub(crate) struct Iterate<'a> {
     pub(crate) positions: Vec<Point>,
-    pub(crate) collisions: Collisions,
+    pub(crate) collisions: CollisionSet,
     /// The value of the potential here, if the line search before found it.
     pub(crate) value: Option<f64>,
     /// κ.

@@ -10,8 +10,6 @@ mod elastic;
 mod error;
 mod fingerprint;
 mod geometry;
-mod half_spaces;
-mod loads;
 mod masses;
 mod materials;
 mod names;
@@ -22,7 +20,9 @@ mod selection;
 mod shells;
 mod size;
 mod spring_error;
-mod springs;
+mod with_half_spaces;
+mod with_loads;
+mod with_springs;
 
 use std::ops::Range;
 
@@ -30,7 +30,7 @@ use exact_ccd_mesh::{Frame, MinDistance, Point, PositionsError, TriangleMesh};
 
 use crate::body::Body;
 use crate::carriers::Carriers;
-use crate::energies::contact::{Barrier, Collisions, Surface};
+use crate::energies::contact::{Barrier, CollisionSet, Surface};
 use crate::energies::load::Load;
 use crate::prescribed::{Coordinates, ScriptedVertices};
 use crate::settings::Formulation;
@@ -126,7 +126,7 @@ impl System {
     ) -> Option<(f64, [Designation; 2])> {
         let candidates = self.geometry.near_at(points, &barrier);
         let surface = self.contact_surface(formulation);
-        let (gap, collision) = Collisions::nearest(surface, &candidates, points, barrier)?;
+        let (gap, collision) = CollisionSet::nearest(surface, &candidates, points, barrier)?;
         let [a, b] = self.bodies_of(&collision);
         let bodies = [a.min(b), a.max(b)].map(|body| self.designation(body));
         Some((gap, bodies))

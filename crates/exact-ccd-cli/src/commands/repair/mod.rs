@@ -1,6 +1,6 @@
 //! `exact-ccd repair`: positions of a mesh in which it does not intersect.
 
-mod mesh_file;
+mod mesh_output;
 mod report;
 
 use std::path::PathBuf;
@@ -21,7 +21,7 @@ use crate::options::certificate::{Certificate, CertificateOption};
 use crate::options::distances::{self, Distances};
 use crate::text::seconds::Seconds;
 use crate::view::View;
-use mesh_file::MeshOutput;
+use mesh_output::MeshOutput;
 use report::Report;
 
 /// Move the vertices of a mesh that intersects itself until it does not, and decide exactly that it does not

@@ -127,7 +127,10 @@ fn contact_distance(simulation: &Simulation) -> f64 {
 }
 
 /// The simulation at its start, or from the checkpoint in the folder of --output, with the opened folder.
-fn open_folder(arguments: &Arguments, simulation: Simulation) -> Result<(Simulation, Option<OutputFolder>), Failure> {
+fn open_folder(
+    arguments: &Arguments,
+    simulation: Simulation,
+) -> Result<(Simulation, Option<OutputFolder>), Failure> {
     let folder = arguments.output.as_deref();
     if let Some(folder) = folder.filter(|_| arguments.resume) {
         let simulation = OutputFolder::resumed(folder, &simulation)?;

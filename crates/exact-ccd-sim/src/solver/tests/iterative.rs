@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::energies::contact::{Barrier, Collisions};
+use crate::energies::contact::{Barrier, CollisionSet};
 use crate::prescribed::ScriptedVertices;
 use crate::solver::couplings::Couplings;
 use crate::solver::linear::LinearSolver;
@@ -207,7 +207,7 @@ fn first_system(simulation: &Simulation) -> (Pattern, Vec<f64>, Vec<f64>, usize)
     let barrier = Barrier::new(settings.contact_distance.meters(system.size()));
     let candidates = system.geometry.near_at(&state.positions, &barrier);
     let surface = system.contact_surface(settings.formulation);
-    let collisions = Collisions::new(surface, &candidates, &state.positions, barrier);
+    let collisions = CollisionSet::new(surface, &candidates, &state.positions, barrier);
     let potential = Potential {
         system,
         terms: &terms,

@@ -17,12 +17,12 @@ use crate::half_space::Plane;
 
 /// The constraint set of one configuration: all pairs of features within the activation distance.
 #[derive(Clone, Debug)]
-pub(crate) struct Collisions {
+pub(crate) struct CollisionSet {
     collisions: Vec<Collision>,
     minimum: f64,
 }
 
-impl Collisions {
+impl CollisionSet {
     /// The collisions among the candidate pairs of a surface, with the vertices at `points`. `barrier` is the
     /// barrier of surfaces without thickness.
     ///
@@ -57,7 +57,7 @@ impl Collisions {
     }
 
     /// The collision with the least distance between two surfaces, and that distance in m. `None` if there is
-    /// none. The arguments are as for [`Collisions::new`].
+    /// none. The arguments are as for [`CollisionSet::new`].
     pub(crate) fn nearest(
         surface: Surface<'_>,
         candidates: &Candidates,

@@ -6,7 +6,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::Simulation;
-use crate::energies::contact::{Collision, Collisions};
+use crate::energies::contact::{Collision, CollisionSet};
 use crate::energies::term::{Energy, gather_some};
 
 /// Two features (vertices, edges, faces) within the contact distance, or a vertex and a half space.
@@ -34,7 +34,7 @@ impl Simulation {
     }
 
     /// The collisions of the current state.
-    pub(super) fn collisions(&self) -> Cow<'_, Collisions> {
+    pub(super) fn collisions(&self) -> Cow<'_, CollisionSet> {
         let positions = &self.state.positions;
         if let Some(known) = &self.known
             && known.positions == *positions
@@ -43,7 +43,7 @@ impl Simulation {
         }
         let candidates = self.system.geometry.near_at(positions, &self.barrier);
         let surface = self.system.contact_surface(self.settings.formulation);
-        Cow::Owned(Collisions::new(surface, &candidates, positions, self.barrier))
+        Cow::Owned(CollisionSet::new(surface, &candidates, positions, self.barrier))
     }
 
     fn contact(&self, collision: &Collision) -> Contact {
