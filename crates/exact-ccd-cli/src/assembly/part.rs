@@ -6,7 +6,7 @@ use exact_ccd_files::{Contents, FileIds, Group, MeshFile, Note, ReadMotionError}
 use exact_ccd_mesh::{Frame, MotionError, Point, TriangleMesh, Welding};
 use exact_ccd_view::Body;
 
-use super::Frames;
+use super::frames::Frames;
 use super::options::AssemblyOptions;
 use super::shape::{LeftOut, Shape};
 use crate::messages::failure::Failure;

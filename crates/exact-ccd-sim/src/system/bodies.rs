@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use exact_ccd_mesh::Point;
 
-use super::Designation;
 use super::ball::diameter;
+use super::designation::Designation;
 use crate::body::{Body, BodyKind};
 use crate::digest::Hash;
 

@@ -7,7 +7,7 @@ use exact_ccd_mesh::{
     Bvh, CanCollide, CandidateOptions, Candidates, MeshError, MinDistance, Point, Step, TriangleMesh,
 };
 
-use super::SystemError;
+use super::error::SystemError;
 use super::obstacles::{contact_parts, obstacle_pairs};
 use crate::energies::contact::{Barrier, Surface, Weights};
 use crate::half_space::HalfSpace;

@@ -10,9 +10,10 @@ use nalgebra::Vector3;
 use super::bodies::Bodies;
 use super::body_error::{BodyError, Selecting};
 use super::elastic::Elastic;
+use super::error::SystemError;
 use super::geometry::Outline;
 use super::materials::materials;
-use super::{SystemError, selection};
+use super::selection;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::carriers::Carriers;
 use crate::energies::elasticity::{

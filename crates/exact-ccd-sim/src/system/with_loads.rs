@@ -4,7 +4,8 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::body_error::Selecting;
-use super::{System, SystemError, selection};
+use super::selection;
+use super::{System, SystemError};
 use crate::energies::load::{Force, Load};
 use crate::range::check;
 

@@ -10,9 +10,10 @@ use indicatif::ProgressBar;
 
 use super::arguments::Arguments;
 use super::folder::path::NewtonPath;
+use super::interrupt;
+use super::iterations;
 use super::lines::convergence::Convergence;
 use super::outputs::Outputs;
-use super::{interrupt, iterations};
 use crate::files::outputs::print;
 use crate::messages::failure::Failure;
 use crate::messages::notes::Notes;
