@@ -2,6 +2,7 @@
 //! in motion.
 
 pub(crate) mod arguments;
+pub(crate) mod counts;
 pub(crate) mod half_spaces;
 pub(crate) mod paraview;
 pub(crate) mod report;

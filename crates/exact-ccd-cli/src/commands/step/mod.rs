@@ -1,5 +1,6 @@
 //! `exact-ccd step`: the contacts of a mesh over one time step.
 
+mod problem;
 mod timed;
 
 use std::path::PathBuf;
@@ -7,10 +8,10 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::value_parser;
-use exact_ccd::{Options, Separation};
+use exact_ccd::Separation;
 use exact_ccd_mesh::{
-    Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, IntersectionOptions, Meeting,
-    MinDistance, Motion, StepError, StepReport, intersections,
+    Bvh, CandidateOptions, Contact, Detector, Intersection, IntersectionOptions, Meeting, Motion, StepError,
+    StepReport, intersections,
 };
 
 use crate::assembly::{Assembly, Turns};
@@ -19,12 +20,12 @@ use crate::messages::failure::Failure;
 use crate::messages::notes::Notes;
 use crate::messages::progress::{self, during};
 use crate::motion::arguments::MeshArguments;
-use crate::motion::half_spaces::{HalfSpaceCounts, HalfSpaces};
+use crate::motion::counts::{Counts, Pairs, Violations};
 use crate::motion::paraview;
-use crate::motion::report::{Counts, Pairs, Report, ReportForm, Violations};
+use crate::motion::report::{Report, ReportForm};
 use crate::options::distances::{self, Distances, kept};
 use crate::text::seconds::Seconds;
-use timed::Timed;
+use problem::{Answer, Found, Problem};
 
 /// Find the contacts of a mesh in the step from one file to another.
 ///
@@ -130,70 +131,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     report.seconds = Some(clock);
     let status = mesh.finish(report)?;
     Ok(certificate.finish()?.unwrap_or(status))
-}
-
-/// The answer to one of the questions of the command line about the mesh.
-#[derive(Default)]
-struct Answer {
-    touches: bool,
-    earliest: Option<Contact>,
-    pairs: Option<Pairs>,
-    /// All contacts, if the search for this answer listed them.
-    contacts: Option<Vec<Contact>>,
-}
-
-/// The answers to all questions: about the start, the half spaces, and the mesh in motion.
-struct Found {
-    start: Vec<Intersection>,
-    /// The contacts with half spaces, the earliest first.
-    in_half_spaces: Vec<ContactRecord>,
-    half_spaces: Option<HalfSpaceCounts>,
-    answer: Answer,
-}
-
-impl Found {
-    /// The intersections at the start and all contacts, in the order of their times.
-    fn list(&self, problem: &Problem<'_>, contacts: &[Contact]) -> ContactList {
-        let start = self.start.iter().map(|&found| problem.record_of_start(found));
-        let contacts = contacts.iter().map(|contact| problem.record(contact));
-        let mut records: Vec<_> = start.chain(contacts).collect();
-        records.extend(self.in_half_spaces.iter().cloned());
-        records.sort_by(ContactRecord::compare_times);
-        ContactList(records)
-    }
-}
-
-/// A motion, its scene, and the meaning of contact in it.
-struct Problem<'a> {
-    scene: &'a Assembly,
-    motion: Motion,
-    can_collide: CanCollide,
-    distance: MinDistance,
-    half_spaces: HalfSpaces,
-    broad_phase: Arc<Timed>,
-}
-
-impl Problem<'_> {
-    fn detector(&self) -> Detector {
-        let detector = Detector::with_broad_phase(self.motion.mesh.clone(), self.broad_phase.clone());
-        detector.with_can_collide(self.can_collide.clone())
-    }
-
-    fn options(&self) -> Options<MinDistance> {
-        Options::within(self.distance.clone())
-    }
-
-    fn record_of_start(&self, found: Intersection) -> ContactRecord {
-        let Motion { mesh, x0, .. } = &self.motion;
-        self.scene
-            .in_file(ContactRecord::of_intersection(0, mesh, x0, found))
-    }
-
-    fn record(&self, contact: &Contact) -> ContactRecord {
-        let Motion { mesh, x0, x1 } = &self.motion;
-        self.scene
-            .in_file(ContactRecord::of_contact(0, mesh, [x0, x1], contact))
-    }
 }
 
 impl Arguments {
