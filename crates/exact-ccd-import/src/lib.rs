@@ -29,8 +29,8 @@ pub struct Imported {
     pub notes: Vec<Note>,
 }
 
-/// The TOML file of a scene of another program, with the meaning and the default values that the file has in its
-/// own program; `None` for a file that is not named as one: `.txt` and `.ipc`
+/// The TOML file of a scene of another program, with the meaning and the default values that the file has
+/// in its own program; `None` for a file that is not named as one: `.txt` and `.ipc`
 /// are scenes of IPC, `.json` are scenes of PolyFEM.
 ///
 /// `meshes` is the folder of the mesh files. Without it, they are in the folder of the scene or, as of IPC,

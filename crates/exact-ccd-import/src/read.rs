@@ -18,8 +18,8 @@ pub enum ReadError {
     Scene(#[from] SceneError),
 }
 
-/// Reads a scene file as [`Scene::read`], or one of another program as of [`import`], with its entries that are
-/// ignored.
+/// Reads a scene file as [`Scene::read`], or one of another program as of [`import`], with notes on its
+/// entries that are ignored.
 ///
 /// # Errors
 /// [`ReadError`] names the file and the place.

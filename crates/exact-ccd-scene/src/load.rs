@@ -31,7 +31,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Reads a scene file. Mesh files are read from the folder `meshes`, or from the folder of the scene file.
+    /// Reads a scene file. Mesh files are read from the folder `meshes`, or from the folder of the scene
+    /// file.
     ///
     /// # Errors
     /// [`SceneError`] names the file, the line and the field.

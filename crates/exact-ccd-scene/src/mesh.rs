@@ -11,9 +11,13 @@ use exact_ccd_sim::{Body, BodyKind, shapes};
 /// A mesh with its faces and, if it has any, its loose edges and its tetrahedra.
 #[derive(Default)]
 pub struct Mesh {
+    /// The positions of the vertices, in m.
     pub points: Vec<Point>,
+    /// The corners of the faces, which are the surface of the tetrahedra if there are any.
     pub faces: Vec<[u32; 3]>,
+    /// The ends of the edges of no face.
     pub edges: Vec<[u32; 2]>,
+    /// The corners of the tetrahedra.
     pub tetrahedra: Vec<[u32; 4]>,
     /// The groups of the file.
     pub groups: Vec<Group>,

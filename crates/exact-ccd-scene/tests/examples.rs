@@ -110,7 +110,7 @@ fn the_small_mat_is_the_same_on_any_number_of_threads() {
             .num_threads(threads)
             .build()
             .unwrap();
-        let mut simulation = scene("small-mat-twist.toml").simulation().unwrap();
+        let mut simulation = scene("small-mat-twist.toml").simulation;
         pool.install(|| {
             let contacts: usize = (0..55).map(|_| simulation.step().unwrap().contacts).sum();
             assert!(contacts > 0, "nothing came near");

@@ -1,5 +1,5 @@
-//! The order of the modules: each imports only earlier ones. No files of this crate, nor of the crates beside it in the
-//! repository, import each other in a circle.
+//! The order of the modules: each imports only earlier ones. No files of this crate import each other in a
+//! circle, and no files of some crates beside it in the repository.
 
 use std::collections::BTreeMap;
 use std::fs;

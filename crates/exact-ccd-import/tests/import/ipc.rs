@@ -294,7 +294,7 @@ fn friction_of_obstacles_is_that_of_pairs() {
     let text = format!(
         "{ONE}meshCO floor.obj 0 -9 0  8 50 0.7\nselfFric 0.3\nground 0.3 -20\nhalfSpace 0 -30 0  0 1 0  50 0.5\n"
     );
-    let scene = folder.scene("scene.txt", &text).unwrap();
+    let (scene, notes) = folder.scene_with_notes("scene.txt", &text).unwrap();
     assert_eq!(
         scene.simulation.system().names(),
         ["shapes", "mesh-1", "", "half-space-2"]

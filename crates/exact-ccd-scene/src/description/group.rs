@@ -15,7 +15,9 @@ const MOST: usize = 20;
     expecting = "expected the name of a group, or the tag of a physical group, an integer not below 0"
 )]
 pub enum GroupKey {
+    /// The tag of a physical group.
     Tag(u32),
+    /// The name of a group.
     Name(String),
 }
 

@@ -226,8 +226,11 @@ pub struct ScriptDescription {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
+    /// x.
     X,
+    /// y.
     Y,
+    /// z.
     Z,
 }
 

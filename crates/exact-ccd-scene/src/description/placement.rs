@@ -10,8 +10,11 @@ use crate::field_error::FieldError;
 /// A scaling, then a rotation, both about the origin, then a translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
+    /// The scaling.
     pub scale: Scale,
+    /// The rotation.
     pub rotate: Option<Rotation>,
+    /// The translation, in m.
     pub translate: Point,
 }
 

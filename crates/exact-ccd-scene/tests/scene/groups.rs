@@ -129,7 +129,7 @@ fn later_regions_replace_earlier_ones() {
         &SCENE.replacen("\n[[body.script]]", &format!("{light}\n[[body.script]]"), 1),
         "groups-last",
     );
-    let mass: f64 = scene.unwrap().system.masses().iter().sum();
+    let mass: f64 = scene.unwrap().simulation.system().masses().iter().sum();
     assert!((mass - 550.0).abs() < 1e-9, "{mass}");
 }
 
@@ -143,7 +143,8 @@ fn groups_of_obj_select_vertices() {
         );
         parse(&text, "groups-obj")
     };
-    let system = scene("\"left\"").unwrap().system;
+    let left = scene("\"left\"").unwrap();
+    let system = left.simulation.system();
     let free: Vec<usize> = (0..4).filter(|&vertex| system.is_free(vertex)).collect();
     assert_eq!(free, [3]);
     for unknown in ["\"middle\"", "1"] {

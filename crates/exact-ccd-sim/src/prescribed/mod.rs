@@ -1,4 +1,4 @@
-//! The motions that scripts prescribe: the scripts, their vertices, and the targets in one part of a time step.
+//! The motions that scripts prescribe: scripts, their vertices, and their targets in one part of a time step.
 
 mod dirichlet;
 mod held_chains;
