@@ -6,7 +6,7 @@ use exact_ccd_mesh::Point;
 
 use super::cells::Cells;
 use super::file::parse_file;
-use super::gltf::Scene;
+use super::gltf::PlacedMeshes;
 use super::mesh_file::{MeshFile, assemble_cells};
 use super::numpy::{Arrays, Names};
 use super::options::{Polygons, ReadOptions};
@@ -55,28 +55,28 @@ struct Recording {
 #[derive(Debug)]
 enum Positions {
     Arrays(Arrays),
-    Scene(Scene),
+    Placed(PlacedMeshes),
 }
 
 impl Positions {
     fn frame_count(&self) -> usize {
         match self {
             Self::Arrays(arrays) => arrays.frame_count,
-            Self::Scene(scene) => scene.frame_count(),
+            Self::Placed(meshes) => meshes.frame_count(),
         }
     }
 
     fn of_frame(&self, frame: usize) -> Result<Vec<Point>, Fault> {
         match self {
             Self::Arrays(arrays) => Ok(arrays.positions(frame)),
-            Self::Scene(scene) => scene.positions(frame),
+            Self::Placed(meshes) => meshes.positions(frame),
         }
     }
 
     fn time(&self, frame: usize) -> Option<f64> {
         match self {
             Self::Arrays(_) => None,
-            Self::Scene(scene) => scene.time(frame),
+            Self::Placed(meshes) => meshes.time(frame),
         }
     }
 }
@@ -133,9 +133,9 @@ impl FrameSequence {
                         return Ok(None);
                     }
                     recognise::check(bytes, Format::Gltf)?;
-                    let (scene, cells) = gltf::read_moving(bytes, folder, budget)?;
+                    let (meshes, cells) = gltf::read_moving(bytes, folder, budget)?;
                     cells.charge(budget);
-                    with_mesh(Positions::Scene(scene), cells, polygons).map(Some)
+                    with_mesh(Positions::Placed(meshes), cells, polygons).map(Some)
                 })?;
                 recording.unwrap_or_else(|| Source::Files(vec![(None, path.to_owned())]))
             }

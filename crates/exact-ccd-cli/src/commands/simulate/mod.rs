@@ -33,8 +33,8 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     run.finish(ended)
 }
 
-/// The scene with notes about it, with the method and the line search of the command line. Checks first what can be checked
-/// without it.
+/// The scene with notes about it, with the method and the line search of the command line. Checks first what
+/// can be checked without it.
 fn read(arguments: &Arguments) -> Result<(Scene, Notes), Failure> {
     check_file(&arguments.scene, "a scene in TOML, or one of IPC or of PolyFEM")?;
     if let Some(name) = &arguments.method {

@@ -11,7 +11,7 @@ use crate::error::Fault;
 
 /// The points of all meshes, and the nodes that place them.
 #[derive(Debug)]
-pub(in super::super) struct Scene {
+pub(in super::super) struct PlacedMeshes {
     pub(super) document: Document,
     pub(super) nodes: Vec<Placed>,
     pub(super) runs: Vec<Run>,
@@ -37,7 +37,7 @@ pub(super) struct Run {
     pub(super) instance: Option<Box<Transform>>,
 }
 
-impl Scene {
+impl PlacedMeshes {
     pub(in super::super) fn frame_count(&self) -> usize {
         self.motion.frame_count()
     }
