@@ -3,7 +3,6 @@
 
 #![no_main]
 
-
 use arbitrary::{Result, Unstructured};
 use exact_ccd::{EdgeEdge, Separation, VertexFace};
 use exact_ccd_fuzz::coordinate;
@@ -12,9 +11,9 @@ use libfuzzer_sys::fuzz_target;
 
 use exact_ccd_testing::changes::{Change, nudge, scaled};
 use exact_ccd_testing::contacts::{grazing, touching};
-use exact_ccd_testing::parity::{self, Rim};
 use exact_ccd_testing::kinds::{self, Renamed};
 use exact_ccd_testing::laws;
+use exact_ccd_testing::parity::{self, Rim};
 use exact_ccd_testing::primitives::{Points, Primitives};
 use exact_ccd_testing::symmetry::{self, Symmetry};
 

@@ -3,7 +3,6 @@
 
 #![no_main]
 
-
 use arbitrary::{Result, Unstructured};
 use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_fuzz::coordinate;
