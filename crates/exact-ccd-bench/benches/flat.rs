@@ -8,9 +8,6 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
-#[path = "../../exact-ccd/tests/flat/scenes.rs"]
-mod scenes;
-
 use std::fs::{self, File};
 use std::hint::black_box;
 use std::path::Path;
@@ -22,7 +19,7 @@ use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Bvh, Candidates, Detector, Frame, Step, StepReport, TriangleMesh};
 use rayon::ThreadPoolBuilder;
 
-use scenes::{Scene, scenes};
+use exact_ccd_testing::meshes::flat::{Scene, scenes};
 
 const ROUNDS: usize = 5;
 const SAMPLE: usize = 20_000;
