@@ -33,8 +33,8 @@ pub struct Blocked {
     pub frame: usize,
     /// For the first frame, the edges that still pass through faces.
     pub crossings: Vec<Intersection>,
-    /// The pairs that touch, or come within the minimum distance: for the first frame at rest, for another one
-    /// in the motion towards it, in which vertices that are not pinned could not give way.
+    /// The pairs that touch, or come within the minimum distance: for the first frame at rest, for another
+    /// one in the motion towards it, in which vertices that are not pinned could not give way.
     pub contacts: Vec<Pair>,
 }
 
@@ -48,7 +48,8 @@ const SMOOTHING: f64 = 2.0;
 /// The distance beyond the minimum distance at which a pair is near, relative to the mean length of edges.
 const NEAR: f64 = 0.1;
 
-/// The factor by which a small gap of a near pair has to grow: otherwise gaps would shrink from frame to frame.
+/// The factor by which a small gap of a near pair has to grow: otherwise gaps would shrink from frame to
+/// frame.
 const KEPT: f64 = 2.0;
 
 /// The parts of the way that are tried if pinned vertices touch others on all of it.
@@ -60,10 +61,11 @@ const ROUNDS: usize = 4;
 /// Moves vertices of all frames until no frame intersects and the straight motion between frames is free of
 /// contact, within the minimum distance of the options.
 ///
-/// The first frame is repaired by [`repair`]. Each frame that follows is reached from the repaired one before:
-/// by one certified step towards the given frame, with the displacement of the frame before, smoothed and
-/// faded. So the displacement changes little from frame to frame. Pinned vertices have their given positions in
-/// all frames. If they leave others no place, the recording ends before that frame, and its pairs are named.
+/// The first frame is repaired by [`repair`]. Each frame that follows is reached from the repaired one
+/// before: by one certified step towards the given frame, with the displacement of the frame before, smoothed
+/// and faded. So the displacement changes little from frame to frame. Pinned vertices have their given
+/// positions in all frames. If they leave others no place, the recording ends before that frame, and its
+/// pairs are named.
 ///
 /// # Errors
 /// As of [`repair`]: also for the positions of the frames that follow.
@@ -102,8 +104,8 @@ pub fn repair_recording(
     })
 }
 
-/// The positions to which the straight motion from `before` is free, near the second given frame; or the pairs
-/// that touch whatever the other vertices do.
+/// The positions to which the straight motion from `before` is free, near the second given frame; or the
+/// pairs that touch whatever the other vertices do.
 fn next(
     mesh: &Arc<TriangleMesh>,
     [last, given]: [&[Point]; 2],

@@ -19,9 +19,9 @@ struct Kept<'a> {
     least: f64,
 }
 
-/// Changes displacements so that each near pair keeps `kept` times its gap beyond the minimum distance, to first
-/// order: projected Gauss-Seidel for the nearest displacements with this property. It proves nothing; the
-/// certified step that follows decides.
+/// Changes displacements so that each near pair keeps `kept` times its gap beyond the minimum distance, to
+/// first order: projected Gauss-Seidel for the nearest displacements with this property. It proves nothing;
+/// the certified step that follows decides.
 pub(crate) fn slide(problem: &Problem<'_>, near: &[Near], kept: f64, displacements: &mut [Point]) {
     let pair = |near| {
         let gap = near_gap(problem, near);

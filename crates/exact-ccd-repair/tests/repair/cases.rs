@@ -1,5 +1,5 @@
-//! Generated cases by kind, all of which have free positions: at least 95 % of them are repaired, and each
-//! result is free by the search of the crate, over all pairs, and by the checker's proof.
+//! Generated cases by kind. All have free positions, at least 95 % of them are repaired, and each result is
+//! free by the search of the crate, over all pairs, and by the checker's proof.
 
 use exact_ccd_certify::Maker;
 use exact_ccd_check::ply::Frame;
