@@ -25,6 +25,12 @@ pub enum BodiesError {
         /// The error.
         error: TooManyPrimitives,
     },
+    /// There are too many bodies.
+    #[error("too many bodies: {error}")]
+    TooManyBodies {
+        /// The error.
+        error: TooManyPrimitives,
+    },
     /// There is not one motion for each body.
     #[error("{motions} motions, expected one for each of {bodies} bodies")]
     MotionCount {

@@ -1,19 +1,27 @@
 //! Rigid bodies in motion on curves, decided exactly.
 
+mod approach;
 mod body;
 mod candidate;
+mod collect;
 mod contact;
+mod encounter;
 mod error;
 mod near;
-mod search;
+mod part;
+mod placed;
+mod shape;
+mod sphere;
+mod tree;
+mod turning;
 
+use exact_ccd::Options;
 use exact_ccd::motion::Chain;
-use exact_ccd::{Options, TimeOutOfStep};
 use rayon::prelude::*;
 
 use crate::mesh::Frame;
 use body::Body;
-use candidate::Candidate;
+use collect::{AllContacts, AnyContact, Earliest};
 
 pub use contact::BodyContact;
 pub use error::BodiesError;
@@ -29,9 +37,6 @@ pub use error::BodiesError;
 ///
 /// [`Options`] have the distance at which bodies touch, and the last time that counts. No answer depends on
 /// the number of threads; whether bodies touch, and all times, do not depend on the order of the bodies.
-///
-/// Two bodies whose relative motion has a degree above 8 in the coordinates, such as more than four
-/// turns together, have no boxes of their paths: all pairs of their primitives are decided one by one.
 ///
 /// ```
 /// use exact_ccd::CONTACT;
@@ -54,7 +59,9 @@ pub use error::BodiesError;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Bodies(Vec<Body>);
+pub struct Bodies {
+    bodies: Vec<Body>,
+}
 
 impl Bodies {
     /// The bodies with these meshes, each with the positions of its vertices in the coordinates of the body.
@@ -64,12 +71,13 @@ impl Bodies {
     pub fn new(frames: impl IntoIterator<Item = Frame>) -> Result<Self, BodiesError> {
         let bodies = frames.into_iter().enumerate();
         let bodies = bodies.map(|(index, frame)| Body::new(index, frame));
-        bodies.collect::<Result<_, _>>().map(Self)
+        let bodies = bodies.collect::<Result<_, _>>()?;
+        Ok(Self { bodies })
     }
 
     /// The meshes with the positions of their vertices.
     pub fn frames(&self) -> impl ExactSizeIterator<Item = &Frame> {
-        self.0.iter().map(|body| &body.frame)
+        self.bodies.iter().map(|body| &body.frame)
     }
 
     /// Returns true if two bodies touch at some time of the step. There is one motion for each body.
@@ -78,10 +86,9 @@ impl Bodies {
     /// [`BodiesError`], for another number of motions, or if the last time that counts is not in the step.
     pub fn collides(&self, motions: &[Chain], options: impl Into<Options>) -> Result<bool, BodiesError> {
         let options = options.into();
-        let candidates = self.candidates(motions, options)?;
-        Ok(candidates
-            .par_iter()
-            .any(|candidate| candidate.collides(self, options)))
+        let collector = AnyContact::new(self, options);
+        self.search(motions, options, &collector)?;
+        Ok(collector.is_found())
     }
 
     /// The earliest contact of the step, if there is one; of several at that time, the least in the order of
@@ -95,8 +102,10 @@ impl Bodies {
         options: impl Into<Options>,
     ) -> Result<Option<BodyContact>, BodiesError> {
         let options = options.into();
-        let candidates = self.candidates(motions, options)?;
-        Ok(search::earliest(self, &candidates, options))
+        let collector = Earliest::new(self, options);
+        self.search(motions, options, &collector)?;
+        let first = collector.candidate();
+        Ok(first.and_then(|candidate| candidate.contact(self, options)))
     }
 
     /// All contacts of the step, each with its first time, in the order of their times.
@@ -109,32 +118,13 @@ impl Bodies {
         options: impl Into<Options>,
     ) -> Result<Vec<BodyContact>, BodiesError> {
         let options = options.into();
-        let candidates = self.candidates(motions, options)?;
-        let contacts = candidates.par_iter();
+        let collector = AllContacts::new(self, options);
+        self.search(motions, options, &collector)?;
+        let contacts = collector.list().into_par_iter();
         let mut contacts: Vec<_> = contacts
-            .filter_map(|candidate| candidate.contact(self, options))
+            .filter_map(|(_, candidate)| candidate.contact(self, options))
             .collect();
         contacts.par_sort_unstable_by(BodyContact::compare);
         Ok(contacts)
-    }
-
-    /// The pairs of primitives that come near each other.
-    fn candidates(&self, motions: &[Chain], options: Options) -> Result<Vec<Candidate>, BodiesError> {
-        TimeOutOfStep::check(options.until)?;
-        if motions.len() != self.0.len() {
-            return Err(BodiesError::MotionCount {
-                motions: motions.len(),
-                bodies: self.0.len(),
-            });
-        }
-        let count = self.0.len();
-        let pairs: Vec<_> = (0..count)
-            .flat_map(|a| (a + 1..count).map(move |b| [a, b]))
-            .collect();
-        let near = pairs
-            .par_iter()
-            .map(|&pair| near::candidates(self, pair, motions, options));
-        let lists = near.collect::<Result<Vec<_>, _>>()?;
-        Ok(lists.into_iter().flatten().collect())
     }
 }
