@@ -8,12 +8,15 @@ use exact_ccd::motion::{BodyPair, Chain};
 use exact_ccd::{Options, Point};
 use rayon::prelude::*;
 
+use super::apart::{self, Places};
 use super::approach::{Limit, TINY, approach};
 use super::body::Body;
 use super::candidate::Candidate;
 use super::collect::Collect;
 use super::part::Part;
 use super::placed::Placed;
+use super::shape::Primitive;
+use super::sphere::Sphere;
 use super::tree::{Node, Parts};
 
 /// The number of candidates that are decided together.
@@ -41,13 +44,13 @@ pub(super) struct Scene {
     part: Part,
     placed: [Placed; 2],
     /// The distance at which primitives touch, and all errors.
-    margin: f64,
+    pub(super) margin: f64,
     deviation: f64,
     error: f64,
 }
 
 /// What to examine in place of two nodes.
-enum Below<'a> {
+pub(super) enum Below<'a> {
     /// The same nodes, in halves of the part.
     Later,
     Split([Nodes; 2]),
@@ -78,9 +81,15 @@ impl<'a> Encounter<'a> {
 
     /// Passes all candidates that matter to a collector.
     pub(super) fn search(&self, collector: &impl Collect) {
-        if self.bodies.iter().all(|body| body.tree.root().is_some()) {
-            self.search_part(Part::WHOLE, &[[0, 0]], collector);
+        if let Some(roots) = self.roots() {
+            self.search_part(Part::WHOLE, &[roots], collector);
         }
+    }
+
+    /// The roots of both trees, if both bodies have primitives.
+    pub(super) fn roots(&self) -> Option<Nodes> {
+        let mut bodies = self.bodies.iter();
+        bodies.all(|body| body.tree.root().is_some()).then_some([0, 0])
     }
 
     /// Searches a part of the step below pairs of nodes: what needs a shorter part, in its halves, the
@@ -100,7 +109,7 @@ impl<'a> Encounter<'a> {
         }
     }
 
-    fn scene(&self, part: Part) -> Scene {
+    pub(super) fn scene(&self, part: Part) -> Scene {
         let placed = [0, 1].map(|i: usize| Placed::new(self.motions[i], self.bodies[i].reach, part));
         let error = placed[0].error + placed[1].error + TINY;
         let deviation = placed[0].deviation + placed[1].deviation;
@@ -171,11 +180,11 @@ impl<'a> Encounter<'a> {
     }
 
     /// The next to examine of nodes that come near each other: the larger one is split. The deviation from
-    /// straight motion should not be more than half of both radii.
-    fn below(&self, scene: &Scene, pair: Nodes) -> Below<'a> {
+    /// straight motion should not be more than a quarter of the sum of both radii.
+    pub(super) fn below(&self, scene: &Scene, pair: Nodes) -> Below<'a> {
         let [a, b]: [&'a Node; 2] = [0, 1].map(|i: usize| self.bodies[i].tree.node(pair[i]));
         let [first, second] = [a.sphere.radius, b.sphere.radius];
-        if scene.deviation > 0.5 * (first + second) && scene.part.halves().is_some() {
+        if scene.deviation > 0.25 * (first + second) && scene.part.halves().is_some() {
             return Below::Later;
         }
         match (&a.parts, &b.parts) {
@@ -204,7 +213,8 @@ impl<'a> Encounter<'a> {
                 let places = [place, scene.placed[1].at_ends(other.sphere.center)];
                 let radius = one.sphere.radius + other.sphere.radius;
                 let time = scene.first_within(places, radius);
-                if time.is_none_or(|time| time > collector.until()) {
+                let until = collector.until();
+                if time.is_none_or(|time| time > until) || self.are_apart(scene, [one, other], until) {
                     continue;
                 }
                 let order = |pair: [usize; 2]| if is_swapped { [pair[1], pair[0]] } else { pair };
@@ -220,6 +230,34 @@ impl<'a> Encounter<'a> {
         }
     }
 
+    /// Returns true if a plane separates two primitives in the part, up to a time.
+    fn are_apart(&self, scene: &Scene, pair: [&Primitive; 2], until: f64) -> bool {
+        let places = self.places(scene, pair);
+        let time = (until - scene.part.start) / scene.part.length() + 1e-12;
+        let [one, other] = if time < 1.0 {
+            places.map(|places| apart::until(&places, time))
+        } else {
+            places
+        };
+        apart::are_apart(&one, &other, scene.margin)
+    }
+
+    /// The places of the vertices of a primitive of each body.
+    pub(super) fn places(&self, scene: &Scene, pair: [&Primitive; 2]) -> [Places; 2] {
+        [0, 1].map(|i: usize| {
+            let points = self.points(i, pair[i]).into_iter();
+            points.map(|point| scene.placed[i].at_ends(point)).collect()
+        })
+    }
+
+    /// The positions of the vertices of a primitive of the first or of the second body, in its coordinates.
+    pub(super) fn points(&self, body: usize, primitive: &Primitive) -> ArrayVec<Point, 3> {
+        let frame = &self.bodies[body].frame;
+        let vertices = primitive.shape.vertices(&frame.mesh, primitive.id);
+        let position = |vertex: u32| frame.positions[vertex as usize];
+        vertices.into_iter().map(position).collect()
+    }
+
     /// The motions of both, those of the first or of the second one first.
     fn relative(&self, first: usize) -> &BodyPair {
         self.relative[first].get_or_init(|| {
@@ -230,6 +268,15 @@ impl<'a> Encounter<'a> {
 }
 
 impl Scene {
+    /// Returns true unless two balls, one of each body, are apart in the whole part.
+    pub(super) fn come_near(&self, [first, second]: [Sphere; 2]) -> bool {
+        let places = [
+            self.placed[0].at_ends(first.center),
+            self.placed[1].at_ends(second.center),
+        ];
+        self.first_within(places, first.radius + second.radius).is_some()
+    }
+
     /// A time of the step before which two points are farther apart than a distance and the margin; `None` if
     /// they are in the whole part.
     #[inline]

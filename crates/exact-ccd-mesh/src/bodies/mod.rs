@@ -1,17 +1,23 @@
 //! Rigid bodies in motion on curves, decided exactly.
 
+mod apart;
 mod approach;
+mod audit;
 mod body;
 mod candidate;
 mod collect;
 mod contact;
+mod crossing;
 mod encounter;
 mod error;
+mod free_step;
 mod near;
 mod part;
 mod placed;
+mod predicate;
 mod shape;
 mod sphere;
+mod step;
 mod tree;
 mod turning;
 
@@ -22,9 +28,13 @@ use rayon::prelude::*;
 use crate::mesh::Frame;
 use body::Body;
 use collect::{AllContacts, AnyContact, Earliest};
+use predicate::BodyPredicate;
 
+pub use audit::{BodiesAudit, BodiesViolation};
 pub use contact::BodyContact;
 pub use error::BodiesError;
+pub use free_step::FreePoses;
+pub use step::BodiesReport;
 
 /// Rigid bodies, each a mesh in coordinates of its own, and the contacts between them in steps in which each
 /// moves by a [`Chain`] of rigid motions.
@@ -35,7 +45,8 @@ pub use error::BodiesError;
 /// are not, since a body keeps its shape. Bodies that intersect at the start, or one inside the other, may
 /// be free of contact: see [`intersections`](crate::intersections) and [`enclosed`](crate::enclosed).
 ///
-/// [`Options`] have the distance at which bodies touch, and the last time that counts. No answer depends on
+/// [`Options`] have the distance at which bodies touch, and the last time that counts.
+/// [`with_can_collide`](Self::with_can_collide) restricts the pairs of bodies. No answer depends on
 /// the number of threads; whether bodies touch, and all times, do not depend on the order of the bodies.
 ///
 /// ```
@@ -61,6 +72,7 @@ pub use error::BodiesError;
 #[derive(Clone, Debug)]
 pub struct Bodies {
     bodies: Vec<Body>,
+    can_collide: BodyPredicate,
 }
 
 impl Bodies {
@@ -72,7 +84,26 @@ impl Bodies {
         let bodies = frames.into_iter().enumerate();
         let bodies = bodies.map(|(index, frame)| Body::new(index, frame));
         let bodies = bodies.collect::<Result<_, _>>()?;
-        Ok(Self { bodies })
+        Ok(Self {
+            bodies,
+            can_collide: BodyPredicate::default(),
+        })
+    }
+
+    /// The same bodies, restricted to pairs for which the predicate returns true: it is called with the
+    /// indices of two bodies, the lesser first, if their boxes meet.
+    ///
+    /// With a [`GroupMatrix`](crate::GroupMatrix), a pair can collide if the matrix allows the groups of both:
+    /// `move |a, b| matrix.allows(groups[a], groups[b])`.
+    #[must_use]
+    pub fn with_can_collide(
+        self,
+        can_collide: impl Fn(usize, usize) -> bool + Send + Sync + 'static,
+    ) -> Self {
+        Self {
+            can_collide: BodyPredicate::new(can_collide),
+            ..self
+        }
     }
 
     /// The meshes with the positions of their vertices.

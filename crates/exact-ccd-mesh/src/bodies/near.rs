@@ -20,6 +20,19 @@ impl Bodies {
         options: Options,
         collector: &impl Collect,
     ) -> Result<(), BodiesError> {
+        let encounters = self.encounters(motions, options)?;
+        encounters
+            .par_iter()
+            .for_each(|encounter| encounter.search(collector));
+        Ok(())
+    }
+
+    /// The pairs of bodies that can collide and whose boxes meet, in increasing order.
+    pub(super) fn encounters<'a>(
+        &'a self,
+        motions: &'a [Chain],
+        options: Options,
+    ) -> Result<Vec<Encounter<'a>>, BodiesError> {
         TimeOutOfStep::check(options.until)?;
         let count = self.bodies.len();
         if motions.len() != count {
@@ -28,14 +41,14 @@ impl Bodies {
                 bodies: count,
             });
         }
-        let pairs = self.near_pairs(motions, options)?;
-        pairs.par_iter().for_each(|&[a, b]| {
-            let ids = [a as usize, b as usize];
+        let pairs = self.near_pairs(motions, options)?.into_iter();
+        let pairs = pairs.map(|pair| pair.map(|id| id as usize));
+        let pairs = pairs.filter(|&pair| self.can_collide.allows(pair));
+        let encounter = |ids: [usize; 2]| {
             let bodies = ids.map(|id| &self.bodies[id]);
-            let motions = ids.map(|id| &motions[id]);
-            Encounter::new(ids, bodies, motions, options).search(collector);
-        });
-        Ok(())
+            Encounter::new(ids, bodies, ids.map(|id| &motions[id]), options)
+        };
+        Ok(pairs.map(encounter).collect())
     }
 
     /// The pairs of bodies whose boxes meet, in increasing order.
