@@ -1,5 +1,7 @@
 //! Steps of two bodies: an icosphere of 5,120 faces and a torus of 9,216 faces.
 
+mod recording;
+
 use std::f64::consts::TAU;
 use std::fs;
 use std::hint::black_box;
@@ -92,6 +94,7 @@ pub(super) fn print() {
             "quaternions": case.quaternions, "places": case.places,
         }));
     }
+    recording::print();
     if let Some(folder) = std::env::var_os("EXACT_CCD_BODIES") {
         let path = Path::new(&folder).join("bodies.json");
         fs::write(&path, serde_json::Value::from(lines).to_string())

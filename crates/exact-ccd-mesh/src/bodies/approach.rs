@@ -14,7 +14,7 @@ pub(super) struct Limit {
     pub(super) error: f64,
 }
 
-/// What underflows in squares is below this distance.
+/// A distance above all that underflows in squares.
 pub(super) const TINY: f64 = 1e-140;
 
 /// A time, from 0 to 1, before which two points are certainly farther apart than a limit; `None` if they are

@@ -63,8 +63,8 @@ impl Collect for AnyContact<'_> {
 pub(super) struct Earliest<'a> {
     bodies: &'a Bodies,
     options: Options,
-    /// The bits of a time by which there is a contact. Those of f64 that are not negative are in the order of
-    /// the numbers.
+    /// The bits of a time by which there is a contact: the bits of f64 that are not negative are in the order
+    /// of the numbers.
     until: AtomicU64,
     first: Mutex<Option<(ContactTime, Key, Candidate)>>,
 }

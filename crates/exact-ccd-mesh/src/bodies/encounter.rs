@@ -9,14 +9,13 @@ use exact_ccd::{Options, Point};
 use rayon::prelude::*;
 
 use super::apart::{self, Places};
-use super::approach::{Limit, TINY, approach};
 use super::body::Body;
 use super::candidate::Candidate;
 use super::collect::Collect;
 use super::part::Part;
 use super::placed::Placed;
+use super::scene::Scene;
 use super::shape::Primitive;
-use super::sphere::Sphere;
 use super::tree::{Node, Parts};
 
 /// The number of candidates that are decided together.
@@ -39,17 +38,7 @@ pub(super) struct Encounter<'a> {
 /// A pair of nodes, one of each body.
 type Nodes = [u32; 2];
 
-/// Both bodies in a part of the step.
-pub(super) struct Scene {
-    part: Part,
-    placed: [Placed; 2],
-    /// The distance at which primitives touch, and all errors.
-    pub(super) margin: f64,
-    deviation: f64,
-    error: f64,
-}
-
-/// What to examine in place of two nodes.
+/// The next to examine in place of two nodes.
 pub(super) enum Below<'a> {
     /// The same nodes, in halves of the part.
     Later,
@@ -109,17 +98,10 @@ impl<'a> Encounter<'a> {
         }
     }
 
+    /// Both bodies in a part of the step.
     pub(super) fn scene(&self, part: Part) -> Scene {
         let placed = [0, 1].map(|i: usize| Placed::new(self.motions[i], self.bodies[i].reach, part));
-        let error = placed[0].error + placed[1].error + TINY;
-        let deviation = placed[0].deviation + placed[1].deviation;
-        Scene {
-            part,
-            placed,
-            margin: (self.options.separation.get() + deviation + 2.0 * error) * (1.0 + 1e-12),
-            deviation,
-            error,
-        }
+        Scene::new(part, placed, self.options.separation)
     }
 
     /// Splits pairs of nodes until there are enough for all threads, one level after the other.
@@ -230,8 +212,23 @@ impl<'a> Encounter<'a> {
         }
     }
 
-    /// Returns true if a plane separates two primitives in the part, up to a time.
+    /// Returns true if planes separate two primitives in the part, up to a time: one in all of it, or one in
+    /// each of its quarters, in which the deviation is a sixteenth.
     fn are_apart(&self, scene: &Scene, pair: [&Primitive; 2], until: f64) -> bool {
+        if self.has_plane(scene, pair, until) {
+            return true;
+        }
+        let quarters = scene.quarters.get_or_init(|| {
+            let halves = scene.part.halves().into_iter().flatten();
+            let quarters = halves.filter_map(Part::halves).flatten();
+            quarters.map(|part| self.scene(part)).collect()
+        });
+        let is_apart = |quarter: &Scene| quarter.part.start > until || self.has_plane(quarter, pair, until);
+        !quarters.is_empty() && quarters.iter().all(is_apart)
+    }
+
+    /// Returns true if a plane separates two primitives in the part, up to a time.
+    fn has_plane(&self, scene: &Scene, pair: [&Primitive; 2], until: f64) -> bool {
         let places = self.places(scene, pair);
         let time = (until - scene.part.start) / scene.part.length() + 1e-12;
         let [one, other] = if time < 1.0 {
@@ -258,34 +255,11 @@ impl<'a> Encounter<'a> {
         vertices.into_iter().map(position).collect()
     }
 
-    /// The motions of both, those of the first or of the second one first.
+    /// The motions of both bodies, with the first or the second one first.
     fn relative(&self, first: usize) -> &BodyPair {
         self.relative[first].get_or_init(|| {
             let [one, other] = [first, 1 - first].map(|i| self.motions[i].clone());
             BodyPair::new(one, other)
         })
-    }
-}
-
-impl Scene {
-    /// Returns true unless two balls, one of each body, are apart in the whole part.
-    pub(super) fn come_near(&self, [first, second]: [Sphere; 2]) -> bool {
-        let places = [
-            self.placed[0].at_ends(first.center),
-            self.placed[1].at_ends(second.center),
-        ];
-        self.first_within(places, first.radius + second.radius).is_some()
-    }
-
-    /// A time of the step before which two points are farther apart than a distance and the margin; `None` if
-    /// they are in the whole part.
-    #[inline]
-    fn first_within(&self, [first, second]: [[Point; 2]; 2], radius: f64) -> Option<f64> {
-        let limit = Limit {
-            distance: radius + self.margin,
-            error: self.error,
-        };
-        let time = approach(first, second, limit)?;
-        Some((self.part.start + time * self.part.length()).next_down())
     }
 }

@@ -18,7 +18,7 @@ pub struct FreePoses {
     /// is 0 if none of the sizes that are tried is certified: bodies touch at the start, or are nearer to
     /// each other there than rounded poses are to the path.
     pub size: f64,
-    /// The poses at its end: those of the start if the size is 0, and of the end if it is 1.
+    /// The poses at its end: the start if the size is 0, and the end of the full step if it is 1.
     pub poses: Vec<Pose>,
     /// The earliest contact of the full step, or `None` if the full step is free of contact.
     pub contact: Option<BodyContact>,

@@ -15,6 +15,7 @@ mod near;
 mod part;
 mod placed;
 mod predicate;
+mod scene;
 mod shape;
 mod sphere;
 mod step;
@@ -93,7 +94,7 @@ impl Bodies {
     /// The same bodies, restricted to pairs for which the predicate returns true: it is called with the
     /// indices of two bodies, the lesser first, if their boxes meet.
     ///
-    /// With a [`GroupMatrix`](crate::GroupMatrix), a pair can collide if the matrix allows the groups of both:
+    /// A [`GroupMatrix`](crate::GroupMatrix) and the group of each body make a predicate:
     /// `move |a, b| matrix.allows(groups[a], groups[b])`.
     #[must_use]
     pub fn with_can_collide(

@@ -21,7 +21,7 @@ pub(super) struct Placed {
     /// A bound of the distance of each point at each time from the point on the chord of its path at the same
     /// time, without the errors of the ends.
     pub(super) deviation: f64,
-    /// A bound of the errors of the ends, and of what is computed of them and of other bodies (`approach.rs`).
+    /// A bound of the errors of the ends, and of distances that are computed from them (`approach.rs`).
     pub(super) error: f64,
 }
 

@@ -66,7 +66,7 @@ impl Bodies {
     }
 
     /// The motion of each body from one pose to another, as [`RigidMotion::between`]: the quaternion is
-    /// linear, so that of q and −q, the end decides about the way ([`Pose::nearer_turn`]).
+    /// linear, so that the opposite quaternion at the end is another way ([`Pose::nearer_turn`]).
     ///
     /// # Errors
     /// [`BodiesError::PoseCount`], if there is not one pose for each body at both ends;

@@ -67,8 +67,8 @@ fn points(frame: &Frame, shape: Shape, id: u32) -> impl Iterator<Item = Point> +
     vertices.map(|vertex| frame.positions[vertex as usize])
 }
 
-/// Adds the node of some primitives, the first of which has a place among all: halves along the longest side
-/// of the box of their centers, so that the depth is logarithmic.
+/// Adds the node of some primitives, which begin at a place among all: halves along the longest side of the
+/// box of their centers, so that the depth is logarithmic.
 fn add(nodes: &mut Vec<Node>, primitives: &mut [Primitive], first: u32, frame: &Frame) -> u32 {
     let index = nodes.len();
     let all = primitives.iter().flat_map(|p| points(frame, p.shape, p.id));
