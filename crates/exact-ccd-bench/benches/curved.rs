@@ -1,5 +1,5 @@
 //! The published queries of curved motion: the share that the filters leave to integers, and times of a
-//! query, with filters and in integers alone; near misses of two bodies; steps of two meshes; and a recording.
+//! query, with filters and in integers alone; near misses; steps of two meshes; and a recording.
 //!
 //! `cargo bench -p exact-ccd-bench --bench curved`, on one thread. Times are means over the queries of a
 //! file, in microseconds. The motion of a pair of bodies is prepared before, as for many queries.
