@@ -94,12 +94,12 @@ pub(super) fn print() {
             "quaternions": case.quaternions, "places": case.places,
         }));
     }
-    recording::print();
     if let Some(folder) = std::env::var_os("EXACT_CCD_BODIES") {
         let path = Path::new(&folder).join("bodies.json");
         fs::write(&path, serde_json::Value::from(lines).to_string())
             .expect("a folder that can be written to");
     }
+    recording::print();
 }
 
 /// A sphere: each face of an icosahedron, divided into four as often as `levels`.

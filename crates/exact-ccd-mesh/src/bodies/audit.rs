@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::Bodies;
 use super::contact::BodyContact;
+use super::encounter::Encounter;
 use super::error::BodiesError;
 
 /// Examines the poses of bodies, frame after frame, between which each moves by
@@ -108,9 +109,7 @@ impl BodiesAudit {
         let mut violation = contact.map(|contact| BodiesViolation::Contact { frame, contact });
         if self.last.is_none() && violation.is_none() {
             let encounters = self.bodies.encounters(&motions, options)?;
-            let crossing = encounters
-                .par_iter()
-                .find_map_first(|encounter| encounter.crossing());
+            let crossing = encounters.par_iter().find_map_first(Encounter::crossing);
             violation = crossing.map(|crossing| BodiesViolation::Intersection {
                 frame,
                 bodies: crossing.bodies,
