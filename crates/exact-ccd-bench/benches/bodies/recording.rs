@@ -29,7 +29,7 @@ pub(super) fn print() {
     println!("\n1,000 poses of 20 bodies of 2,000 faces: {time:.2} s, {violation:?}");
 }
 
-/// A torus in a stack: it turns about its axis by about 3° in each frame, and the stack by about 0.2° about the
+/// A torus in a stack: it turns about its axis by about 3° in each frame, the stack by about 0.2° about the
 /// x axis. Neighbours are 0.02 from each other, around the whole torus.
 fn pose(body: u32, frame: u32) -> Pose {
     let (sin, cos) = (0.5 * (0.05 * f64::from(frame) + f64::from(body))).sin_cos();
