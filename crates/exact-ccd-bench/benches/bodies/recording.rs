@@ -1,4 +1,4 @@
-//! The audit of a recording: 20 bodies of 2,000 faces that turn and tumble close to each other, 1,000 poses of each.
+//! The audit of a recording: 20 bodies of 2,000 faces, close to each other, with 1,000 poses of each.
 
 use exact_ccd::Point;
 use exact_ccd::motion::Pose;
