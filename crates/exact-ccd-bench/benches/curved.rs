@@ -1,21 +1,20 @@
 //! The published queries of curved motion: the share that the filters leave to integers, and times of a
-//! query, with filters and in integers alone; near misses of two bodies; and steps of two meshes.
+//! query, with filters and in integers alone; near misses; steps of two meshes; and a recording.
 //!
 //! `cargo bench -p exact-ccd-bench --bench curved`, on one thread. Times are means over the queries of a
 //! file, in microseconds. The motion of a pair of bodies is prepared before, as for many queries.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
+mod bodies;
 mod nonlinear;
 
-use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use exact_ccd::motion::{BodyPair, Chain, CurvedQuery, RigidMotion};
 use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, VertexFace};
 use exact_ccd_bench::fastest;
 use exact_ccd_data::DataError;
-use exact_ccd_mesh::{Bodies, Frame};
 use fastrand::Rng;
 
 use nonlinear::{files, query};
@@ -41,54 +40,8 @@ fn main() -> Result<(), DataError> {
     println!("|---|{}", "---:|".repeat(3));
     print_near::<VertexFace>("vf");
     print_near::<EdgeEdge>("ee");
-    println!("\n| two tori of 320 and 576 faces | earliest contact, ms | decision, ms |");
-    println!("|---|{}", "---:|".repeat(2));
-    for (name, distance) in [("that meet", 1.5), ("that pass by each other", 3.2)] {
-        print_step(name, distance);
-    }
+    bodies::print();
     Ok(())
-}
-
-/// A step of two tori that turn by about 90° and approach each other up to a distance of their centers.
-fn print_step(name: &str, distance: f64) {
-    let bodies = Bodies::new([torus([16, 10]), torus([24, 12])]).expect("meshes");
-    let quaternions = [[1.0, 0.1, -0.2, 0.3], [0.8, -0.4, 0.5, 0.9]];
-    let others = [[0.9, 0.3, 0.2, -0.1], [0.2, 0.7, -0.4, 0.6]];
-    let paths = [
-        [[0.0; 3], [0.3, -0.2, 0.1]],
-        [[4.0, 0.5, 0.0], [distance, -0.5, 0.2]],
-    ];
-    let motion = |(quaternions, places): ([[f64; 4]; 2], [Point; 2])| -> Chain {
-        RigidMotion::new(quaternions, &places).expect("a motion").into()
-    };
-    let motions = [(quaternions, paths[0]), (others, paths[1])].map(motion);
-    let milliseconds = |answer: &dyn Fn() -> bool| 1e3 * fastest(RUNS, || black_box(answer()));
-    let earliest = || bodies.collision(&motions, CONTACT).expect("two motions");
-    println!(
-        "| {name}: {} | {:.1} | {:.1} |",
-        earliest().map_or_else(
-            || "free".to_owned(),
-            |contact| contact.impact.time.lower().to_string()
-        ),
-        milliseconds(&|| earliest().is_some()),
-        milliseconds(&|| bodies.collides(&motions, CONTACT).expect("two motions")),
-    );
-}
-
-/// A torus with a radius of 1 and a tube of 0.4.
-fn torus([m, n]: [u32; 2]) -> Frame {
-    let point = |i: u32, j: u32| {
-        let [a, b] = [(i, m), (j, n)].map(|(i, m)| TAU * f64::from(i) / f64::from(m));
-        let radius = 1.0 + 0.4 * b.cos();
-        [radius * a.cos(), radius * a.sin(), 0.4 * b.sin()]
-    };
-    let places = (0..m).flat_map(|i| (0..n).map(move |j| (i, j)));
-    let faces = places.clone().flat_map(|(i, j)| {
-        let at = |i: u32, j: u32| i % m * n + j % n;
-        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
-        [[a, b, c], [a, c, d]]
-    });
-    Frame::new(places.map(|(i, j)| point(i, j)).collect(), faces.collect()).expect("a mesh")
 }
 
 fn microseconds_each<T>(queries: &[T], answer: impl Fn(&T) -> bool) -> f64 {
