@@ -7,5 +7,6 @@ mod definition;
 mod errors;
 mod filters;
 mod laws;
+mod numbers;
 mod oracle;
 mod places;
