@@ -121,9 +121,9 @@ fn print_row<K: Kind>(name: &str, queries: &[CurvedQuery<K>]) {
     );
 }
 
-/// Primitives of a body that turns by about 90° near others: at rest, or of a body that turns by a few degrees.
-/// And quadratic and straight motion between the same ends. Half of the former touch or miss by less than a
-/// hundredth.
+/// Primitives of a body that turns by about 90° near others: at rest, or of a body that turns by a few
+/// degrees. And quadratic and straight motion between the same ends. Half of the former touch or miss by
+/// less than a hundredth.
 fn print_near<K: Kind<Points = [Point; 4]>>(name: &str) {
     let mut random = Rng::with_seed(1);
     let quaternions = [[1.0, 0.1, -0.2, 0.3], [0.8, -0.4, 0.5, 0.9]];

@@ -5,7 +5,7 @@ use fastrand::Rng;
 /// The number of steps without a rise after which a climb begins anew.
 const PATIENCE: usize = 150;
 
-/// What a search found.
+/// The result of a search.
 pub(crate) struct Found<C> {
     /// The costliest candidate.
     pub(crate) worst: f64,

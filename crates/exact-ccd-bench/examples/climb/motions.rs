@@ -18,8 +18,8 @@ pub(crate) enum Motion {
     Quadratic,
 }
 
-/// The numbers of a candidate: four points; and two motions, each two quaternions and two places, or the other
-/// control points of the points.
+/// The numbers of a candidate: four points; and two motions, each two quaternions and two places, or the
+/// other control points of the points.
 type Numbers = [f64; 40];
 
 pub(crate) fn climb_motions<K: Kind<Points = [Point; 4]>>(

@@ -1,12 +1,12 @@
 //! Curved motion against truth from rational arithmetic: the number of contact times, and the first.
 
 #[path = "../../benches/nonlinear/mod.rs"]
-mod nonlinear;
+mod curved_queries;
 
 use exact_ccd::{AnyKind, CONTACT, Kind, with_kind};
 use exact_ccd_data::CurvedRecord;
 
-use nonlinear::files;
+use curved_queries::files;
 
 /// Files of generic motion: the filters decide nearly all queries in them.
 const GENERIC: [&str; 7] = [

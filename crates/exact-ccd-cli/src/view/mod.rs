@@ -19,7 +19,7 @@ use crate::inputs::name;
 use crate::output::{page, replace_file};
 use crate::scene::Scene;
 #[cfg(feature = "queries")]
-pub(crate) use query::{ChosenQuery, QueryView};
+pub(crate) use query::QueryView;
 pub(crate) use recording::Recording;
 use setup::Setup;
 

@@ -80,12 +80,12 @@ fn bezier<K: Kind>(curves: &[Vec<Point>]) -> Result<Bezier<K>, InvalidMotion> {
 /// - `points`, a list of the control points of each point, for [Bézier curves](Bezier); or
 /// - `points`, one place of each point in the coordinates of its body, and `first` and `second`, the motions
 ///   of both bodies, for [rigid bodies](exact_ccd::motion::Chain). The motions apply from the last to the
-///   first; an empty list is a body at rest. A motion has the quaternions `q0` and `q1`, the scalar first, and
-///   the places `o0` and `o1` of the origin at t = 0 and t = 1.
+///   first; an empty list is a body at rest. A motion has the quaternions `q0` and `q1`, the scalar first,
+///   and the places `o0` and `o1` of the origin at t = 0 and t = 1.
 ///
 /// The points are in the order of the kind. A number stands for the nearest f64. The ground truth may follow:
-/// `count`, the number of contact times, −1 for infinitely many; and `toi`, the earliest, rounded down to f64,
-/// or null. Blank lines are skipped.
+/// `count`, the number of contact times, −1 for infinitely many; and `toi`, the earliest, rounded down to
+/// f64, or null. Blank lines are skipped.
 pub struct CurvedReader<R> {
     lines: Lines<R>,
     done: bool,

@@ -137,8 +137,8 @@ impl<K: Kind> CurvedQuery<K> {
         }
     }
 
-    /// The time of the only contact between two times, given the sign of the volume at the first, if twice the
-    /// precision of f64 suffices.
+    /// The time of the only contact between two times, given the sign of the volume at the first, if twice
+    /// the precision of f64 suffices.
     fn rounded(&self, times: [f64; 2], before: Ordering) -> Option<ContactTime> {
         match &self.0 {
             Paths::Bezier(motion) => {

@@ -73,7 +73,7 @@ fn add_bounds(digest: &mut Digest, bounds: DistanceBounds) {
     digest.add_number(bounds.upper);
 }
 
-pub(crate) fn add_intervals(digest: &mut Digest, intervals: &Intervals) {
+fn add_intervals(digest: &mut Digest, intervals: &Intervals) {
     digest.add(intervals.len() as u64);
     for interval in intervals.iter() {
         digest.add_time(interval.start);

@@ -1,20 +1,16 @@
-//! The answers to generated queries and steps in three numbers, which are the same on every machine:
-//! `scripts/check architectures` runs the program, and `cargo test` compares them too.
+//! The answers to generated queries and steps in two numbers, which are the same on every machine:
+//! `scripts/check architectures` runs the program, and `cargo test` compares both numbers too.
 //!
-//! The exit status is 0 if all equal the numbers recorded here. For each file of raw queries (`raw.rs`), it
+//! The exit status is 0 if both equal the numbers recorded here. For each file of raw queries (`raw.rs`), it
 //! prints a line with the digest of the answers.
 
 #[path = "../../../../exact-ccd-bench/examples/scaling/cloth.rs"]
 mod cloth;
-mod curved;
 #[path = "../../../../exact-ccd/tests/hard_cases/mod.rs"]
 #[allow(dead_code, reason = "the test target `hard_cases` needs more of it")]
 mod hard_cases;
 mod kernel;
 mod meshes;
-#[path = "../../../../exact-ccd/tests/curved/numbers.rs"]
-#[allow(dead_code, reason = "the test target `curved` needs more of it")]
-mod numbers;
 #[path = "../../../../exact-ccd/tests/queries/primitives.rs"]
 #[allow(dead_code, reason = "the test target `queries` needs more of it")]
 mod primitives;
@@ -23,8 +19,6 @@ mod raw;
 
 /// The digest of the answers of the kernel. A change by intent is recorded anew.
 const KERNEL: u64 = 0x659a_818b_62b1_5480;
-/// The digest of the answers to queries of curved motion.
-const CURVED: u64 = 0;
 /// The digest of the answers to steps of meshes.
 const MESHES: u64 = 0x8387_125a_322a_943b;
 
@@ -38,7 +32,6 @@ fn main() -> std::process::ExitCode {
         all_right &= found == recorded;
     };
     check("kernel", kernel::digest(), KERNEL);
-    check("curved", curved::digest(), CURVED);
     for threads in meshes::THREADS {
         let found = meshes::digest(threads);
         check(&format!("meshes, threads {threads}"), found, MESHES);
@@ -58,11 +51,6 @@ fn main() -> std::process::ExitCode {
 #[test]
 fn the_answers_of_the_kernel_are_those_recorded() {
     assert_eq!(kernel::digest(), KERNEL);
-}
-
-#[test]
-fn the_answers_to_queries_of_curved_motion_are_those_recorded() {
-    assert_eq!(curved::digest(), CURVED);
 }
 
 #[test]

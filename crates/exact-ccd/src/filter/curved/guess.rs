@@ -12,7 +12,7 @@ const GUESSES: u32 = 24;
 pub(super) struct Bracket {
     low: f64,
     high: f64,
-    /// The values there. That of an end which stays is halved.
+    /// The values there; if an end stays, its value is halved.
     below: f64,
     above: f64,
     /// The end that moved last, if any.
@@ -90,8 +90,8 @@ impl Bracket {
         time
     }
 
-    /// The largest f64 below the root, probably, by a step of Newton's method from a time with a value that is
-    /// more precise than f64 is.
+    /// The largest f64 below the root, probably, by a step of Newton's method from a time with a value that
+    /// is more precise than f64 is.
     pub(super) fn newton(&self, curves: &Curves, time: f64, value: f64) -> f64 {
         const SMALL: f64 = 1.0 / (1 << 20) as f64;
         let [before, after] = [time - SMALL, time + SMALL];

@@ -90,7 +90,7 @@ impl<'a> Piece<'a> {
     }
 
     /// A direction along which the primitives are farther apart than the gap in the whole part: an axis, a
-    /// diagonal of two, or the normal of the planes at one end. That of another part is tried first.
+    /// diagonal of two, or the normal of the planes at one end. The direction of another part is tried first.
     pub(super) fn plain_direction<G: Gap<f64>>(&self, hint: Point, gap: G) -> Option<Point> {
         const PLANES: [Point; 9] = [
             [1.0, 0.0, 0.0],

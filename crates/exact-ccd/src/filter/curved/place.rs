@@ -1,5 +1,5 @@
-//! The sides of the origin in a part of the step: proofs that the primitives touch where they are coplanar, or
-//! that they do not.
+//! The sides of the origin in a part of the step: proofs that the primitives touch where they are coplanar,
+//! or that they do not.
 
 use core::cmp::Ordering;
 
@@ -22,8 +22,8 @@ impl Piece<'_> {
     ///
     /// The normal has one sign on an axis in all of the part. If each side has the required one there, then
     /// `touches` (`exact/motion.rs`) holds; if one side has the opposite one, it does not. A component of a
-    /// cross product of two curves is a mean of those of their control points, of each with each, with the
-    /// Bernstein polynomials as positive weights.
+    /// cross product of two curves is a mean of the cross products of their control points, of each with
+    /// each, with the Bernstein polynomials as positive weights.
     pub(super) fn place<K: Tables>(&self) -> Place {
         let middle = self.normal((self.curves.points - 1) / 2);
         let axis = (1..3).fold(0, |best, axis| {

@@ -84,8 +84,8 @@ fn is_after(part: &Piece<'_>, until: f64) -> bool {
     until.is_nan() || part.times()[0] > until
 }
 
-/// Halves a part in which the volume has one root, towards that, until it is certain that the primitives touch
-/// there or do not.
+/// Halves a part in which the volume has one root, towards that, until it is certain that the primitives
+/// touch there or do not.
 fn follow<K: Tables>(part: &Piece<'_>, before: Ordering, until: f64) -> CurvedDecision {
     let mut part = part.clone();
     loop {

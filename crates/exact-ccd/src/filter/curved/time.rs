@@ -32,8 +32,8 @@ pub(super) trait Paths {
 }
 
 /// The time at which the volume of the first three corners changes its sign, given that it does so once
-/// between two times, and its sign before that; and given the corners in f64. `None` if the time is an f64, or
-/// so near to one that no sign is certain.
+/// between two times, and its sign before that; and given the corners in f64. `None` if the time is an f64,
+/// or so near to one that no sign is certain.
 pub(super) fn of_root<K: Tables>(
     paths: &impl Paths,
     curves: &Curves,

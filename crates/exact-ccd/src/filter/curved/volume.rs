@@ -25,10 +25,11 @@ impl Piece<'_> {
     /// The roots of the volume in this part, in which it is not zero at the ends.
     ///
     /// The volume c = x₀ · (x₁ × x₂) of the first three corners equals the volume of w, e₁ and e₂ in
-    /// `exact/motion.rs`: the differences of the corners are the edges. Its Bernstein coefficients of degree 3 n
-    /// are means of volumes of control points, with products of binomial coefficients as weights, which are
-    /// integers below 2⁵³. Without a change of sign among the coefficients there is no root, and with one there is
-    /// one (Descartes' rule), whatever the sign of one between them that is not certain.
+    /// `exact/motion.rs`: the differences of the corners are the edges. Its Bernstein coefficients of
+    /// degree 3 n are means of volumes of control points, with products of binomial coefficients as
+    /// weights, which are integers below 2⁵³. Without a change of sign among the coefficients there is no
+    /// root, and with one there is one (Descartes' rule), whatever the sign of one between them that is not
+    /// certain.
     pub(super) fn roots(&self) -> Roots {
         let points = self.curves.points;
         if self.volume_sign(0).is_none() || self.volume_sign(points - 1).is_none() {
@@ -54,8 +55,8 @@ impl Piece<'_> {
         }
     }
 
-    /// The coefficients times binomial ones, and the bound of an error, which is to be multiplied by the latter
-    /// too: the magnitudes of six terms, in a mean.
+    /// The coefficients times binomial ones, and the bound of an error, which is to be multiplied by the
+    /// latter too: the magnitudes of six terms, in a mean.
     fn coefficients(&self) -> ([f64; COEFFICIENTS], f64) {
         let corners = self.first_corners().map(|corner| self.curves.corner(corner));
         let [x, y, z] = self.corners.magnitude;
