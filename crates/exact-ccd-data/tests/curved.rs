@@ -100,7 +100,7 @@ fn errors_name_the_field_and_what_is_expected() {
             CURVES,
             "-3.5",
             "1e999",
-            "column 50: number out of range; expected a JSON object on one line",
+            "column 53: number out of range; expected a JSON object on one line",
         ),
         (
             CURVES,
