@@ -11,13 +11,13 @@ mod nonlinear;
 
 use std::hint::black_box;
 
-use exact_ccd::motion::{BodyPair, Chain, CurvedQuery, RigidMotion};
-use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::motion::{Bezier, BodyPair, Chain, CurvedQuery, RigidMotion};
+use exact_ccd::{AnyKind, CONTACT, EdgeEdge, Kind, Point, Query, VertexFace, with_kind};
 use exact_ccd_bench::fastest;
-use exact_ccd_data::DataError;
+use exact_ccd_data::{CurvedRecord, DataError};
 use fastrand::Rng;
 
-use nonlinear::{files, query};
+use nonlinear::files;
 
 const RUNS: usize = 3;
 
@@ -30,14 +30,14 @@ fn main() -> Result<(), DataError> {
     );
     println!("|---|{}", "---:|".repeat(6));
     for (name, lines) in files()? {
-        if lines.iter().all(|line| line.kind == "vf") {
-            print_row(&name, &lines.iter().map(query::<VertexFace>).collect::<Vec<_>>());
-        } else {
-            print_row(&name, &lines.iter().map(query::<EdgeEdge>).collect::<Vec<_>>());
+        for &kind in AnyKind::ALL {
+            with_kind!(kind, K => print_row(&name, &lines.iter().filter_map(CurvedRecord::query::<K>).collect::<Vec<_>>()));
         }
     }
-    println!("\n| near misses | integers, % | one body turns | straight |");
-    println!("|---|{}", "---:|".repeat(3));
+    println!(
+        "\n| near misses | integers, % | collides | straight: collides | time of impact | straight: time of impact |"
+    );
+    println!("|---|{}", "---:|".repeat(5));
     print_near::<VertexFace>("vf");
     print_near::<EdgeEdge>("ee");
     bodies::print();
@@ -54,6 +54,9 @@ fn percent(count: usize, all: usize) -> f64 {
 }
 
 fn print_row<K: Kind>(name: &str, queries: &[CurvedQuery<K>]) {
+    if queries.is_empty() {
+        return;
+    }
     let count = |is_counted: &dyn Fn(&CurvedQuery<K>) -> bool| {
         percent(
             queries.iter().filter(|query| is_counted(query)).count(),
@@ -71,15 +74,19 @@ fn print_row<K: Kind>(name: &str, queries: &[CurvedQuery<K>]) {
     );
 }
 
-/// Primitives of a body that turns by about 90° near others at rest, and straight motion between the same
-/// ends. Half of the former touch or miss by less than a hundredth.
+/// Primitives of a body that turns by about 90° near others: at rest, or of a body that turns by a few
+/// degrees. And quadratic and straight motion between the same ends. Half of the former touch or miss by
+/// less than a hundredth.
 fn print_near<K: Kind<Points = [Point; 4]>>(name: &str) {
     let mut random = Rng::with_seed(1);
     let quaternions = [[1.0, 0.1, -0.2, 0.3], [0.8, -0.4, 0.5, 0.9]];
     let motion = RigidMotion::new(quaternions, &[[0.0; 3], [0.3, -0.2, 0.1]]).expect("a motion");
-    let pair = BodyPair::new(motion.into(), Chain::default());
+    let slow = [[1.0, 0.0, 0.0, 0.0], [1.0, 0.02, 0.01, -0.03]];
+    let slow = RigidMotion::new(slow, &[[0.0; 3], [0.01, 0.0, -0.02]]).expect("a motion");
+    let pair = BodyPair::new(motion.clone().into(), Chain::default());
+    let pair_of_two = BodyPair::new(motion.into(), slow.into());
     let mut point = |scale: f64| [(); 3].map(|()| scale * (random.f64() - 0.5));
-    let (mut curved, mut straight) = (Vec::new(), Vec::new());
+    let (mut curved, mut straight) = ([(); 3].map(|()| Vec::new()), Vec::new());
     for _ in 0..NEAR {
         let center = point(2.0);
         let mut points = [(); 4].map(|()| {
@@ -94,19 +101,27 @@ fn print_near<K: Kind<Points = [Point; 4]>>(name: &str) {
         }
         let mut ends = points;
         ends[..K::FIRST].copy_from_slice(&end[..K::FIRST]);
-        curved.push(pair.query::<K>(points).expect("finite points"));
+        let middle = [0, 1, 2, 3].map(|i: usize| {
+            let bend = point(0.1);
+            [0, 1, 2].map(|axis: usize| 0.5 * (points[i][axis] + ends[i][axis]) + bend[axis])
+        });
+        let bezier = Bezier::new(&[points, middle, ends]).expect("finite points");
+        curved[0].push(CurvedQuery::<K>::from(bezier));
+        curved[1].push(pair.query::<K>(points).expect("finite points"));
+        curved[2].push(pair_of_two.query::<K>(points).expect("finite points"));
         straight.push(Query::<K>::new(points, ends).expect("finite points"));
     }
-    let integers = curved
-        .iter()
-        .filter(|query| query.bracket(CONTACT).is_none())
-        .count();
-    println!(
-        "| {name} | {:.2} | {:.2} | {:.2} |",
-        percent(integers, curved.len()),
-        microseconds_each(&curved, |query| query.collides(CONTACT)),
-        microseconds_each(&straight, |query| query.collides(CONTACT)),
-    );
+    let is_left = |query: &&CurvedQuery<K>| query.bracket(CONTACT).is_none();
+    for (motion, queries) in ["quadratic", "one body", "two bodies"].iter().zip(&curved) {
+        println!(
+            "| {name}, {motion} | {:.2} | {:.2} | {:.2} | {:.2} | {:.2} |",
+            percent(queries.iter().filter(is_left).count(), queries.len()),
+            microseconds_each(queries, |query| query.collides(CONTACT)),
+            microseconds_each(&straight, |query| query.collides(CONTACT)),
+            microseconds_each(queries, |query| query.time_of_impact(CONTACT).is_some()),
+            microseconds_each(&straight, |query| query.time_of_impact(CONTACT).is_some()),
+        );
+    }
 }
 
 /// The place of a point at the end, about.
