@@ -11,10 +11,10 @@ const TRIES: usize = 4;
 
 impl Encounter<'_> {
     /// Returns true if a plane certainly separates all primitives below two nodes in the whole part: at both
-    /// ends, the vertices of one are on one side of a slab as thick as the margin, and those of the other
-    /// one on the other side. Then parallel planes separate them at all times (`apart.rs`).
+    /// ends, a slab as thick as the margin lies between the vertices of one and the vertices of the other
+    /// one. Then parallel planes separate them at all times (`apart.rs`).
     ///
-    /// The directions are those of Gilbert's algorithm for the distance of two convex hulls: to the point
+    /// Gilbert's algorithm for the distance of two convex hulls has the directions: to the point
     /// nearest to 0 that is known among the differences of their points, at both ends. The vertex that is
     /// farthest in a direction is found up to rounding, by less than 2⁻⁴⁸ of the reach, which is in the
     /// margin.
