@@ -87,11 +87,13 @@ impl<'a> Encounter<'a> {
             return;
         }
         let scene = self.scene(part);
-        let is_open = |&pair: &Nodes| {
-            self.first_near(&scene, pair, collector).is_some() && !self.has_plane_between(&scene, pair)
-        };
-        let open = pairs.iter().copied().filter(is_open).collect();
-        let (shared, mut later) = self.spread(&scene, open, collector);
+        // The roots, or the only pair that is left.
+        if let &[pair] = pairs
+            && self.has_plane_between(&scene, pair)
+        {
+            return;
+        }
+        let (shared, mut later) = self.spread(&scene, pairs, collector);
         let found = shared
             .par_iter()
             .map(|&pair| self.descend(&scene, pair, collector));
@@ -108,8 +110,8 @@ impl<'a> Encounter<'a> {
     }
 
     /// Splits pairs of nodes until there are enough for all threads, one level after the other.
-    fn spread(&self, scene: &Scene, pairs: Vec<Nodes>, collector: &impl Collect) -> (Vec<Nodes>, Vec<Nodes>) {
-        let (mut shared, mut later) = (pairs, Vec::new());
+    fn spread(&self, scene: &Scene, pairs: &[Nodes], collector: &impl Collect) -> (Vec<Nodes>, Vec<Nodes>) {
+        let (mut shared, mut later) = (pairs.to_vec(), Vec::new());
         for _ in 0..SHARED.ilog2() {
             if shared.len() >= SHARED || shared.is_empty() {
                 break;
