@@ -1,12 +1,11 @@
 //! The published queries of curved motion: the share that the filters leave to integers, and times of a
-//! query, with filters and in integers alone; near misses; steps of two meshes; and a recording.
+//! query, with filters and in integers alone; and near misses.
 //!
 //! `cargo bench -p exact-ccd-bench --bench curved`, on one thread. Times are means over the queries of a
 //! file, in microseconds. The motion of a pair of bodies is prepared before, as for many queries.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
-mod bodies;
 mod nonlinear;
 
 use std::hint::black_box;
@@ -40,7 +39,6 @@ fn main() -> Result<(), DataError> {
     println!("|---|{}", "---:|".repeat(5));
     print_near::<VertexFace>("vf");
     print_near::<EdgeEdge>("ee");
-    bodies::print();
     Ok(())
 }
 

@@ -31,8 +31,8 @@ impl Encounter<'_> {
                 // Not reached: bodies at rest do not deviate from straight motion.
                 Below::Later => stack.push(pair),
                 Below::Split(halves) => stack.extend(halves),
-                Below::Leaves(ranges) => {
-                    let [first, second] = [0, 1].map(|i: usize| self.bodies[i].tree.primitives(ranges[i]));
+                Below::Leaves(leaves) => {
+                    let [first, second] = [0, 1].map(|i: usize| self.bodies[i].tree.primitives(leaves[i]));
                     let pairs = first.iter().flat_map(|a| second.iter().map(move |b| [a, b]));
                     let near = pairs.filter(|[a, b]| {
                         let is_kind = matches!(

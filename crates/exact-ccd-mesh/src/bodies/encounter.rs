@@ -1,6 +1,5 @@
 //! Two bodies in a step: their primitives that come near each other.
 
-use std::ops::Range;
 use std::sync::OnceLock;
 
 use arrayvec::ArrayVec;
@@ -16,7 +15,7 @@ use super::part::Part;
 use super::placed::Placed;
 use super::scene::Scene;
 use super::shape::Primitive;
-use super::tree::{Node, Parts};
+use super::tree::{Leaf, Node, Parts};
 
 /// The number of candidates that are decided together.
 const CHUNK: usize = 64;
@@ -36,14 +35,14 @@ pub(super) struct Encounter<'a> {
 }
 
 /// A pair of nodes, one of each body.
-type Nodes = [u32; 2];
+pub(super) type Nodes = [u32; 2];
 
 /// The next to examine in place of two nodes.
 pub(super) enum Below<'a> {
     /// The same nodes, in halves of the part.
     Later,
     Split([Nodes; 2]),
-    Leaves([&'a Range<u32>; 2]),
+    Leaves([&'a Leaf; 2]),
 }
 
 impl Below<'_> {
@@ -88,6 +87,12 @@ impl<'a> Encounter<'a> {
             return;
         }
         let scene = self.scene(part);
+        // The roots, or the only pair that is left.
+        if let &[pair] = pairs
+            && self.has_plane_between(&scene, pair)
+        {
+            return;
+        }
         let (shared, mut later) = self.spread(&scene, pairs, collector);
         let found = shared
             .par_iter()
@@ -142,7 +147,8 @@ impl<'a> Encounter<'a> {
                     halves.sort_by(|(a, _), (b, _)| b.total_cmp(a));
                     stack.extend(halves);
                 }
-                Below::Leaves(ranges) => self.compare(scene, ranges, collector, &mut found),
+                Below::Leaves(_) if self.has_plane_between(scene, pair) => {}
+                Below::Leaves(leaves) => self.compare(scene, leaves, collector, &mut found),
             }
             if found.len() >= CHUNK {
                 collector.decide(&found, scene.part);
@@ -170,9 +176,9 @@ impl<'a> Encounter<'a> {
             return Below::Later;
         }
         match (&a.parts, &b.parts) {
-            (Parts::Primitives(one), Parts::Primitives(other)) => Below::Leaves([one, other]),
+            (Parts::Leaf(one), Parts::Leaf(other)) => Below::Leaves([one, other]),
             (Parts::Nodes(parts), Parts::Nodes(_)) if first >= second => Below::of_first(parts, pair),
-            (Parts::Nodes(parts), Parts::Primitives(_)) => Below::of_first(parts, pair),
+            (Parts::Nodes(parts), Parts::Leaf(_)) => Below::of_first(parts, pair),
             (_, Parts::Nodes(parts)) => Below::Split(parts.map(|part| [pair[0], part])),
         }
     }
@@ -181,11 +187,11 @@ impl<'a> Encounter<'a> {
     fn compare(
         &self,
         scene: &Scene,
-        ranges: [&Range<u32>; 2],
+        leaves: [&Leaf; 2],
         collector: &impl Collect,
         found: &mut Vec<Candidate>,
     ) {
-        let [of_first, of_second] = [0, 1].map(|i: usize| self.bodies[i].tree.primitives(ranges[i]));
+        let [of_first, of_second] = [0, 1].map(|i: usize| self.bodies[i].tree.primitives(leaves[i]));
         for one in of_first {
             let place = scene.placed[0].at_ends(one.sphere.center);
             for other in of_second {

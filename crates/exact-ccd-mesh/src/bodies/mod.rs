@@ -14,6 +14,7 @@ mod free_step;
 mod near;
 mod part;
 mod placed;
+mod plane;
 mod predicate;
 mod scene;
 mod shape;

@@ -53,7 +53,19 @@ impl Placed {
     /// The places of a point at both ends.
     #[inline]
     pub(super) fn at_ends(&self, point: Point) -> [Point; 2] {
-        [self.ends[0].place(point), self.ends[1].place(point)]
+        [self.at(point, 0), self.at(point, 1)]
+    }
+
+    /// The place of a point at one end.
+    #[inline]
+    pub(super) fn at(&self, point: Point, end: usize) -> Point {
+        self.ends[end].place(point)
+    }
+
+    /// A direction of the world at one end, in the coordinates of the body.
+    pub(super) fn turned_back(&self, direction: Point, end: usize) -> Point {
+        let turn = &self.ends[end].turn;
+        [0, 1, 2].map(|k: usize| dot(direction, [turn[0][k], turn[1][k], turn[2][k]]))
     }
 }
 

@@ -7,6 +7,7 @@ use exact_ccd::Point;
 use super::shape::{Primitive, Shape};
 use super::sphere::Sphere;
 use crate::mesh::Frame;
+use crate::vector::dot;
 
 /// The most primitives of a leaf.
 const LEAF: usize = 6;
@@ -17,6 +18,8 @@ pub(super) struct Tree {
     /// The root is the first, if there are primitives.
     nodes: Vec<Node>,
     primitives: Vec<Primitive>,
+    /// The positions of the vertices of each leaf, each once.
+    vertices: Vec<Point>,
 }
 
 /// A ball around some primitives.
@@ -30,7 +33,14 @@ pub(super) struct Node {
 #[derive(Clone, Debug)]
 pub(super) enum Parts {
     Nodes([u32; 2]),
-    Primitives(Range<u32>),
+    Leaf(Leaf),
+}
+
+/// The ranges of a leaf among all primitives, and among the vertices of leaves.
+#[derive(Clone, Debug)]
+pub(super) struct Leaf {
+    primitives: Range<u32>,
+    vertices: Range<u32>,
 }
 
 impl Tree {
@@ -40,11 +50,16 @@ impl Tree {
             Sphere::of_primitive(&points)
         };
         let mut primitives: Vec<_> = Primitive::all(&frame.mesh, sphere).collect();
-        let mut nodes = Vec::with_capacity(primitives.len());
+        let mut tree = Self {
+            nodes: Vec::with_capacity(primitives.len()),
+            primitives: Vec::new(),
+            vertices: Vec::new(),
+        };
         if !primitives.is_empty() {
-            add(&mut nodes, &mut primitives, 0, frame);
+            tree.add(&mut primitives, 0, frame);
         }
-        Self { nodes, primitives }
+        tree.primitives = primitives;
+        tree
     }
 
     /// The ball around all, if there are primitives.
@@ -56,8 +71,85 @@ impl Tree {
         &self.nodes[index as usize]
     }
 
-    pub(super) fn primitives(&self, range: &Range<u32>) -> &[Primitive] {
-        &self.primitives[range.start as usize..range.end as usize]
+    /// The vertex of the primitives below a node that is farthest in a direction of length 1, up to rounding.
+    pub(super) fn farthest(&self, node: u32, direction: Point) -> Point {
+        let mut farthest = (f64::NEG_INFINITY, [0.0; 3]);
+        self.move_farther(&mut farthest, node, direction);
+        farthest.1
+    }
+
+    /// Replaces a point, with its place along a direction, by a vertex below a node that is farther.
+    fn move_farther(&self, farthest: &mut (f64, Point), node: u32, direction: Point) {
+        let most = |sphere: Sphere| dot(direction, sphere.center) + sphere.radius * (1.0 + 1e-12);
+        match &self.node(node).parts {
+            Parts::Nodes(parts) => {
+                let mut parts = parts.map(|part| (most(self.node(part).sphere), part));
+                parts.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+                for (most, part) in parts {
+                    // Also if it is not a number.
+                    let is_nearer = most <= farthest.0;
+                    if !is_nearer {
+                        self.move_farther(farthest, part, direction);
+                    }
+                }
+            }
+            Parts::Leaf(leaf) => {
+                let range = leaf.vertices.start as usize..leaf.vertices.end as usize;
+                for &vertex in &self.vertices[range] {
+                    let along = dot(direction, vertex);
+                    if along > farthest.0 {
+                        *farthest = (along, vertex);
+                    }
+                }
+            }
+        }
+    }
+
+    pub(super) fn primitives(&self, leaf: &Leaf) -> &[Primitive] {
+        &self.primitives[leaf.primitives.start as usize..leaf.primitives.end as usize]
+    }
+
+    /// Adds the node of some primitives, which begin at a place among all: halves along the longest side of
+    /// the box of their centers, so that the depth is logarithmic.
+    fn add(&mut self, primitives: &mut [Primitive], first: u32, frame: &Frame) -> u32 {
+        let index = self.nodes.len();
+        let all = primitives.iter().flat_map(|p| points(frame, p.shape, p.id));
+        let count = primitives.len();
+        self.nodes.push(Node {
+            sphere: Sphere::around(all),
+            parts: Parts::Nodes([0; 2]),
+        });
+        self.nodes[index].parts = if count > LEAF {
+            let axis = longest_side(primitives);
+            let middle = count / 2;
+            primitives.select_nth_unstable_by(middle, |a, b| {
+                let order = a.sphere.center[axis].total_cmp(&b.sphere.center[axis]);
+                order.then_with(|| (a.shape as u8, a.id).cmp(&(b.shape as u8, b.id)))
+            });
+            let (lower, upper) = primitives.split_at_mut(middle);
+            let lower = self.add(lower, first, frame);
+            Parts::Nodes([lower, self.add(upper, first + middle as u32, frame)])
+        } else {
+            Parts::Leaf(Leaf {
+                primitives: first..first + count as u32,
+                vertices: self.add_vertices(primitives, frame),
+            })
+        };
+        index as u32
+    }
+
+    /// Adds the vertices of a leaf.
+    fn add_vertices(&mut self, primitives: &[Primitive], frame: &Frame) -> Range<u32> {
+        let vertices = primitives
+            .iter()
+            .flat_map(|p| p.shape.vertices(&frame.mesh, p.id));
+        let mut vertices: Vec<_> = vertices.collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let start = self.vertices.len() as u32;
+        let positions = vertices.iter().map(|&vertex| frame.positions[vertex as usize]);
+        self.vertices.extend(positions);
+        start..self.vertices.len() as u32
     }
 }
 
@@ -65,31 +157,6 @@ impl Tree {
 fn points(frame: &Frame, shape: Shape, id: u32) -> impl Iterator<Item = Point> + Clone {
     let vertices = shape.vertices(&frame.mesh, id).into_iter();
     vertices.map(|vertex| frame.positions[vertex as usize])
-}
-
-/// Adds the node of some primitives, which begin at a place among all: halves along the longest side of the
-/// box of their centers, so that the depth is logarithmic.
-fn add(nodes: &mut Vec<Node>, primitives: &mut [Primitive], first: u32, frame: &Frame) -> u32 {
-    let index = nodes.len();
-    let all = primitives.iter().flat_map(|p| points(frame, p.shape, p.id));
-    let count = primitives.len();
-    nodes.push(Node {
-        sphere: Sphere::around(all),
-        parts: Parts::Primitives(first..first + count as u32),
-    });
-    if count > LEAF {
-        let axis = longest_side(primitives);
-        let middle = count / 2;
-        primitives.select_nth_unstable_by(middle, |a, b| {
-            let order = a.sphere.center[axis].total_cmp(&b.sphere.center[axis]);
-            order.then_with(|| (a.shape as u8, a.id).cmp(&(b.shape as u8, b.id)))
-        });
-        let (lower, upper) = primitives.split_at_mut(middle);
-        let lower = add(nodes, lower, first, frame);
-        let upper = add(nodes, upper, first + middle as u32, frame);
-        nodes[index].parts = Parts::Nodes([lower, upper]);
-    }
-    index as u32
 }
 
 /// The axis along which the centers extend farthest.

@@ -1,5 +1,7 @@
 //! Rigid bodies: contacts against all pairs in integers, and against meshes in straight motion.
 
+mod together;
+
 use std::collections::BTreeSet;
 
 use exact_ccd::motion::{BodyPair, Chain, CurvedQuery, Pose, RigidMotion};
