@@ -240,6 +240,21 @@ impl Assembly {
         ContactRecord { owners, ..record }
     }
 
+    /// A face by its id and its body, if there are several; without an id, by its vertices.
+    #[cfg(feature = "repair")]
+    pub(crate) fn face_name(&self, mesh: &TriangleMesh, face: u32) -> String {
+        let record = self.in_file(ContactRecord::of_face(mesh, face));
+        let (id, part) = match &record.owners {
+            Some(owners) => (owners.part_ids[1], owners.parts[1].as_deref()),
+            None => (record.ids[1], None),
+        };
+        let of_part = part.map(|part| format!(" of {part}")).unwrap_or_default();
+        match id {
+            Some(id) => format!("face {id}{of_part}"),
+            None => format!("the face with the vertices {:?}{of_part}", record.vertices[1]),
+        }
+    }
+
     /// The error for a frame that does not belong to the frames before it.
     pub(crate) fn mismatch(&self, index: usize, source: MotionError) -> Failure {
         self.parts[0].mismatch(index, source)

@@ -5,7 +5,7 @@ use std::fmt;
 
 use exact_ccd::{AnyKind, CONTACT, Point, Query, VertexFace};
 use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Contact, Intersection, TriangleMesh, contact_points};
+use exact_ccd_mesh::{Contact, Intersection, Pair, TriangleMesh, contact_points};
 use serde::{Serialize, Serializer};
 
 use crate::text::numbers::shortest;
@@ -105,14 +105,11 @@ impl ContactRecord {
         positions: [&[Point]; 2],
         contact: &Contact,
     ) -> Self {
-        let vertices = contact.pair.vertices(mesh).expect("the pair is one of the mesh");
-        let (first, second) = vertices.split_at(contact.pair.kind().sizes()[0]);
+        let record = Self::of_pair(frame, mesh, contact.pair);
         let impact = &contact.impact;
+        let [first, second] = &record.mesh_vertices;
         let points = contact_points([first, second], positions, impact);
         Self {
-            frame,
-            kind: RecordKind::Pair(contact.pair.kind()),
-            ids: contact.pair.ids().map(Some),
             time: Bounds {
                 lower: impact.time.lower(),
                 upper: impact.time.upper(),
@@ -124,9 +121,22 @@ impl ContactRecord {
                 lower: contact.distance.lower,
                 upper: contact.distance.upper,
             },
-            vertices: [first.to_vec(), second.to_vec()],
-            mesh_vertices: [first.to_vec(), second.to_vec()],
-            owners: None,
+            ..record
+        }
+    }
+
+    /// A pair that touches at rest, in a frame, without the place.
+    pub(crate) fn of_pair(frame: usize, mesh: &TriangleMesh, pair: Pair) -> Self {
+        let vertices = pair.vertices(mesh).expect("the pair is one of the mesh");
+        let (first, second) = vertices.split_at(pair.kind().sizes()[0]);
+        let vertices = [first.to_vec(), second.to_vec()];
+        Self {
+            frame,
+            kind: RecordKind::Pair(pair.kind()),
+            ids: pair.ids().map(Some),
+            mesh_vertices: vertices.clone(),
+            vertices,
+            ..Self::default()
         }
     }
 
@@ -151,6 +161,17 @@ impl ContactRecord {
             mesh_vertices: vertices.clone(),
             vertices,
             point: first_common_point(ends, corners).map(|point| point.map(unsigned_zero)),
+            ..Self::default()
+        }
+    }
+
+    /// A face as the second primitive, to name it and its body.
+    #[cfg(feature = "repair")]
+    pub(crate) fn of_face(mesh: &TriangleMesh, face: u32) -> Self {
+        let corners = mesh.faces()[face as usize].to_vec();
+        Self {
+            ids: [None, Some(face)],
+            mesh_vertices: [corners.clone(), corners],
             ..Self::default()
         }
     }

@@ -1,5 +1,6 @@
 //! `exact-ccd repair`: positions of a mesh in which it does not intersect.
 
+mod figures;
 mod mesh_output;
 mod report;
 

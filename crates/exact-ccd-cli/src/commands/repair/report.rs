@@ -3,7 +3,7 @@
 use std::fmt;
 
 use exact_ccd_mesh::{Point, TriangleMesh};
-use exact_ccd_repair::{Change, Outcome};
+use exact_ccd_repair::{Outcome, Reason, Unrepaired};
 use serde::Serialize;
 
 use crate::assembly::{Assembly, Summary};
@@ -13,6 +13,8 @@ use crate::options::distances::Distances;
 use crate::text::json::to_json;
 use crate::text::numbers::shortest;
 use crate::text::seconds::Seconds;
+
+use super::figures::Figures;
 
 /// The number of pairs that a text names.
 const NAMED: usize = 5;
@@ -35,15 +37,25 @@ pub(super) struct Report {
     before: Option<Pairs>,
     /// The pairs after.
     after: Pairs,
-    /// The first edges that pass through faces after.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    crossings: Vec<String>,
+    #[serde(flatten)]
+    remaining: Remaining,
     #[serde(skip_serializing_if = "Option::is_none")]
     change: Option<Figures>,
     /// The file that was written.
     pub(super) output: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) seconds: Option<Seconds>,
+}
+
+/// The first pairs that are not free.
+#[derive(Default, Serialize)]
+struct Remaining {
+    /// The edges that pass through faces.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    crossings: Vec<String>,
+    /// The pairs that touch, or are within the minimum distance.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    contacts: Vec<String>,
 }
 
 /// The numbers of pairs that are not free.
@@ -53,31 +65,6 @@ struct Pairs {
     crossings: usize,
     /// The pairs that touch, or are within the minimum distance.
     contacts: usize,
-}
-
-/// The change of the mesh. Displacements are relative to the diagonal of its box.
-#[derive(Serialize)]
-struct Figures {
-    moved: usize,
-    vertices: usize,
-    displacement: Displacement,
-    stretch: Stretch,
-}
-
-#[derive(Serialize)]
-struct Displacement {
-    mean: f64,
-    p95: f64,
-    max: f64,
-}
-
-/// The lengths of edges, relative to those before.
-#[derive(Serialize)]
-struct Stretch {
-    min: f64,
-    p5: f64,
-    p95: f64,
-    max: f64,
 }
 
 impl Report {
@@ -91,7 +78,7 @@ impl Report {
             reason: None,
             before: None,
             after: Pairs::default(),
-            crossings: Vec::new(),
+            remaining: Remaining::default(),
             change: None,
             output: None,
             seconds: None,
@@ -124,17 +111,12 @@ impl Report {
                 self.change = Some(Figures::new(&repaired.change, before.len()));
             }
             Outcome::Unrepaired(unrepaired) => {
-                self.reason = Some(unrepaired.reason.to_string());
+                self.reason = Some(reason(scene, mesh, unrepaired.reason));
                 self.after = Pairs {
                     crossings: unrepaired.crossings.len(),
                     contacts: unrepaired.contacts.len(),
                 };
-                let named = unrepaired.crossings.iter().take(NAMED);
-                let name = |&crossing| {
-                    let record = ContactRecord::of_intersection(0, mesh, &unrepaired.positions, crossing);
-                    scene.in_file(record).to_string()
-                };
-                self.crossings = named.map(name).collect();
+                self.remaining = Remaining::new(scene, mesh, unrepaired);
             }
         }
     }
@@ -159,23 +141,29 @@ impl Report {
     }
 }
 
-impl Figures {
-    fn new(change: &Change, vertices: usize) -> Self {
+impl Remaining {
+    fn new(scene: &Assembly, mesh: &TriangleMesh, unrepaired: &Unrepaired) -> Self {
+        let crossing = |&crossing| ContactRecord::of_intersection(0, mesh, &unrepaired.positions, crossing);
+        let contact = |&pair| ContactRecord::of_pair(0, mesh, pair);
+        let name = |record| scene.in_file(record).to_string();
+        let crossings = unrepaired.crossings.iter().take(NAMED);
+        let contacts = unrepaired.contacts.iter().take(NAMED);
         Self {
-            moved: change.moved,
-            vertices,
-            displacement: Displacement {
-                mean: change.mean_displacement,
-                p95: change.p95_displacement,
-                max: change.max_displacement,
-            },
-            stretch: Stretch {
-                min: change.min_stretch,
-                p5: change.p5_stretch,
-                p95: change.p95_stretch,
-                max: change.max_stretch,
-            },
+            crossings: crossings.map(crossing).map(name).collect(),
+            contacts: contacts.map(contact).map(name).collect(),
         }
+    }
+}
+
+/// The reason why a mesh is not repaired, with the names of its bodies.
+fn reason(scene: &Assembly, mesh: &TriangleMesh, reason: Reason) -> String {
+    match reason {
+        Reason::OneSided { face } => format!(
+            "{} is part of a closed surface that has only one side, as a Klein bottle: such a surface has no positions \
+             without intersections",
+            scene.face_name(mesh, face)
+        ),
+        reason => reason.to_string(),
     }
 }
 
@@ -188,6 +176,16 @@ fn largest_displacement(before: &[Point], after: &[Point]) -> (usize, f64) {
     let lengths = before.iter().zip(after).map(length).enumerate();
     let (vertex, largest) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
     (vertex, largest * (1.0 + 8.0 * f64::EPSILON))
+}
+
+/// A line for each pair.
+impl fmt::Display for Remaining {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let crossings = self.crossings.iter().map(|pair| ("crossing", pair));
+        let contacts = self.contacts.iter().map(|pair| ("contact", pair));
+        let mut pairs = crossings.chain(contacts);
+        pairs.try_for_each(|(kind, pair)| writeln!(f, "  {kind}: {pair}"))
+    }
 }
 
 impl fmt::Display for Pairs {
@@ -211,26 +209,9 @@ impl fmt::Display for Report {
         if !self.repaired && self.change.is_none() {
             writeln!(f, "pairs that remain: {}", self.after)?;
         }
-        for crossing in &self.crossings {
-            writeln!(f, "  {crossing}")?;
-        }
-        if let Some(Figures {
-            moved,
-            vertices,
-            displacement: Displacement { mean, p95, max },
-            stretch,
-        }) = &self.change
-        {
-            writeln!(
-                f,
-                "moved: {moved} of {vertices} vertices, by {mean:.5} of the diagonal in the mean, {p95:.5} in 95 % of them at \
-                 most, {max:.5} at most"
-            )?;
-            let Stretch { min, p5, p95, max } = stretch;
-            writeln!(
-                f,
-                "lengths of edges: {min:.3} to {max:.3} of those before, {p5:.3} to {p95:.3} in 90 % of them"
-            )?;
+        write!(f, "{}", self.remaining)?;
+        if let Some(change) = &self.change {
+            write!(f, "{change}")?;
         }
         if let Some(output) = &self.output {
             writeln!(f, "written: {output}")?;
