@@ -17,6 +17,8 @@ mod turns;
 mod vertex_set;
 
 use std::ops::Range;
+#[cfg(feature = "repair")]
+use std::path::Path;
 use std::path::PathBuf;
 
 use exact_ccd_files::{Contents, FileIds};
@@ -166,6 +168,12 @@ impl Assembly {
     /// The name of a frame in the first part.
     pub(crate) fn frame_name(&self, index: usize) -> String {
         self.parts[0].frame_name(index)
+    }
+
+    /// The file of a frame of the first part.
+    #[cfg(feature = "repair")]
+    pub(crate) fn frame_file(&self, index: usize) -> &Path {
+        self.parts[0].frame_file(index)
     }
 
     /// The time of a frame, if the list of the files of the first part has times.

@@ -1,5 +1,6 @@
 //! Contacts and intersections in reports and in files of their own.
 
+mod at_rest;
 mod cells;
 mod list;
 mod places;

@@ -5,7 +5,7 @@ use std::fmt;
 
 use exact_ccd::{AnyKind, CONTACT, Point, Query, VertexFace};
 use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Contact, Intersection, Pair, TriangleMesh, contact_points};
+use exact_ccd_mesh::{Contact, Intersection, TriangleMesh, contact_points};
 use serde::{Serialize, Serializer};
 
 use crate::text::numbers::shortest;
@@ -125,21 +125,6 @@ impl ContactRecord {
         }
     }
 
-    /// A pair that touches at rest, in a frame, without the place.
-    pub(crate) fn of_pair(frame: usize, mesh: &TriangleMesh, pair: Pair) -> Self {
-        let vertices = pair.vertices(mesh).expect("the pair is one of the mesh");
-        let (first, second) = vertices.split_at(pair.kind().sizes()[0]);
-        let vertices = [first.to_vec(), second.to_vec()];
-        Self {
-            frame,
-            kind: RecordKind::Pair(pair.kind()),
-            ids: pair.ids().map(Some),
-            mesh_vertices: vertices.clone(),
-            vertices,
-            ..Self::default()
-        }
-    }
-
     /// An edge that meets a face at rest, in a frame.
     pub(crate) fn of_intersection(
         frame: usize,
@@ -147,32 +132,12 @@ impl ContactRecord {
         positions: &[Point],
         intersection: Intersection,
     ) -> Self {
-        let Intersection { edge, face } = intersection;
-        let vertices = [
-            mesh.edges()[edge as usize].to_vec(),
-            mesh.faces()[face as usize].to_vec(),
-        ];
-        let ends = mesh.edges()[edge as usize].map(|vertex| positions[vertex as usize]);
-        let corners = mesh.faces()[face as usize].map(|vertex| positions[vertex as usize]);
+        let record = Self::of_crossing(frame, mesh, intersection);
+        let ends = mesh.edges()[intersection.edge as usize].map(|vertex| positions[vertex as usize]);
+        let corners = mesh.faces()[intersection.face as usize].map(|vertex| positions[vertex as usize]);
         Self {
-            frame,
-            kind: RecordKind::EdgeFace,
-            ids: [Some(edge), Some(face)],
-            mesh_vertices: vertices.clone(),
-            vertices,
             point: first_common_point(ends, corners).map(|point| point.map(unsigned_zero)),
-            ..Self::default()
-        }
-    }
-
-    /// A face as the second primitive, to name it and its body.
-    #[cfg(feature = "repair")]
-    pub(crate) fn of_face(mesh: &TriangleMesh, face: u32) -> Self {
-        let corners = mesh.faces()[face as usize].to_vec();
-        Self {
-            ids: [None, Some(face)],
-            mesh_vertices: [corners.clone(), corners],
-            ..Self::default()
+            ..record
         }
     }
 

@@ -29,6 +29,7 @@ mod queries_separation;
 mod query_rows;
 mod recognised;
 mod repair;
+mod repair_recording;
 mod repeatable;
 mod reports;
 mod round_errors;

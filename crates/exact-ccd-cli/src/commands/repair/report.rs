@@ -3,21 +3,17 @@
 use std::fmt;
 
 use exact_ccd_mesh::{Point, TriangleMesh};
-use exact_ccd_repair::{Outcome, Reason, Unrepaired};
+use exact_ccd_repair::{Outcome, Reason};
 use serde::Serialize;
 
+use super::figures::Figures;
+use super::remaining::{Pairs, Remaining};
 use crate::assembly::{Assembly, Summary};
-use crate::contacts::ContactRecord;
 use crate::messages::notes::Notes;
 use crate::options::distances::Distances;
 use crate::text::json::to_json;
 use crate::text::numbers::shortest;
 use crate::text::seconds::Seconds;
-
-use super::figures::Figures;
-
-/// The number of pairs that a text names.
-const NAMED: usize = 5;
 
 /// The answer, in the shape of the JSON object.
 #[derive(Serialize)]
@@ -45,26 +41,6 @@ pub(super) struct Report {
     pub(super) output: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) seconds: Option<Seconds>,
-}
-
-/// The first pairs that are not free.
-#[derive(Default, Serialize)]
-struct Remaining {
-    /// The edges that pass through faces.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    crossings: Vec<String>,
-    /// The pairs that touch, or are within the minimum distance.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    contacts: Vec<String>,
-}
-
-/// The numbers of pairs that are not free.
-#[derive(Clone, Copy, Default, Serialize)]
-struct Pairs {
-    /// The edges that pass through faces.
-    crossings: usize,
-    /// The pairs that touch, or are within the minimum distance.
-    contacts: usize,
 }
 
 impl Report {
@@ -112,11 +88,9 @@ impl Report {
             }
             Outcome::Unrepaired(unrepaired) => {
                 self.reason = Some(reason(scene, mesh, unrepaired.reason));
-                self.after = Pairs {
-                    crossings: unrepaired.crossings.len(),
-                    contacts: unrepaired.contacts.len(),
-                };
-                self.remaining = Remaining::new(scene, mesh, unrepaired);
+                let (crossings, contacts) = (&unrepaired.crossings, &unrepaired.contacts);
+                self.after = Pairs::of(crossings, contacts);
+                self.remaining = Remaining::new(scene, mesh, crossings, contacts);
             }
         }
     }
@@ -137,20 +111,6 @@ impl Report {
                 "free before: nothing moved".to_owned()
             }
             None => "repaired: free of contact at rest".to_owned(),
-        }
-    }
-}
-
-impl Remaining {
-    fn new(scene: &Assembly, mesh: &TriangleMesh, unrepaired: &Unrepaired) -> Self {
-        let crossing = |&crossing| ContactRecord::of_intersection(0, mesh, &unrepaired.positions, crossing);
-        let contact = |&pair| ContactRecord::of_pair(0, mesh, pair);
-        let name = |record| scene.in_file(record).to_string();
-        let crossings = unrepaired.crossings.iter().take(NAMED);
-        let contacts = unrepaired.contacts.iter().take(NAMED);
-        Self {
-            crossings: crossings.map(crossing).map(name).collect(),
-            contacts: contacts.map(contact).map(name).collect(),
         }
     }
 }
@@ -176,26 +136,6 @@ fn largest_displacement(before: &[Point], after: &[Point]) -> (usize, f64) {
     let lengths = before.iter().zip(after).map(length).enumerate();
     let (vertex, largest) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
     (vertex, largest * (1.0 + 8.0 * f64::EPSILON))
-}
-
-/// A line for each pair.
-impl fmt::Display for Remaining {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let crossings = self.crossings.iter().map(|pair| ("crossing", pair));
-        let contacts = self.contacts.iter().map(|pair| ("contact", pair));
-        let mut pairs = crossings.chain(contacts);
-        pairs.try_for_each(|(kind, pair)| writeln!(f, "  {kind}: {pair}"))
-    }
-}
-
-impl fmt::Display for Pairs {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} of an edge that passes through a face, {} in contact",
-            self.crossings, self.contacts
-        )
-    }
 }
 
 /// The text on a terminal.
