@@ -8,6 +8,7 @@ mod nesting;
 mod options;
 mod part;
 mod points;
+mod rigid_bodies;
 mod rules;
 mod seams;
 mod shape;

@@ -3,8 +3,10 @@
 mod at_rest;
 mod cells;
 mod list;
+mod of_bodies;
 mod places;
 mod record;
 
 pub(crate) use list::{ContactList, ListFile};
+pub(crate) use of_bodies::PartPrimitive;
 pub(crate) use record::{Bounds, ContactRecord, Owners, RecordKind, unsigned_zero};

@@ -4,6 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 mod audit;
+mod audit_bodies;
 mod bench;
 mod certificates;
 mod certified_scenes;
