@@ -37,8 +37,8 @@ fn json_of(run: &Run) -> Value {
 #[test]
 fn a_bar_that_swings_through_a_post_between_two_free_poses_touches_it() {
     let folder = bar_and_post();
-    // The bar touches the edge of the post at (2.5, 2.3): at the angle arctan(2.3 / 2.5) - arcsin(0.1 / 3.397), whose
-    // half has the tangent t.
+    // The bar touches the edge of the post at (2.5, 2.3), at the distance r = 3.397: its angle is
+    // arctan(2.3 / 2.5) - arcsin(0.1 / r), and the tangent of the half is t.
     folder.write("poses.csv", turning("2.4,2.4,0"));
     let run = folder.run(&AUDIT);
     assert_eq!((run.status, run.stderr.as_str()), (1, ""), "{run:?}");
