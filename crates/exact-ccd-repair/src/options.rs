@@ -20,7 +20,7 @@ pub struct RepairOptions<'a> {
     /// The number of rounds after which a phase ends: loosening and separation are given up then. The default
     /// is 2,000.
     pub max_rounds: usize,
-    /// Called before each round; true ends the repair as it stands.
+    /// Called before each round, and before each frame of a recording; true ends the repair as it stands.
     pub stop: Option<&'a (dyn Fn(Progress) -> bool + Sync)>,
 }
 

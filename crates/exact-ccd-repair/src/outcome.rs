@@ -101,6 +101,7 @@ impl fmt::Display for Reason {
                 Phase::Loosen => "pairs still intersected",
                 Phase::Separate => "pairs were still within the minimum distance",
                 Phase::Return => "vertices returned to their places",
+                Phase::Follow => "vertices followed the frames",
             }
         )
     }

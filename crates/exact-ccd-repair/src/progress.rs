@@ -9,6 +9,8 @@ pub enum Phase {
     Separate,
     /// Vertices return towards the given positions and the given shape, by certified steps.
     Return,
+    /// In a recording, vertices follow the given frames. A round is a frame.
+    Follow,
 }
 
 /// The state of a repair between two rounds.
@@ -20,6 +22,6 @@ pub struct Progress {
     /// The number of rounds of this phase so far.
     pub round: usize,
     /// The pairs of an edge and a face that intersect, or the pairs within the minimum distance; 0 in the
-    /// return.
+    /// return, and from frame to frame of a recording.
     pub pairs: usize,
 }

@@ -5,12 +5,15 @@ use std::sync::Arc;
 use exact_ccd_mesh::vector::minus;
 use exact_ccd_mesh::{FreeStepOptions, Intersection, Options, Pair, Point, TriangleMesh};
 
+use crate::change::Change;
 use crate::error::RepairError;
 use crate::near::near_pairs;
 use crate::options::RepairOptions;
 use crate::outcome::Outcome;
 use crate::problem::{Problem, moved};
+use crate::progress::{Phase, Progress};
 use crate::repair::repair;
+use crate::size::Size;
 use crate::slide::slide;
 
 /// A recording whose motion is free, as far as it could be repaired.
@@ -21,11 +24,15 @@ pub struct Recording {
     /// intersects, and no pair comes within the minimum distance in the straight motion from one frame to the
     /// next. This was decided exactly, for the positions as they are.
     pub frames: Vec<Vec<Point>>,
-    /// The frame that could not be reached, if there is one.
+    /// The change of each of these frames.
+    pub changes: Vec<Change>,
+    /// The frame for which no free positions were found, if there is one. Without it, fewer frames than given
+    /// are there if the caller has stopped the repair.
     pub blocked: Option<Blocked>,
 }
 
-/// A frame that could not be reached by a free motion.
+/// A frame for which the method found no free positions, or no free motion that leads there. There may be
+/// some: this is not decided.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Blocked {
@@ -34,7 +41,7 @@ pub struct Blocked {
     /// For the first frame, the edges that still pass through faces.
     pub crossings: Vec<Intersection>,
     /// The pairs that touch, or come within the minimum distance: for the first frame at rest, for another
-    /// one in the motion towards it, in which vertices that are not pinned could not give way.
+    /// one in the last motion that was tried, in which the pinned vertices touch the others.
     pub contacts: Vec<Pair>,
 }
 
@@ -64,8 +71,8 @@ const ROUNDS: usize = 4;
 /// The first frame is repaired by [`repair`]. Each frame that follows is reached from the repaired one
 /// before: by one certified step towards the given frame, with the displacement of the frame before, smoothed
 /// and faded. So the displacement changes little from frame to frame. Pinned vertices have their given
-/// positions in all frames. If they leave others no place, the recording ends before that frame, and its
-/// pairs are named.
+/// positions in all frames. If they touch others in each motion that is tried, the recording ends before that
+/// frame, and the pairs are named: see [`Blocked`].
 ///
 /// # Errors
 /// As of [`repair`]: also for the positions of the frames that follow.
@@ -74,38 +81,49 @@ pub fn repair_recording(
     frames: &[Vec<Point>],
     options: &RepairOptions<'_>,
 ) -> Result<Recording, RepairError> {
-    let mut repaired = Vec::with_capacity(frames.len());
-    let ended = |frames, frame, crossings, contacts| Recording {
-        frames,
-        blocked: Some(Blocked {
-            frame,
-            crossings,
-            contacts,
-        }),
+    let mut recording = Recording {
+        frames: Vec::with_capacity(frames.len()),
+        changes: Vec::with_capacity(frames.len()),
+        blocked: None,
     };
     for (frame, given) in frames.iter().enumerate() {
-        let Some(before) = repaired.last() else {
-            match repair(mesh, given, options)? {
-                Outcome::Repaired(first) => repaired.push(first.positions),
-                Outcome::Unrepaired(first) => {
-                    return Ok(ended(repaired, frame, first.crossings, first.contacts));
-                }
-            }
-            continue;
+        let progress = Progress {
+            phase: Phase::Follow,
+            round: frame,
+            pairs: 0,
         };
-        match next(mesh, [&frames[frame - 1], given], before, options)? {
-            Ok(positions) => repaired.push(positions),
-            Err(contacts) => return Ok(ended(repaired, frame, Vec::new(), contacts)),
+        if options.stop.is_some_and(|stop| stop(progress)) {
+            break;
+        }
+        let reached = match recording.frames.last() {
+            None => match repair(mesh, given, options)? {
+                Outcome::Repaired(first) => Ok(first.positions),
+                Outcome::Unrepaired(first) => Err((first.crossings, first.contacts)),
+            },
+            Some(before) => next(mesh, [&frames[frame - 1], given], before, options)?
+                .map_err(|contacts| (Vec::new(), contacts)),
+        };
+        match reached {
+            Ok(positions) => {
+                let change = Change::new(mesh, &Size::new(mesh, given), given, &positions);
+                recording.changes.push(change);
+                recording.frames.push(positions);
+            }
+            Err((crossings, contacts)) => {
+                recording.blocked = Some(Blocked {
+                    frame,
+                    crossings,
+                    contacts,
+                });
+                break;
+            }
         }
     }
-    Ok(Recording {
-        frames: repaired,
-        blocked: None,
-    })
+    Ok(recording)
 }
 
 /// The positions to which the straight motion from `before` is free, near the second given frame; or the
-/// pairs that touch whatever the other vertices do.
+/// pairs that touch in the last motion that was tried.
 fn next(
     mesh: &Arc<TriangleMesh>,
     [last, given]: [&[Point]; 2],

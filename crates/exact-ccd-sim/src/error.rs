@@ -76,7 +76,8 @@ pub enum SimulationError {
     },
     /// Two primitives intersect or touch at the start.
     #[error(
-        "{} and {} intersect or touch at the start, near {near:?}, expected a positive distance between them",
+        "{} and {} intersect or touch at the start, near {near:?}, expected a positive distance between them: \
+         move a body, or repair its mesh by `exact-ccd repair MESH --with OTHER -o FREE.obj`",
         primitives[0], primitives[1]
     )]
     Start {

@@ -8,6 +8,7 @@ mod nesting;
 mod options;
 mod part;
 mod points;
+mod rigid_bodies;
 mod rules;
 mod seams;
 mod shape;
@@ -17,6 +18,8 @@ mod turns;
 mod vertex_set;
 
 use std::ops::Range;
+#[cfg(feature = "repair")]
+use std::path::Path;
 use std::path::PathBuf;
 
 use exact_ccd_files::{Contents, FileIds};
@@ -168,6 +171,12 @@ impl Assembly {
         self.parts[0].frame_name(index)
     }
 
+    /// The file of a frame of the first part.
+    #[cfg(feature = "repair")]
+    pub(crate) fn frame_file(&self, index: usize) -> &Path {
+        self.parts[0].frame_file(index)
+    }
+
     /// The time of a frame, if the list of the files of the first part has times.
     pub(crate) fn time(&self, index: usize) -> Option<f64> {
         self.parts[0].time(index)
@@ -238,6 +247,21 @@ impl Assembly {
         let record = record.in_file(&self.ids);
         let owners = self.names.owners(&self.parts, &record);
         ContactRecord { owners, ..record }
+    }
+
+    /// A face by its id and its body, if there are several; without an id, by its vertices.
+    #[cfg(feature = "repair")]
+    pub(crate) fn face_name(&self, mesh: &TriangleMesh, face: u32) -> String {
+        let record = self.in_file(ContactRecord::of_face(mesh, face));
+        let (id, part) = match &record.owners {
+            Some(owners) => (owners.part_ids[1], owners.parts[1].as_deref()),
+            None => (record.ids[1], None),
+        };
+        let of_part = part.map(|part| format!(" of {part}")).unwrap_or_default();
+        match id {
+            Some(id) => format!("face {id}{of_part}"),
+            None => format!("the face with the vertices {:?}{of_part}", record.vertices[1]),
+        }
     }
 
     /// The error for a frame that does not belong to the frames before it.

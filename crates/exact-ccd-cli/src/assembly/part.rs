@@ -1,6 +1,8 @@
 //! One part of a scene.
 
 use std::ops::Range;
+#[cfg(feature = "repair")]
+use std::path::Path;
 
 use exact_ccd_files::{Contents, FileIds, Group, MeshFile, Note, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, Point, TriangleMesh, Welding};
@@ -212,6 +214,12 @@ impl Part {
 
     pub(super) fn frame_name(&self, index: usize) -> String {
         self.frames.name(index.min(self.frames.count() - 1))
+    }
+
+    /// The file of a frame, or of the only one.
+    #[cfg(feature = "repair")]
+    pub(super) fn frame_file(&self, index: usize) -> &Path {
+        self.frames.file(index.min(self.frames.count() - 1))
     }
 
     /// The time of a frame, if its file has it.

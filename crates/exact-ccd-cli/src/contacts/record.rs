@@ -105,14 +105,11 @@ impl ContactRecord {
         positions: [&[Point]; 2],
         contact: &Contact,
     ) -> Self {
-        let vertices = contact.pair.vertices(mesh).expect("the pair is one of the mesh");
-        let (first, second) = vertices.split_at(contact.pair.kind().sizes()[0]);
+        let record = Self::of_pair(frame, mesh, contact.pair);
         let impact = &contact.impact;
+        let [first, second] = &record.mesh_vertices;
         let points = contact_points([first, second], positions, impact);
         Self {
-            frame,
-            kind: RecordKind::Pair(contact.pair.kind()),
-            ids: contact.pair.ids().map(Some),
             time: Bounds {
                 lower: impact.time.lower(),
                 upper: impact.time.upper(),
@@ -124,9 +121,7 @@ impl ContactRecord {
                 lower: contact.distance.lower,
                 upper: contact.distance.upper,
             },
-            vertices: [first.to_vec(), second.to_vec()],
-            mesh_vertices: [first.to_vec(), second.to_vec()],
-            owners: None,
+            ..record
         }
     }
 
@@ -137,21 +132,12 @@ impl ContactRecord {
         positions: &[Point],
         intersection: Intersection,
     ) -> Self {
-        let Intersection { edge, face } = intersection;
-        let vertices = [
-            mesh.edges()[edge as usize].to_vec(),
-            mesh.faces()[face as usize].to_vec(),
-        ];
-        let ends = mesh.edges()[edge as usize].map(|vertex| positions[vertex as usize]);
-        let corners = mesh.faces()[face as usize].map(|vertex| positions[vertex as usize]);
+        let record = Self::of_crossing(frame, mesh, intersection);
+        let ends = mesh.edges()[intersection.edge as usize].map(|vertex| positions[vertex as usize]);
+        let corners = mesh.faces()[intersection.face as usize].map(|vertex| positions[vertex as usize]);
         Self {
-            frame,
-            kind: RecordKind::EdgeFace,
-            ids: [Some(edge), Some(face)],
-            mesh_vertices: vertices.clone(),
-            vertices,
             point: first_common_point(ends, corners).map(|point| point.map(unsigned_zero)),
-            ..Self::default()
+            ..record
         }
     }
 

@@ -87,9 +87,30 @@ impl Report {
         }
     }
 
+    /// The same report with another number of frames than the files have.
+    pub(crate) fn with_frames(self, frames: usize) -> Self {
+        Self {
+            frames,
+            examined: 0,
+            ..self
+        }
+    }
+
     /// Adds an intersection or a contact, unless there is an earlier one. A contact in motion is in the step
     /// that leads to frame `index`.
     pub(crate) fn add(&mut self, scene: &Assembly, index: usize, record: &ContactRecord) {
+        let last = if record.is_intersection() {
+            record.frame
+        } else {
+            index
+        };
+        let files = (record.frame..=last).map(|frame| scene.frame_name(frame));
+        self.add_in(files.collect(), record);
+    }
+
+    /// Adds an intersection or a contact, unless there is an earlier one. The files are the one of its frame
+    /// and, unless it is at rest, the one of the next frame.
+    pub(crate) fn add_in(&mut self, files: Vec<String>, record: &ContactRecord) {
         let is_at_rest = record.is_intersection();
         let first = if is_at_rest {
             &mut self.intersection
@@ -98,11 +119,9 @@ impl Report {
             &mut self.contact
         };
         if first.is_none() {
-            let last = if is_at_rest { record.frame } else { index };
-            let files = (record.frame..=last).map(|frame| scene.frame_name(frame));
             *first = Some(Finding {
                 record: record.clone(),
-                files: files.collect(),
+                files,
             });
         }
         self.toi = self.contact.as_ref().map(|contact| contact.record.toi());

@@ -4,6 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 mod audit;
+mod audit_bodies;
 mod bench;
 mod certificates;
 mod certified_scenes;
@@ -29,6 +30,7 @@ mod queries_separation;
 mod query_rows;
 mod recognised;
 mod repair;
+mod repair_recording;
 mod repeatable;
 mod reports;
 mod round_errors;

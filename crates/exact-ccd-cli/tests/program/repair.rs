@@ -3,7 +3,7 @@
 use std::fs;
 
 use exact_ccd_check::{check, ply};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::folder::{Folder, Run};
 use crate::schema::Schema;
@@ -140,6 +140,51 @@ fn obstacles_and_pinned_groups_stay() {
 }
 
 #[test]
+fn the_contacts_that_remain_are_named_with_their_bodies() {
+    let folder = Folder::new();
+    // The upper one of two plates stands on the lower one with its tip.
+    folder.write(
+        "boxes.obj",
+        "g floor\nv 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\ng tip\nv 1 1 0\nv 1 2 3\nv 2 1 3\nf 4 5 6\n",
+    );
+    let command = [
+        "repair",
+        "boxes.obj",
+        "-o",
+        "no.obj",
+        "--pin",
+        "floor",
+        "--pin",
+        "tip",
+    ];
+    let run = folder.run(&command);
+    assert_eq!(run.status, 1, "{run:?}");
+    let contact = "tip: vertex 3 and floor: face 0 (vertices 0, 1, 2)";
+    assert!(
+        run.stdout.contains(&format!("\n  contact: {contact}\n")),
+        "{run:?}"
+    );
+    let report = json_of(&folder.run(&[&command[..], &["--json"]].concat()));
+    assert_eq!(report["contacts"], json!([contact]));
+    assert_eq!(report.get("crossings"), None);
+}
+
+#[test]
+fn a_closed_surface_with_one_side_is_refused_with_its_body_and_a_face() {
+    // A triangle, and the projective plane of six vertices.
+    let folder = Folder::new();
+    let faces = "f 4 5 6\nf 4 6 7\nf 4 7 8\nf 4 8 9\nf 4 9 5\nf 5 6 8\nf 6 7 9\nf 7 8 5\nf 8 9 6\nf 9 5 7\n";
+    let plane = "g plane\nv 0 0 2\nv 1 0 0\nv 0.3 1 0.1\nv -0.8 0.6 0\nv -0.8 -0.6 0.2\nv 0.3 -1 0\n";
+    let triangle = "g far\nv 9 0 0\nv 9 1 0\nv 9 0 1\nf 1 2 3\n";
+    folder.write("both.obj", format!("{triangle}{plane}{faces}"));
+    let run = folder.run(&["repair", "both.obj", "-o", "no.obj"]);
+    assert_eq!(run.status, 1, "{run:?}");
+    let reason = "\nnot repaired: face 1 of plane is part of a closed surface that has only one side, as a Klein bottle: \
+                  such a surface has no positions without intersections\n";
+    assert!(run.stdout.contains(reason), "{run:?}");
+}
+
+#[test]
 fn a_mesh_that_is_not_repaired_is_written_on_request_only() {
     let folder = Folder::new();
     folder.write("boxes.obj", overlapping());
@@ -193,6 +238,10 @@ fn single_precision_and_the_certificate_are_about_the_written_file() {
     assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
     let report = json_of(&run);
     assert_eq!(report["repaired"], true);
+    let change = &report["change"];
+    assert!(change["area"]["p95"].as_f64() >= change["area"]["p5"].as_f64());
+    assert!(change["aspect"]["after"].as_f64() >= Some(1.0), "{change}");
+    assert!(change["folds"].is_u64(), "{change}");
     assert!(report["before"]["crossings"].as_u64() > Some(0));
     let frame = || ply::read(&fs::read(folder.path("free.ply")).unwrap());
     let positions = exact_ccd_files::read_frame(folder.path("free.ply"))

@@ -280,7 +280,8 @@ fn numbers_out_of_range_are_reported_at_their_field() {
     let meeting = error_with("translate = [0.0, 0.0, 3.0]", "translate = [0.2, 0.1, 0.6]");
     assert!(
         meeting.contains("of body[0] and ")
-            && meeting.contains("of body[1] intersect or touch at the start, near ["),
+            && meeting.contains("of body[1] intersect or touch at the start, near [")
+            && meeting.ends_with("or repair its mesh by `exact-ccd repair MESH --with OTHER -o FREE.obj`"),
         "{meeting}"
     );
     let empty = parse("duration = 1.0").err().unwrap();

@@ -1,12 +1,16 @@
 //! `exact-ccd repair`: positions of a mesh in which it does not intersect.
 
+mod budget;
+mod figures;
 mod mesh_output;
+mod recording;
+mod recording_report;
+mod remaining;
 mod report;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use exact_ccd::Separation;
 use exact_ccd_mesh::{Bvh, Frame, IntersectionOptions, Meeting, Point, TriangleMesh, intersections};
@@ -21,6 +25,7 @@ use crate::options::certificate::{Certificate, CertificateOption};
 use crate::options::distances::{self, Distances};
 use crate::text::seconds::Seconds;
 use crate::view::View;
+use budget::Budget;
 use mesh_output::MeshOutput;
 use report::Report;
 
@@ -34,6 +39,9 @@ use report::Report;
 /// The parts of --with are obstacles: they do not move. They may intersect each other
 /// and themselves. --pin names further parts or groups that do not move.
 ///
+/// Of several frames, as of `exact-ccd audit`, the output is a folder with a file for each, of the name
+/// of its source. The straight motion from each frame to the next is certified to be free, too.
+///
 /// Not every mesh can be repaired. A closed surface with one side, as a Klein bottle,
 /// is refused at once; otherwise, the program ends after --max-rounds.
 ///
@@ -42,14 +50,19 @@ use report::Report;
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The mesh. docs/files.md lists the formats.
-    #[arg(value_name = "MESH")]
-    mesh: PathBuf,
+    /// The mesh; or the frames of a recording: mesh files, folders of files of one format, lists of files
+    /// (.pvd, .series), or files of several frames (.npz). docs/files.md lists the formats.
+    #[arg(value_name = "MESH", required = true)]
+    frames: Vec<PathBuf>,
+    /// Keep the order of the files on the command line, whatever their numbers.
+    #[arg(long)]
+    as_given: bool,
     #[command(flatten)]
     scene: AssemblyOptions,
     /// The file of the mesh with its new positions, PLY or OBJ. An OBJ file of an OBJ file is the same
-    /// text with other coordinates; other files have vertices, triangles and loose edges.
-    #[arg(long, short, value_name = "FILE")]
+    /// text with other coordinates; other files have vertices, triangles and loose edges. Of a recording,
+    /// a folder.
+    #[arg(long, short, value_name = "PATH")]
     output: PathBuf,
     /// Reach this distance between all pairs, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = distances::parse, allow_hyphen_values = true)]
@@ -69,7 +82,8 @@ pub(crate) struct Arguments {
     /// End after this time, with the state that was reached. The result depends on the speed of the machine.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     max_seconds: Option<f64>,
-    /// Write the last positions of a mesh that is not repaired. They may intersect.
+    /// Write the last positions of a mesh that is not repaired. They may intersect. Of a recording, write
+    /// the repaired frames, which are free.
     #[arg(long)]
     partial: bool,
     #[command(flatten)]
@@ -85,10 +99,18 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let output = arguments.check_places()?;
     let mut clock = Seconds::begin();
     let mut notes = Notes::default();
-    let mut scene = arguments.open(&mut notes)?;
+    let mut scene = Assembly::of_sequence(
+        &arguments.frames,
+        arguments.as_given,
+        &arguments.scene,
+        &mut notes,
+    )?;
+    if scene.frame_count() > 1 {
+        return arguments.run_recording(scene, notes, clock);
+    }
+    let output = arguments.check_places(&scene)?;
     let distance = arguments.min_distance;
     let certificate = arguments
         .certificate
@@ -124,10 +146,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
 impl Arguments {
     /// Checks the places of the files before anything is computed.
-    fn check_places(&self) -> Result<MeshOutput<'_>, Failure> {
-        let inputs = self.scene.inputs(std::slice::from_ref(&self.mesh));
-        // Without the name of its part.
-        let input = inputs.first().unwrap_or(&self.mesh).clone();
+    fn check_places(&self, scene: &Assembly) -> Result<MeshOutput<'_>, Failure> {
+        let input = scene.frame_file(0).to_owned();
+        let mut inputs = self.scene.inputs(&self.frames);
+        inputs.push(input.clone());
         let output = MeshOutput::new(input, &self.output)?;
         let others = self.view.file().into_iter().chain(self.certificate.file());
         let mut files = vec![self.output.clone()];
@@ -140,19 +162,6 @@ impl Arguments {
         Ok(output)
     }
 
-    /// The scene of the mesh and the obstacles.
-    fn open(&self, notes: &mut Notes) -> Result<Assembly, Failure> {
-        let files = std::slice::from_ref(&self.mesh);
-        let scene = Assembly::of_sequence(files, false, &self.scene, notes)?;
-        match scene.frame_count() {
-            1 => Ok(scene),
-            count => Err(Failure::of(
-                &self.mesh,
-                format_args!("{count} frames, expected one: `repair` changes one mesh, not a motion"),
-            )),
-        }
-    }
-
     /// Repairs the mesh, with the number of rounds as progress.
     fn repair(
         &self,
@@ -161,24 +170,36 @@ impl Arguments {
         pinned: Vec<u32>,
         scene: &Assembly,
     ) -> Result<Outcome, Failure> {
-        let budget = self.max_seconds.map(Duration::try_from_secs_f64).transpose();
-        let budget = budget.map_err(|error| Failure::new(format_args!("--max-seconds: {error}")))?;
-        let began = Instant::now();
+        let budget = self.budget()?;
         let repair = if self.f32 { repair_in_f32 } else { repair };
         let outcome = during(progress::count("rounds"), |progress| {
             let stop = |_: Progress| {
                 progress(1);
-                budget.is_some_and(|budget| began.elapsed() >= budget)
+                budget.stops()
             };
-            let options = RepairOptions::default()
-                .with_min_distance(self.min_distance)
-                .with_pinned(pinned)
-                .with_can_collide(scene.can_collide())
-                .with_max_rounds(self.max_rounds)
-                .with_stop(&stop);
-            repair(mesh, positions, &options)
+            repair(mesh, positions, &self.options(pinned, scene, &stop))
         });
-        outcome.map_err(|error| Failure::of(&self.mesh, error))
+        outcome.map_err(|error| Failure::of(&self.frames[0], error))
+    }
+
+    /// The options of the library. The vertices of obstacles are among the pinned ones.
+    fn options<'a>(
+        &self,
+        pinned: Vec<u32>,
+        scene: &Assembly,
+        stop: &'a (dyn Fn(Progress) -> bool + Sync),
+    ) -> RepairOptions<'a> {
+        RepairOptions::default()
+            .with_min_distance(self.min_distance)
+            .with_pinned(pinned)
+            .with_can_collide(scene.can_collide())
+            .with_max_rounds(self.max_rounds)
+            .with_stop(stop)
+    }
+
+    /// The time of the option `--max-seconds`, from now on.
+    fn budget(&self) -> Result<Budget, Failure> {
+        Budget::begin(self.max_seconds)
     }
 
     /// Writes the page of the mesh before and after, with the edges that pass through faces.
@@ -192,8 +213,7 @@ impl Arguments {
         if self.view.file().is_none() {
             return Ok(());
         }
-        let files = std::slice::from_ref(&self.mesh);
-        let mut page = self.view.recording(files, scene, &[]);
+        let mut page = self.view.recording(&self.frames, scene, &[]);
         let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
         let options = options.with_can_collide(scene.can_collide());
         page.begin(mesh, || ends.into_iter().flatten().copied().collect());

@@ -3,19 +3,17 @@
 use std::fmt;
 
 use exact_ccd_mesh::{Point, TriangleMesh};
-use exact_ccd_repair::{Change, Outcome};
+use exact_ccd_repair::{Outcome, Reason};
 use serde::Serialize;
 
+use super::figures::Figures;
+use super::remaining::{Pairs, Remaining};
 use crate::assembly::{Assembly, Summary};
-use crate::contacts::ContactRecord;
 use crate::messages::notes::Notes;
 use crate::options::distances::Distances;
 use crate::text::json::to_json;
 use crate::text::numbers::shortest;
 use crate::text::seconds::Seconds;
-
-/// The number of pairs that a text names.
-const NAMED: usize = 5;
 
 /// The answer, in the shape of the JSON object.
 #[derive(Serialize)]
@@ -35,49 +33,14 @@ pub(super) struct Report {
     before: Option<Pairs>,
     /// The pairs after.
     after: Pairs,
-    /// The first edges that pass through faces after.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    crossings: Vec<String>,
+    #[serde(flatten)]
+    remaining: Remaining,
     #[serde(skip_serializing_if = "Option::is_none")]
     change: Option<Figures>,
     /// The file that was written.
     pub(super) output: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) seconds: Option<Seconds>,
-}
-
-/// The numbers of pairs that are not free.
-#[derive(Clone, Copy, Default, Serialize)]
-struct Pairs {
-    /// The edges that pass through faces.
-    crossings: usize,
-    /// The pairs that touch, or are within the minimum distance.
-    contacts: usize,
-}
-
-/// The change of the mesh. Displacements are relative to the diagonal of its box.
-#[derive(Serialize)]
-struct Figures {
-    moved: usize,
-    vertices: usize,
-    displacement: Displacement,
-    stretch: Stretch,
-}
-
-#[derive(Serialize)]
-struct Displacement {
-    mean: f64,
-    p95: f64,
-    max: f64,
-}
-
-/// The lengths of edges, relative to those before.
-#[derive(Serialize)]
-struct Stretch {
-    min: f64,
-    p5: f64,
-    p95: f64,
-    max: f64,
 }
 
 impl Report {
@@ -91,7 +54,7 @@ impl Report {
             reason: None,
             before: None,
             after: Pairs::default(),
-            crossings: Vec::new(),
+            remaining: Remaining::default(),
             change: None,
             output: None,
             seconds: None,
@@ -124,17 +87,10 @@ impl Report {
                 self.change = Some(Figures::new(&repaired.change, before.len()));
             }
             Outcome::Unrepaired(unrepaired) => {
-                self.reason = Some(unrepaired.reason.to_string());
-                self.after = Pairs {
-                    crossings: unrepaired.crossings.len(),
-                    contacts: unrepaired.contacts.len(),
-                };
-                let named = unrepaired.crossings.iter().take(NAMED);
-                let name = |&crossing| {
-                    let record = ContactRecord::of_intersection(0, mesh, &unrepaired.positions, crossing);
-                    scene.in_file(record).to_string()
-                };
-                self.crossings = named.map(name).collect();
+                self.reason = Some(reason(scene, mesh, unrepaired.reason));
+                let (crossings, contacts) = (&unrepaired.crossings, &unrepaired.contacts);
+                self.after = Pairs::of(crossings, contacts);
+                self.remaining = Remaining::new(scene, mesh, crossings, contacts);
             }
         }
     }
@@ -159,23 +115,15 @@ impl Report {
     }
 }
 
-impl Figures {
-    fn new(change: &Change, vertices: usize) -> Self {
-        Self {
-            moved: change.moved,
-            vertices,
-            displacement: Displacement {
-                mean: change.mean_displacement,
-                p95: change.p95_displacement,
-                max: change.max_displacement,
-            },
-            stretch: Stretch {
-                min: change.min_stretch,
-                p5: change.p5_stretch,
-                p95: change.p95_stretch,
-                max: change.max_stretch,
-            },
-        }
+/// The reason why a mesh is not repaired, with the names of its bodies.
+fn reason(scene: &Assembly, mesh: &TriangleMesh, reason: Reason) -> String {
+    match reason {
+        Reason::OneSided { face } => format!(
+            "{} is part of a closed surface that has only one side, as a Klein bottle: such a surface has no positions \
+             without intersections",
+            scene.face_name(mesh, face)
+        ),
+        reason => reason.to_string(),
     }
 }
 
@@ -190,16 +138,6 @@ fn largest_displacement(before: &[Point], after: &[Point]) -> (usize, f64) {
     (vertex, largest * (1.0 + 8.0 * f64::EPSILON))
 }
 
-impl fmt::Display for Pairs {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} of an edge that passes through a face, {} in contact",
-            self.crossings, self.contacts
-        )
-    }
-}
-
 /// The text on a terminal.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -211,26 +149,9 @@ impl fmt::Display for Report {
         if !self.repaired && self.change.is_none() {
             writeln!(f, "pairs that remain: {}", self.after)?;
         }
-        for crossing in &self.crossings {
-            writeln!(f, "  {crossing}")?;
-        }
-        if let Some(Figures {
-            moved,
-            vertices,
-            displacement: Displacement { mean, p95, max },
-            stretch,
-        }) = &self.change
-        {
-            writeln!(
-                f,
-                "moved: {moved} of {vertices} vertices, by {mean:.5} of the diagonal in the mean, {p95:.5} in 95 % of them at \
-                 most, {max:.5} at most"
-            )?;
-            let Stretch { min, p5, p95, max } = stretch;
-            writeln!(
-                f,
-                "lengths of edges: {min:.3} to {max:.3} of those before, {p5:.3} to {p95:.3} in 90 % of them"
-            )?;
+        write!(f, "{}", self.remaining)?;
+        if let Some(change) = &self.change {
+            write!(f, "{change}")?;
         }
         if let Some(output) = &self.output {
             writeln!(f, "written: {output}")?;

@@ -1,5 +1,8 @@
 //! `exact-ccd audit`: the contacts of a mesh in a sequence of frames.
 
+mod bodies;
+mod pose_table;
+
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -38,6 +41,9 @@ use crate::view::Recording;
 /// contact. On the straight line from one time step to the next, as in DIR/frames, parts that turn
 /// around each other may touch.
 ///
+/// With --poses, the files are rigid bodies, which turn and translate from pose to pose. The motion is
+/// decided exactly, on its curves.
+///
 /// All ids count from 0. Exit status: 0 free, 1 violation, 2 error, 3 if some pairs have no
 /// certificate.
 #[derive(clap::Args)]
@@ -50,11 +56,27 @@ pub(crate) struct Arguments {
     /// Keep the order of the files on the command line, whatever their numbers.
     #[arg(long)]
     as_given: bool,
+    /// Examine rigid bodies: each file is one of them, and has its coordinates. Their poses are in this CSV
+    /// file, with the header frame,body,x,y,z,qw,qx,qy,qz: frames from 0 on, in order; the name of the file
+    /// of the body, without folder and extension; the place of its origin; and its quaternion, scalar first,
+    /// of any length. From pose to pose, a body turns the shorter way.
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = [
+            "as_given", "others", "ignore", "only", "weld", "faces_only", "points", "positions", "faces",
+            "half_space", "all", "paraview", "view", "view_up", "certificate"
+        ]
+    )]
+    poses: Option<PathBuf>,
     #[command(flatten)]
     mesh: MeshArguments,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    if let Some(poses) = &arguments.poses {
+        return bodies::run(&arguments.frames, poses, &arguments.mesh);
+    }
     let mut run = Run::begin(arguments)?;
     let count = run.scene.frame_count();
     during(progress::bar(count, "frames"), |progress| {
