@@ -22,6 +22,7 @@ mod positions;
 #[cfg(feature = "program")]
 mod program;
 mod queries;
+mod repair;
 mod search;
 
 use pyo3::prelude::*;
@@ -53,4 +54,6 @@ mod _native {
     use crate::program::main;
     #[pymodule_export]
     use crate::queries::{collides, impact, intervals, time_and_count, time_of_impact};
+    #[pymodule_export]
+    use crate::repair::repair;
 }

@@ -3,7 +3,7 @@
 - :class:`Queries` are pairs of primitives in motion, in numpy arrays, and answer many at a time.
 - A :class:`Detector` finds the contacts of a whole :class:`Mesh` in a step, and certifies the step that a
   solver can take; :class:`Worlds` do so for many positions of one mesh at a time. :func:`audit` certifies a
-  sequence of frames.
+  sequence of frames, and :func:`repair` moves vertices of a mesh that intersects itself.
 - :func:`answer_table` answers the queries in a table of Arrow; :mod:`exact_ccd.ray` distributes large tables
   and long recordings over many machines.
 - :mod:`exact_ccd.ipc` has functions of ipctk, with the same arguments.
@@ -16,6 +16,7 @@ from .detectors import Detector, Progress
 from .groups import CanCollide, Place
 from .meshes import Mesh, MeshFile, read_mesh
 from .queries import IMPACT, Intervals, Kind, Queries
+from .repairs import Change, Repair, RepairProgress, repair
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
 from .violations import AuditReport, Violation
@@ -28,6 +29,7 @@ __all__ = [
     "Answer",
     "AuditReport",
     "CanCollide",
+    "Change",
     "Contact",
     "Contacts",
     "CrossingError",
@@ -43,6 +45,8 @@ __all__ = [
     "Place",
     "Progress",
     "Queries",
+    "Repair",
+    "RepairProgress",
     "StepReport",
     "StepReports",
     "UncertifiedError",
@@ -53,4 +57,5 @@ __all__ = [
     "answer_table",
     "audit",
     "read_mesh",
+    "repair",
 ]

@@ -1,7 +1,7 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Optional, Union, final
+from typing import Any, Literal, Optional, Union, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,9 @@ _Queries = tuple[int, _Positions, _Positions, Optional[_Integers]]
 _Settings = tuple[float, float, Optional[int]]
 _PairColumns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64]]
 _Columns = tuple[NDArray[np.int64], _PairColumns, _Floats, _Floats]
+_Phase = Literal["loosen", "separate", "return"]
+_Reason = Literal["pinned", "one-sided", "rounds", "rounding", "stopped", "other"]
+
 
 __all__ = [
     "KINDS",
@@ -35,6 +38,7 @@ __all__ = [
     "overlaps",
     "parse_mesh",
     "read_mesh",
+    "repair",
     "time_and_count",
     "time_of_impact",
 ]
@@ -69,6 +73,21 @@ def read_mesh(path: _Path) -> tuple[_Floats, _Integers, _Integers]: ...
 def parse_mesh(contents: bytes, name: _Path) -> tuple[_Floats, _Integers, _Integers]: ...
 def mesh_format(path: _Path) -> Optional[str]: ...
 def in_order(paths: Sequence[_Path]) -> list[Path]: ...
+def repair(
+    mesh: Mesh,
+    positions: _Positions,
+    pinned: _Integers,
+    single: bool,
+    settings: tuple[float, int, Optional[float], Optional[int]],
+    stop: Optional[Callable[[_Phase, int, int], object]],
+) -> tuple[
+    _Floats,
+    Optional[tuple[int, int]],
+    Optional[tuple[_Reason, str]],
+    _Integers,
+    _PairColumns,
+    Optional[dict[str, Any]],
+]: ...
 @final
 class FrameSequence:
     def __new__(cls, path: _Path) -> FrameSequence: ...
