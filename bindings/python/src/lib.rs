@@ -4,6 +4,7 @@
 //! interpreter lock.
 
 mod batch;
+mod bodies;
 mod broad_phase;
 mod compute;
 mod contacts;
@@ -35,6 +36,8 @@ mod _native {
     const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     const KINDS: [(&str, usize); exact_ccd::AnyKind::ALL.len()] = crate::kind::KINDS;
+    #[pymodule_export]
+    use crate::bodies::Bodies;
     #[pymodule_export]
     use crate::detector::Detector;
     #[pymodule_export]

@@ -4,6 +4,7 @@
 - A :class:`Detector` finds the contacts of a whole :class:`Mesh` in a step, and certifies the step that a
   solver can take; :class:`Worlds` do so for many positions of one mesh at a time. :func:`audit` certifies a
   sequence of frames, and :func:`repair` moves vertices of a mesh that intersects itself.
+- :class:`Bodies` are rigid, and turn: contact is exact on their curved paths.
 - :func:`answer_table` answers the queries in a table of Arrow; :mod:`exact_ccd.ray` distributes large tables
   and long recordings over many machines.
 - :mod:`exact_ccd.ipc` has functions of ipctk, with the same arguments.
@@ -11,10 +12,12 @@
 
 from ._native import CrossingError, UncertifiedError, __version__
 from .audits import audit
+from .bodies import BODY_CONTACT, Bodies, BodiesReport, BodyContact, FreePoses
 from .contacts import CONTACT, PAIR, Contact
 from .detectors import Detector, Progress
 from .groups import CanCollide, Place
 from .meshes import Mesh, MeshFile, read_mesh
+from .poses import NearestPoses, nearest_poses
 from .queries import IMPACT, Intervals, Kind, Queries
 from .repairs import Change, Repair, RepairProgress, repair
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
@@ -23,11 +26,15 @@ from .violations import AuditReport, Violation
 from .worlds import Contacts, StepReports, WorldFreeSteps, Worlds
 
 __all__ = [
+    "BODY_CONTACT",
     "CONTACT",
     "IMPACT",
     "PAIR",
     "Answer",
     "AuditReport",
+    "Bodies",
+    "BodiesReport",
+    "BodyContact",
     "CanCollide",
     "Change",
     "Contact",
@@ -35,12 +42,14 @@ __all__ = [
     "CrossingError",
     "Detector",
     "FirstContacts",
+    "FreePoses",
     "FreeStep",
     "FreeSteps",
     "Intervals",
     "Kind",
     "Mesh",
     "MeshFile",
+    "NearestPoses",
     "PairCounts",
     "Place",
     "Progress",
@@ -56,6 +65,7 @@ __all__ = [
     "__version__",
     "answer_table",
     "audit",
+    "nearest_poses",
     "read_mesh",
     "repair",
 ]

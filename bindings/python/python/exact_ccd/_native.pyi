@@ -17,9 +17,11 @@ _Columns = tuple[NDArray[np.int64], _PairColumns, _Floats, _Floats]
 _Phase = Literal["loosen", "separate", "return"]
 _Reason = Literal["pinned", "one-sided", "rounds", "rounding", "stopped", "other"]
 
+_BodyColumns = tuple[NDArray[np.uint8], NDArray[np.int64], _Integers, _Floats]
 
 __all__ = [
     "KINDS",
+    "Bodies",
     "CrossingError",
     "Detector",
     "FrameSequence",
@@ -162,3 +164,18 @@ class Detector:
     def intersections(self, x: _Positions, crossing: bool) -> _Integers: ...
     def show_intersections(self, page: Page, x: _Positions) -> None: ...
     def show_contacts(self, page: Page, x0: _Positions, x1: _Positions, all: bool) -> None: ...
+
+@final
+class Bodies:
+    def __new__(
+        cls,
+        meshes: Sequence[tuple[Mesh, _Floats]],
+        matrix: Optional[NDArray[np.bool_]],
+        min_distance: float,
+        threads: Optional[int],
+    ) -> Bodies: ...
+    def collides(self, poses0: _Floats, poses1: _Floats, until: float) -> bool: ...
+    def collision(self, poses0: _Floats, poses1: _Floats, until: float) -> _BodyColumns: ...
+    def collisions(self, poses0: _Floats, poses1: _Floats, until: float) -> _BodyColumns: ...
+    def step(self, poses0: _Floats, poses1: _Floats) -> tuple[list[list[int]], _BodyColumns]: ...
+    def free_step(self, poses0: _Floats, poses1: _Floats, keep: float) -> tuple[float, _Floats, _BodyColumns]: ...
