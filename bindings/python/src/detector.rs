@@ -343,6 +343,6 @@ impl Detector {
     }
 }
 
-fn by_kind(counts: PairCounts) -> [i64; AnyKind::ALL.len()] {
+pub(crate) fn by_kind(counts: PairCounts) -> [i64; AnyKind::ALL.len()] {
     from_fn(|number| counts[AnyKind::ALL[number]] as i64)
 }

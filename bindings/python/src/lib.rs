@@ -4,6 +4,7 @@
 //! interpreter lock.
 
 mod batch;
+mod bodies;
 mod broad_phase;
 mod compute;
 mod contacts;
@@ -22,6 +23,7 @@ mod positions;
 #[cfg(feature = "program")]
 mod program;
 mod queries;
+mod repair;
 mod search;
 
 use pyo3::prelude::*;
@@ -34,6 +36,8 @@ mod _native {
     const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     const KINDS: [(&str, usize); exact_ccd::AnyKind::ALL.len()] = crate::kind::KINDS;
+    #[pymodule_export]
+    use crate::bodies::Bodies;
     #[pymodule_export]
     use crate::detector::Detector;
     #[pymodule_export]
@@ -53,4 +57,6 @@ mod _native {
     use crate::program::main;
     #[pymodule_export]
     use crate::queries::{collides, impact, intervals, time_and_count, time_of_impact};
+    #[pymodule_export]
+    use crate::repair::repair;
 }

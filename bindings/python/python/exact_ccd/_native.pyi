@@ -1,7 +1,7 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Optional, Union, final
+from typing import Any, Literal, Optional, Union, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +14,14 @@ _Queries = tuple[int, _Positions, _Positions, Optional[_Integers]]
 _Settings = tuple[float, float, Optional[int]]
 _PairColumns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64]]
 _Columns = tuple[NDArray[np.int64], _PairColumns, _Floats, _Floats]
+_Phase = Literal["loosen", "separate", "return", "follow"]
+_Reason = Literal["pinned", "one-sided", "rounds", "rounding", "stopped", "other"]
+
+_BodyColumns = tuple[NDArray[np.uint8], NDArray[np.int64], _Integers, _Floats]
 
 __all__ = [
     "KINDS",
+    "Bodies",
     "CrossingError",
     "Detector",
     "FrameSequence",
@@ -35,6 +40,7 @@ __all__ = [
     "overlaps",
     "parse_mesh",
     "read_mesh",
+    "repair",
     "time_and_count",
     "time_of_impact",
 ]
@@ -69,6 +75,21 @@ def read_mesh(path: _Path) -> tuple[_Floats, _Integers, _Integers]: ...
 def parse_mesh(contents: bytes, name: _Path) -> tuple[_Floats, _Integers, _Integers]: ...
 def mesh_format(path: _Path) -> Optional[str]: ...
 def in_order(paths: Sequence[_Path]) -> list[Path]: ...
+def repair(
+    mesh: Mesh,
+    positions: _Positions,
+    pinned: _Integers,
+    single: bool,
+    settings: tuple[float, int, Optional[float], Optional[int]],
+    stop: Optional[Callable[[_Phase, int, int], object]],
+) -> tuple[
+    _Floats,
+    Optional[tuple[int, int]],
+    Optional[tuple[_Reason, str]],
+    _Integers,
+    _PairColumns,
+    Optional[dict[str, Any]],
+]: ...
 @final
 class FrameSequence:
     def __new__(cls, path: _Path) -> FrameSequence: ...
@@ -143,3 +164,18 @@ class Detector:
     def intersections(self, x: _Positions, crossing: bool) -> _Integers: ...
     def show_intersections(self, page: Page, x: _Positions) -> None: ...
     def show_contacts(self, page: Page, x0: _Positions, x1: _Positions, all: bool) -> None: ...
+
+@final
+class Bodies:
+    def __new__(
+        cls,
+        meshes: Sequence[tuple[Mesh, _Floats]],
+        matrix: Optional[NDArray[np.bool_]],
+        min_distance: float,
+        threads: Optional[int],
+    ) -> Bodies: ...
+    def collides(self, poses0: _Floats, poses1: _Floats, until: float) -> bool: ...
+    def collision(self, poses0: _Floats, poses1: _Floats, until: float) -> _BodyColumns: ...
+    def collisions(self, poses0: _Floats, poses1: _Floats, until: float) -> _BodyColumns: ...
+    def step(self, poses0: _Floats, poses1: _Floats) -> tuple[list[list[int]], _BodyColumns]: ...
+    def free_step(self, poses0: _Floats, poses1: _Floats, keep: float) -> tuple[float, _Floats, _BodyColumns]: ...
