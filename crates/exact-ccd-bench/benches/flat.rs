@@ -8,6 +8,10 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
+#[path = "../../exact-ccd/tests/flat/general.rs"]
+mod general;
+#[path = "../../exact-ccd/tests/flat/random.rs"]
+mod random;
 #[path = "../../exact-ccd/tests/flat/scenes.rs"]
 mod scenes;
 
@@ -22,6 +26,7 @@ use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Bvh, Candidates, Detector, Frame, Step, StepReport, TriangleMesh};
 use rayon::ThreadPoolBuilder;
 
+use general::general_scenes;
 use scenes::{Scene, scenes};
 
 const ROUNDS: usize = 5;
@@ -32,14 +37,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .skip(1)
         .find(|argument| !argument.starts_with('-'));
     if let Some(folder) = folder {
-        for scene in scenes(1) {
-            write(Path::new(&folder), &scene)?;
+        for scene in scenes(1).iter().chain(&general_scenes(1)) {
+            write(Path::new(&folder), scene)?;
         }
         return Ok(());
     }
     ThreadPoolBuilder::new().num_threads(1).build_global()?;
     let scenes: Vec<(Scene, TriangleMesh)> = scenes(1)
         .into_iter()
+        .chain(general_scenes(1))
         .map(|scene| {
             let mesh = TriangleMesh::new(scene.ends[0].len(), scene.faces.clone());
             (scene, mesh.expect("the faces have vertices"))

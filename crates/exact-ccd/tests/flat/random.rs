@@ -19,7 +19,7 @@ impl Random {
     }
 
     /// An integer from 0 to n − 1.
-    fn below(&mut self, n: u64) -> usize {
+    pub(crate) fn below(&mut self, n: u64) -> usize {
         (self.bits() % n) as usize
     }
 

@@ -1,0 +1,67 @@
+//! The common root of a quadratic and another polynomial, by their resultant.
+
+use super::dyadic::Dyadic;
+use super::length::{LongArea, Volume};
+use super::wide::Wide;
+use super::window::{linear_sign_at, quadratic_sign_at};
+
+/// A quadratic q₀ (1−t)² + q₁ (1−t) t + q₂ t².
+pub(super) type Quadratic = [LongArea; 3];
+
+/// An integer of 1792 bits.
+///
+/// [Areas](super::length::Length) are below 2²⁵¹ and volumes below 2³⁷⁸. So coefficients of [`reduced`] cubics
+/// are below 2⁶³⁰, their minors with areas below 2⁸⁸², and a resultant below 2¹⁷⁶⁵.
+type Integer = Wide<28>;
+
+/// Returns true if a quadratic certainly vanishes at the only root of another one in a bracket.
+pub(super) fn vanishes_at_quadratic_root(
+    quadratic: &Quadratic,
+    other: &Quadratic,
+    bracket: [Dyadic; 2],
+) -> bool {
+    have_common_root(quadratic, &other.map(Wide::widened), bracket)
+}
+
+/// Returns true if a quadratic certainly vanishes at the only root of a cubic in a bracket.
+pub(super) fn vanishes_at_cubic_root(
+    quadratic: &Quadratic,
+    cubic: &[Volume; 4],
+    bracket: [Dyadic; 2],
+) -> bool {
+    reduced(cubic, quadratic).is_some_and(|other| have_common_root(quadratic, &other, bracket))
+}
+
+/// Returns true if two quadratics q and r certainly have a common root strictly inside a bracket.
+///
+/// They have a common root exactly if their resultant (q₀ r₂ − q₂ r₀)² − (q₀ r₁ − q₁ r₀) (q₁ r₂ − q₂ r₁) is zero.
+/// If they are no multiples of each other, they have one common root: the zero of (q₀ r − r₀ q) / t, which is
+/// (q₀ r₁ − q₁ r₀) (1−t) + (q₀ r₂ − q₂ r₀) t. Otherwise, a root of q is one of r.
+fn have_common_root(quadratic: &Quadratic, other: &[Integer; 3], bracket: [Dyadic; 2]) -> bool {
+    let [q0, q1, q2] = quadratic.map(Wide::widened);
+    let &[r0, r1, r2] = other;
+    let minors @ [first, outer, last] = [q0 * r1 - q1 * r0, q0 * r2 - q2 * r0, q1 * r2 - q2 * r1];
+    let signs = if minors.iter().all(Wide::is_zero) {
+        bracket.map(|time| quadratic_sign_at(*quadratic, time.into()))
+    } else if (outer * outer - first * last).is_zero() {
+        bracket.map(|time| linear_sign_at(&[first, outer], time.into()))
+    } else {
+        return false;
+    };
+    let [low, high] = signs;
+    low.is_ne() && low.reverse() == high
+}
+
+/// A quadratic that has the common roots of a cubic and a quadratic in common with the latter, and no others
+/// inside the step: (q₂ (1−t) c − c₃ t q) / (1−t)², or the mirror image if q₂ is zero.
+fn reduced([c0, c1, c2, c3]: &[Volume; 4], quadratic: &Quadratic) -> Option<[Integer; 3]> {
+    let [c0, c1, c2, c3] = [c0, c1, c2, c3].map(|c| c.widened());
+    let [q0, q1, q2] = quadratic.map(Wide::widened);
+    if !q2.is_zero() {
+        Some([q2 * c0, q2 * c1 - c3 * q0, q2 * c2 - c3 * q1])
+    } else if !q0.is_zero() {
+        Some([q0 * c1 - c0 * q1, q0 * c2 - c0 * q2, q0 * c3])
+    } else {
+        None
+    }
+}
