@@ -2,6 +2,7 @@
 
 #![no_main]
 
+// The C interface alone has these calls; a crate of their own would be longer than they are.
 #[path = "../../bindings/c/tests/calls/calls.rs"]
 mod calls;
 

@@ -3,37 +3,19 @@
 
 #![no_main]
 
-#[path = "../../crates/exact-ccd/tests/queries/generators/changes.rs"]
-mod changes;
-#[path = "../../crates/exact-ccd/tests/queries/generators/contacts.rs"]
-mod contacts;
-#[path = "../../crates/exact-ccd-methods/tests/parity/expected/mod.rs"]
-mod expected;
-#[path = "../../crates/exact-ccd/tests/queries/kinds.rs"]
-mod kinds;
-#[path = "../../crates/exact-ccd/tests/queries/laws.rs"]
-mod laws;
-#[path = "../../crates/exact-ccd-methods/tests/parity/laws.rs"]
-#[allow(dead_code, reason = "the tests in which it stands need more of it")]
-mod parity_laws;
-#[path = "../../crates/exact-ccd/tests/queries/primitives.rs"]
-#[allow(dead_code, reason = "the oracles in the tests need more of it")]
-mod primitives;
-#[path = "../../crates/exact-ccd/tests/queries/symmetry.rs"]
-mod symmetry;
-
 use arbitrary::{Result, Unstructured};
 use exact_ccd::{EdgeEdge, Separation, VertexFace};
 use exact_ccd_fuzz::coordinate;
 use exact_ccd_methods::parity::Rounded;
 use libfuzzer_sys::fuzz_target;
 
-use changes::{Change, nudge, scaled};
-use contacts::{grazing, touching};
-use expected::Rim;
-use kinds::Renamed;
-use primitives::{Points, Primitives};
-use symmetry::Symmetry;
+use exact_ccd_testing::changes::{Change, nudge, scaled};
+use exact_ccd_testing::contacts::{grazing, touching};
+use exact_ccd_testing::kinds::{self, Renamed};
+use exact_ccd_testing::laws;
+use exact_ccd_testing::parity::{self, Rim};
+use exact_ccd_testing::primitives::{Points, Primitives};
+use exact_ccd_testing::symmetry::{self, Symmetry};
 
 fuzz_target!(|bytes: &[u8]| {
     // Too few bytes do not make a query.
@@ -75,7 +57,7 @@ fn check_kind<K: Primitives + Renamed + Rim>(recipe: &Recipe, symmetry: &Symmetr
         let query = kinds::query::<K>(&points);
         laws::checked(&query, Separation::ZERO);
         if let Ok(rounded) = Rounded::shift(&query) {
-            parity_laws::assert_defined(&rounded);
+            parity::laws::assert_defined(&rounded);
         }
         symmetry::assert_symmetric::<K>(&points, Separation::ZERO, symmetry);
         laws::assert_reversible(&query, Separation::ZERO);

@@ -8,7 +8,8 @@ use std::sync::LazyLock;
 
 use arbitrary::{Result, Unstructured};
 use exact_ccd_fuzz::file;
-use exact_ccd_scene::{Scene, SceneError, import};
+use exact_ccd_import::import;
+use exact_ccd_scene::{Scene, SceneError};
 use exact_ccd_sim::{Settings, StepFilter, System};
 use libfuzzer_sys::fuzz_target;
 

@@ -3,16 +3,10 @@
 
 #![no_main]
 
-#[path = "../../crates/exact-ccd/tests/queries/kinds.rs"]
-#[allow(dead_code, reason = "the tests in which it stands need more of it")]
-mod kinds;
-#[path = "../../crates/exact-ccd/tests/queries/laws.rs"]
-#[allow(dead_code, reason = "the tests in which it stands need more of it")]
-mod laws;
-
 use arbitrary::{Result, Unstructured};
 use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_fuzz::coordinate;
+use exact_ccd_testing::laws;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

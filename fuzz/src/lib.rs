@@ -1,12 +1,9 @@
 //! Inputs of the targets from bytes: values of a small alphabet of special cases, and raw bits.
 
-#[path = "../../crates/exact-ccd/tests/queries/generators/alphabet.rs"]
-mod alphabet;
-
 use arbitrary::{Result, Unstructured};
 use exact_ccd::Point;
 
-use alphabet::ALPHABET;
+use exact_ccd_testing::alphabet::ALPHABET;
 
 /// A small integer, a number at which floating-point arithmetic goes wrong, or any f64, which may be
 /// infinite or NaN.

@@ -8,13 +8,6 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
-#[path = "../../exact-ccd/tests/flat/general.rs"]
-mod general;
-#[path = "../../exact-ccd/tests/flat/random.rs"]
-mod random;
-#[path = "../../exact-ccd/tests/flat/scenes.rs"]
-mod scenes;
-
 use std::fs::{self, File};
 use std::hint::black_box;
 use std::path::Path;
@@ -26,8 +19,8 @@ use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Bvh, Candidates, Detector, Frame, Step, StepReport, TriangleMesh};
 use rayon::ThreadPoolBuilder;
 
-use general::general_scenes;
-use scenes::{Scene, scenes};
+use exact_ccd_testing::meshes::flat::{Scene, scenes};
+use exact_ccd_testing::meshes::general::general_scenes;
 
 const ROUNDS: usize = 5;
 const SAMPLE: usize = 20_000;

@@ -15,11 +15,6 @@
 
 #![expect(missing_docs, unused_qualifications, reason = "code of the macros")]
 
-#[path = "../examples/scaling/cloth.rs"]
-mod cloth;
-#[path = "queries/of_cloth.rs"]
-mod of_cloth;
-
 use std::hint::black_box;
 use std::marker::PhantomData;
 
@@ -28,7 +23,7 @@ use exact_ccd::{CONTACT, EdgeEdge, Kind, Query, VertexFace};
 use exact_ccd_mesh::Step;
 use gungraun::{library_benchmark, library_benchmark_group, main};
 
-use crate::cloth::Cloth;
+use exact_ccd_bench::cloth::{self as of_cloth, Cloth};
 
 /// The number of queries in each benchmark.
 const QUERIES: usize = 1000;

@@ -9,19 +9,12 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
-#[path = "../../exact-ccd/tests/hard_cases/mod.rs"]
-#[allow(dead_code, reason = "the test target `hard_cases` needs more of it")]
-mod hard_cases;
-#[path = "../../exact-ccd/tests/queries/primitives.rs"]
-#[allow(dead_code, reason = "the test target `queries` needs more of it")]
-mod primitives;
-
 use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_bench::nanoseconds;
 
-use hard_cases::extremes::families;
-use hard_cases::hard::Hard;
-use hard_cases::{Family, coincident, queries};
+use exact_ccd_testing::hard_cases::extremes::families;
+use exact_ccd_testing::hard_cases::hard::Hard;
+use exact_ccd_testing::hard_cases::{Family, coincident, queries};
 
 /// The answers that are timed.
 const ANSWERS: [&str; 4] = ["collides", "time_of_impact", "intervals", "impact"];

@@ -1,4 +1,6 @@
-//! Times of tasks, and the figures of many.
+//! Times of tasks, and the figures of many; the cloth of several benchmarks.
+
+pub mod cloth;
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -2,7 +2,7 @@
 
 use clap::{Arg, ArgMatches};
 
-use crate::failure::Failure;
+use crate::messages::failure::Failure;
 
 /// A command, its feature, and the summary in the help.
 type Optional = (&'static str, &'static str, &'static str);

@@ -2,53 +2,27 @@
 //!
 //! The program itself and the Python package call it.
 
-mod audit;
-#[cfg(feature = "queries")]
-mod bench;
-mod certificate;
+mod assembly;
+mod commands;
 mod contacts;
-#[cfg(feature = "queries")]
-mod convert;
-#[cfg(feature = "simulate")]
-mod curves;
-mod distances;
-#[cfg(feature = "full")]
-mod documents;
-mod failure;
-mod half_spaces;
-mod impact_files;
-#[cfg(feature = "simulate")]
-mod import;
-mod inputs;
-mod json;
+mod files;
 mod left_out;
-mod mesh_arguments;
-mod notes;
-mod output;
-mod progress;
+mod messages;
+mod motion;
+mod options;
 #[cfg(feature = "queries")]
-mod queries;
-#[cfg(feature = "repair")]
-mod repair;
-mod report;
-#[cfg(feature = "queries")]
-mod round;
-mod scene;
-mod seconds;
-mod shortest;
-#[cfg(feature = "simulate")]
-mod simulate;
-mod step;
-mod timed;
+mod query_files;
+mod text;
 mod view;
 
 use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, value_parser};
+use clap::{CommandFactory, FromArgMatches, Parser, value_parser};
 
-use failure::Failure;
+use commands::Command;
+use messages::failure::Failure;
 
 /// Detect the collisions of moving triangle meshes, exactly: if they touch, and when first.
 #[derive(Parser)]
@@ -59,30 +33,6 @@ struct Program {
     threads: Option<u16>,
     #[command(subcommand)]
     command: Command,
-}
-
-#[derive(Subcommand)]
-enum Command {
-    Step(step::Arguments),
-    Audit(audit::Arguments),
-    #[cfg(feature = "repair")]
-    Repair(repair::Arguments),
-    #[cfg(feature = "queries")]
-    Queries(queries::Arguments),
-    #[cfg(feature = "queries")]
-    Round(round::Arguments),
-    #[cfg(feature = "queries")]
-    Convert(convert::Arguments),
-    #[cfg(feature = "queries")]
-    Bench(bench::Arguments),
-    #[cfg(feature = "simulate")]
-    Simulate(simulate::Arguments),
-    #[cfg(feature = "simulate")]
-    Import(import::Arguments),
-    #[cfg(feature = "full")]
-    Completions(documents::Completions),
-    #[cfg(feature = "full")]
-    Man(documents::Manual),
 }
 
 /// Runs the program with these arguments. The first one is its name.
@@ -118,10 +68,6 @@ fn run_program(arguments: Vec<OsString>, is_process: bool) -> ExitCode {
 
 /// Runs a command on threads of its own, which end with it: a process may run several, one after the other
 /// or at the same time.
-#[cfg_attr(
-    not(feature = "simulate"),
-    expect(unused_variables, reason = "only a simulation continues")
-)]
 fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
     // 0 stands for the number of cores.
     let threads = program.threads.unwrap_or(0);
@@ -129,26 +75,5 @@ fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Fail
         .num_threads(threads.into())
         .build()
         .map_err(|error| Failure::new(format_args!("cannot start the threads: {error}")))?;
-    pool.install(|| match &program.command {
-        Command::Step(arguments) => step::run(arguments),
-        Command::Audit(arguments) => audit::run(arguments),
-        #[cfg(feature = "repair")]
-        Command::Repair(arguments) => repair::run(arguments),
-        #[cfg(feature = "queries")]
-        Command::Queries(arguments) => queries::run(arguments),
-        #[cfg(feature = "queries")]
-        Command::Round(arguments) => round::run(arguments),
-        #[cfg(feature = "queries")]
-        Command::Convert(arguments) => convert::run(arguments),
-        #[cfg(feature = "queries")]
-        Command::Bench(arguments) => bench::run(arguments),
-        #[cfg(feature = "simulate")]
-        Command::Simulate(arguments) => simulate::run(arguments, command),
-        #[cfg(feature = "simulate")]
-        Command::Import(arguments) => import::run(arguments),
-        #[cfg(feature = "full")]
-        Command::Completions(arguments) => documents::complete(arguments, Program::command()),
-        #[cfg(feature = "full")]
-        Command::Man(arguments) => documents::manual(arguments, Program::command()),
-    })
+    pool.install(|| program.command.run(Program::command, command))
 }

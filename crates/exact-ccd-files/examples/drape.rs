@@ -7,21 +7,20 @@
 //! cargo run --release --example drape -p exact-ccd-files -- [FOLDER]
 //! ```
 
-#[path = "../../exact-ccd-mesh/tests/meshes/drape.rs"]
-mod drape;
-
 use std::error::Error;
 use std::fs::File;
 use std::path::PathBuf;
 
 use exact_ccd_files::write_ply;
+use exact_ccd_mesh::Frame;
+use exact_ccd_testing::meshes::drape;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args_os()
         .nth(1)
         .map_or_else(|| PathBuf::from("examples"), PathBuf::from);
-    for (name, frame) in drape::frames()? {
-        write_ply(File::create(folder.join(name))?, &frame)?;
+    for (name, (positions, faces)) in drape::frames() {
+        write_ply(File::create(folder.join(name))?, &Frame::new(positions, faces)?)?;
     }
     Ok(())
 }
@@ -31,9 +30,8 @@ mod tests {
     use std::path::{Path, PathBuf};
 
     use exact_ccd_files::{read_motion, write_ply};
-    use exact_ccd_mesh::{Bvh, StepReport};
-
-    use super::drape::frames;
+    use exact_ccd_mesh::{Bvh, Frame, StepReport};
+    use exact_ccd_testing::meshes::drape::frames;
 
     fn committed(name: &str) -> PathBuf {
         Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -48,9 +46,9 @@ mod tests {
 
     #[test]
     fn the_committed_files_are_the_generated_ones() {
-        for (name, frame) in frames().unwrap() {
+        for (name, (positions, faces)) in frames() {
             let mut generated = Vec::new();
-            write_ply(&mut generated, &frame).unwrap();
+            write_ply(&mut generated, &Frame::new(positions, faces).unwrap()).unwrap();
             assert!(generated == std::fs::read(committed(name)).unwrap(), "{name}");
         }
     }

@@ -36,6 +36,16 @@
 //! - [`Bodies`] are rigid bodies that turn and translate, on curves that are decided exactly.
 //! - A [`RigidFit`] is the rotation of a body from one frame to another.
 //!
+//! # Which one finds contacts
+//!
+//! Three find the contacts of a step, and their answers are the same:
+//!
+//! | | for | cost |
+//! |---|---|---|
+//! | [`step`], [`StepReport`] | a report on one step: the numbers of candidates, of pairs in contact and of pairs that touch at the start | every candidate is tested |
+//! | [`Detector`] | a solver: step after step of one mesh, one answer of each | its memory stays from step to step; the earliest contact found so far bounds what is tested |
+//! | [`Candidates`] | several questions about the same pairs: shorter steps of a line search, another method, a barrier | one broad phase for all of them; every pair is tested for each |
+//!
 //! No result depends on the number of threads, and no input causes a panic.
 
 mod at_rest;

@@ -7,17 +7,17 @@ use std::ops::{Add, Mul, Neg, Sub};
 ///
 /// Its ends may be infinite, after an overflow, but are never NaN.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Interval {
+pub(crate) struct Enclosure {
     pub(crate) lower: f64,
     pub(crate) upper: f64,
 }
 
-const WHOLE: Interval = Interval {
+const WHOLE: Enclosure = Enclosure {
     lower: f64::NEG_INFINITY,
     upper: f64::INFINITY,
 };
 
-impl Interval {
+impl Enclosure {
     pub(crate) const ZERO: Self = Self {
         lower: 0.0,
         upper: 0.0,
@@ -55,7 +55,7 @@ impl Interval {
 }
 
 /// The single number x.
-impl From<f64> for Interval {
+impl From<f64> for Enclosure {
     fn from(x: f64) -> Self {
         Self::new(x, x)
     }
@@ -69,7 +69,7 @@ fn sum(a: f64, b: f64) -> (f64, bool) {
     (sum, (a - (sum - of_b)) + (b - of_b) == 0.0)
 }
 
-impl Add for Interval {
+impl Add for Enclosure {
     type Output = Self;
 
     #[inline]
@@ -84,7 +84,7 @@ impl Add for Interval {
     }
 }
 
-impl Neg for Interval {
+impl Neg for Enclosure {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -92,7 +92,7 @@ impl Neg for Interval {
     }
 }
 
-impl Sub for Interval {
+impl Sub for Enclosure {
     type Output = Self;
 
     #[inline]
@@ -107,7 +107,7 @@ fn product(a: f64, b: f64, outward: impl Fn(f64) -> f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { outward(a * b) }
 }
 
-impl Mul for Interval {
+impl Mul for Enclosure {
     type Output = Self;
 
     #[inline]
@@ -164,11 +164,11 @@ mod tests {
     }
 
     /// Two ends and a number between.
-    fn interval() -> impl Strategy<Value = (Interval, f64)> {
+    fn interval() -> impl Strategy<Value = (Enclosure, f64)> {
         [number(), number(), number()].prop_map(|mut numbers| {
             numbers.sort_by(f64::total_cmp);
             let [lower, inside, upper] = numbers;
-            (Interval::new(lower, upper), inside)
+            (Enclosure::new(lower, upper), inside)
         })
     }
 
@@ -176,7 +176,7 @@ mod tests {
         RBig::try_from(x).unwrap()
     }
 
-    fn contains(interval: Interval, x: &RBig) -> bool {
+    fn contains(interval: Enclosure, x: &RBig) -> bool {
         let is_below = |end: f64| end == f64::NEG_INFINITY || end.is_finite() && exactly(end) <= *x;
         let is_above = |end: f64| end == f64::INFINITY || end.is_finite() && exactly(end) >= *x;
         is_below(interval.lower) && is_above(interval.upper)
@@ -192,7 +192,7 @@ mod tests {
             (y, b) in interval(),
             are_single in any::<bool>(),
         ) {
-            let [x, y] = if are_single { [a, b].map(Interval::from) } else { [x, y] };
+            let [x, y] = if are_single { [a, b].map(Enclosure::from) } else { [x, y] };
             let [a, b] = [a, b].map(exactly);
             prop_assert!(contains(x + y, &(&a + &b)));
             prop_assert!(contains(x - y, &(&a - &b)));
@@ -201,14 +201,14 @@ mod tests {
 
         #[test]
         fn exact_sums_are_not_widened(a in -1000..1000i32, b in -1000..1000i32) {
-            let [x, y] = [a, b].map(|x: i32| Interval::from(f64::from(x)));
-            prop_assert_eq!(x + y, Interval::from(f64::from(a + b)));
+            let [x, y] = [a, b].map(|x: i32| Enclosure::from(f64::from(x)));
+            prop_assert_eq!(x + y, Enclosure::from(f64::from(a + b)));
         }
     }
 
     #[test]
     fn zero_times_infinity_is_zero() {
-        assert_eq!(Interval::ZERO * WHOLE, Interval::ZERO);
+        assert_eq!(Enclosure::ZERO * WHOLE, Enclosure::ZERO);
         assert_eq!((WHOLE - WHOLE), WHOLE);
     }
 }

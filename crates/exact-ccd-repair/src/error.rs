@@ -1,6 +1,6 @@
 //! Errors of a repair.
 
-use exact_ccd_mesh::{IntersectionsError, LineSearchError, PositionsError, StepError};
+use exact_ccd_mesh::{CandidateError, IntersectionsError, LineSearchError, PositionsError, StepError};
 
 /// The reason why a repair cannot begin, or was ended by its caller.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -15,6 +15,9 @@ pub enum RepairError {
     /// The mesh is too large.
     #[error(transparent)]
     Intersections(#[from] IntersectionsError),
+    /// Near pairs cannot be searched.
+    #[error(transparent)]
+    Candidates(#[from] CandidateError),
     /// A pinned vertex is not one of the mesh.
     #[error("vertex {vertex} is pinned, but the mesh has {vertex_count} vertices")]
     Pinned {

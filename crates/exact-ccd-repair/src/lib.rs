@@ -34,10 +34,14 @@
 //! threads. It is not promised to be the same on other machines, as the answers of collision detection are.
 
 mod change;
+mod closest;
 mod contour;
 mod error;
+mod faces;
 mod loosen;
+mod near;
 mod offsets;
+mod one_sided;
 mod options;
 mod outcome;
 mod problem;

@@ -35,13 +35,17 @@ pub(crate) fn loosen(problem: &mut Problem<'_>) -> Result<Ended, RepairError> {
     let mut offset = OFFSET * size.diagonal;
     let start = moved(given, &offsets(mesh, &problem.unknowns, given), offset);
     let mut x = start.clone();
+    let mut best = (usize::MAX, x.clone());
     for round in 0.. {
         let crossings = problem.crossings(&x)?;
         if crossings.is_empty() && !problem.has_contacts(&x, Separation::default())? {
             break;
         }
+        if crossings.len() < best.0 {
+            best = (crossings.len(), x.clone());
+        }
         if let Some(reason) = problem.ends(Phase::Loosen, round, crossings.len()) {
-            return Ok(Err((x, reason)));
+            return Ok(Err((best.1, reason)));
         }
         let unknowns = &problem.unknowns;
         if crossings.is_empty() {

@@ -38,7 +38,8 @@ pub struct Repaired {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Unrepaired {
-    /// The last positions. They may intersect.
+    /// The positions with the fewest edges that pass through faces, of all rounds of the phase. They may
+    /// intersect.
     pub positions: Vec<Point>,
     /// The edges that pass through faces in these positions; with [`Reason::Pinned`], between pinned vertices
     /// only.
@@ -57,8 +58,14 @@ pub enum Reason {
     /// Pinned vertices alone intersect, or are within the minimum distance: the crossings and contacts are
     /// theirs.
     Pinned,
+    /// A closed surface has only one side, as a Klein bottle: no positions of it are free. This is proved by
+    /// its faces alone, and nothing is moved.
+    OneSided {
+        /// The first face of the surface.
+        face: u32,
+    },
     /// A phase has had as many rounds as the options allow. The mesh may have no free positions near, or none
-    /// at all, as a Klein bottle or linked bodies.
+    /// at all.
     Rounds(Phase),
     /// Rounding to `f32` brings pairs within the minimum distance, however wide the distance before was.
     Rounding,
@@ -70,6 +77,13 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let phase = match self {
             Self::Pinned => return write!(f, "vertices that do not move intersect or touch each other"),
+            Self::OneSided { face } => {
+                return write!(
+                    f,
+                    "the surface with face {face} is closed and has only one side, as a Klein bottle: it has no \
+                     positions without intersections"
+                );
+            }
             Self::Rounding => return write!(f, "rounding to f32 makes pairs touch again"),
             Self::Rounds(phase) => {
                 write!(f, "the limit of rounds was reached")?;

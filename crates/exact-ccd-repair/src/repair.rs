@@ -7,6 +7,7 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 use crate::change::Change;
 use crate::error::RepairError;
 use crate::loosen::loosen;
+use crate::one_sided::one_sided_surface;
 use crate::options::RepairOptions;
 use crate::outcome::{Outcome, Reason, Repaired, Unrepaired};
 use crate::problem::Problem;
@@ -61,6 +62,16 @@ pub fn repair(
     };
     if crossings.is_empty() && contacts.is_empty() {
         return Ok(repaired(&problem, positions.to_vec()));
+    }
+    // A surface may pass through itself where pairs are left out.
+    let surfaces = Some(mesh).filter(|_| options.can_collide.is_all());
+    if let Some(face) = surfaces.and_then(|mesh| one_sided_surface(mesh)) {
+        return Ok(Outcome::Unrepaired(Unrepaired {
+            positions: positions.to_vec(),
+            crossings,
+            contacts,
+            reason: Reason::OneSided { face },
+        }));
     }
     problem.size.check()?;
     let ended = match loosen(&mut problem)? {

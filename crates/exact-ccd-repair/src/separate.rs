@@ -1,8 +1,9 @@
 //! The second phase: pairs within the minimum distance move apart, by certified steps.
 
-use exact_ccd_mesh::{FreeStepOptions, Point, Separation};
+use exact_ccd_mesh::{FreeStepOptions, Point};
 
 use crate::error::RepairError;
+use crate::near::near_pairs;
 use crate::problem::{Ended, Problem, moved};
 use crate::progress::Phase;
 use crate::slide::part;
@@ -19,18 +20,18 @@ const SMOOTHING: f64 = 2.0;
 /// Positions without pairs within the minimum distance, from positions without intersections and contact.
 pub(crate) fn separate(problem: &mut Problem<'_>, mut x: Vec<Point>) -> Result<Ended, RepairError> {
     let min_distance = problem.options.min_distance;
-    let wanted = Separation::new(BEYOND * min_distance.get()).unwrap_or(min_distance);
+    let wanted = BEYOND * min_distance.get();
     let smoothing = problem.unknowns.smoothing(problem.mesh, SMOOTHING)?;
     let step_options = FreeStepOptions::default().with_keep(KEEP);
     for round in 0.. {
         if !problem.has_contacts(&x, min_distance)? {
             break;
         }
-        let contacts = problem.contacts(&x, wanted)?;
-        if let Some(reason) = problem.ends(Phase::Separate, round, contacts.len()) {
+        let near = near_pairs(problem, &x, wanted)?;
+        if let Some(reason) = problem.ends(Phase::Separate, round, near.len()) {
             return Ok(Err((x, reason)));
         }
-        let displacements = part(problem, &contacts, wanted.get());
+        let displacements = part(problem, &near, wanted);
         let smooth = problem.unknowns.solve(&smoothing, &displacements, |_| [0.0; 3]);
         let target = moved(&moved(&x, &displacements, 0.5), &smooth, 1.0);
         x = problem

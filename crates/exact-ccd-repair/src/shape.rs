@@ -10,20 +10,19 @@ use crate::system::{System, Unknowns};
 
 /// The given positions s, and the energy
 ///
-/// E(x) = `ATTRACTION` Σ |xᵢ − sᵢ|² + Σ wᵢⱼ |(xᵢ − xⱼ) − R (sᵢ − sⱼ)|²,
+/// E(x) = α Σ |xᵢ − sᵢ|² + Σ wᵢⱼ |(xᵢ − xⱼ) − R (sᵢ − sⱼ)|²,
 ///
 /// the second sum over edges. R is the mean of the rotations at the ends of the edge, each the best fit to
 /// the edges of its vertex (as rigid as possible, Sorkine and Alexa 2007), and w the mean length of edges
-/// divided by the length of the edge, so that short edges keep their lengths. The minimum of E is s.
+/// divided by the length of the edge, so that short edges keep their lengths. The minimum of E is s. The
+/// attraction α is relative to an edge of mean length.
 pub(crate) struct Shape<'a> {
     mesh: &'a TriangleMesh,
     given: &'a [Point],
     weights: Vec<f64>,
+    attraction: f64,
     system: System,
 }
-
-/// The weight of the squares of displacements, relative to an edge of mean length.
-const ATTRACTION: f64 = 0.01;
 
 /// The largest weight of an edge, and the inverse of the least one.
 const MOST_WEIGHT: f64 = 100.0;
@@ -34,6 +33,7 @@ impl<'a> Shape<'a> {
         unknowns: &Unknowns,
         given: &'a [Point],
         size: &Size,
+        attraction: f64,
     ) -> Result<Self, RepairError> {
         let weight = |&[a, b]: &[u32; 2]| {
             let edge = minus(given[a as usize], given[b as usize]);
@@ -41,13 +41,20 @@ impl<'a> Shape<'a> {
             (size.mean_edge / dot(edge, edge).sqrt()).clamp(1.0 / MOST_WEIGHT, MOST_WEIGHT)
         };
         let weights: Vec<f64> = mesh.edges().iter().map(weight).collect();
-        let edges = mesh.edges().iter().copied().zip(weights.iter().copied());
         Ok(Self {
             mesh,
             given,
-            system: unknowns.system(ATTRACTION, edges)?,
+            system: factorised(mesh, unknowns, &weights, attraction)?,
+            attraction,
             weights,
         })
+    }
+
+    /// Replaces the attraction.
+    pub(crate) fn set_attraction(&mut self, unknowns: &Unknowns, attraction: f64) -> Result<(), RepairError> {
+        self.attraction = attraction;
+        self.system = factorised(self.mesh, unknowns, &self.weights, attraction)?;
+        Ok(())
     }
 
     /// The positions after a step of the descent of E: its minimum with the rotations that fit `x`.
@@ -56,7 +63,7 @@ impl<'a> Shape<'a> {
         let mut right: Vec<Point> = self
             .given
             .iter()
-            .map(|place| place.map(|c| ATTRACTION * c))
+            .map(|place| place.map(|c| self.attraction * c))
             .collect();
         for ([a, b], weight) in self.edges() {
             let edge = Vector3::from(minus(self.given[a], self.given[b]));
@@ -100,6 +107,17 @@ impl<'a> Shape<'a> {
             .map(|edge| edge.map(|vertex| vertex as usize));
         edges.zip(self.weights.iter().copied())
     }
+}
+
+/// The system of the energy, with given rotations.
+fn factorised(
+    mesh: &TriangleMesh,
+    unknowns: &Unknowns,
+    weights: &[f64],
+    attraction: f64,
+) -> Result<System, RepairError> {
+    let edges = mesh.edges().iter().copied().zip(weights.iter().copied());
+    unknowns.system(attraction, edges)
 }
 
 /// The angle and the number of rounds at which the fit of a rotation ends.

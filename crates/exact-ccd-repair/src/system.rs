@@ -1,8 +1,10 @@
 //! Sparse linear systems over the vertices that can move.
 
+use std::cell::OnceCell;
+
 use exact_ccd_mesh::{Point, TriangleMesh};
 use faer::linalg::solvers::Solve;
-use faer::sparse::linalg::solvers::Llt;
+use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 
@@ -14,6 +16,8 @@ pub(crate) struct Unknowns {
     vertices: Vec<u32>,
     /// The unknown of each vertex, if it can move.
     of_vertex: Vec<Option<u32>>,
+    /// The order of elimination. All systems have an entry for each edge, so that it serves all.
+    symbolic: OnceCell<SymbolicLlt<usize>>,
 }
 
 impl Unknowns {
@@ -27,7 +31,11 @@ impl Unknowns {
         for (unknown, &vertex) in (0..).zip(&vertices) {
             of_vertex[vertex as usize] = Some(unknown);
         }
-        Self { vertices, of_vertex }
+        Self {
+            vertices,
+            of_vertex,
+            symbolic: OnceCell::new(),
+        }
     }
 
     /// Returns true if a vertex cannot move.
@@ -41,8 +49,8 @@ impl Unknowns {
         self.system(1.0, mesh.edges().iter().map(|&edge| (edge, weight)))
     }
 
-    /// The system of the quadratic form `mass` Σ |xᵢ|² + Σ k |xᵢ − xⱼ|², the second sum over edges and their
-    /// k.
+    /// The system of the quadratic form `mass` Σ |xᵢ|² + Σ k |xᵢ − xⱼ|², the second sum over all edges of the
+    /// mesh and their k.
     pub(crate) fn system(
         &self,
         mass: f64,
@@ -68,7 +76,13 @@ impl Unknowns {
                 .map(|(i, value)| Triplet::new(i, i, value)),
         );
         let matrix = SparseColMat::try_new_from_triplets(count, count, &triplets).map_err(|_| failed())?;
-        let factor = matrix.sp_cholesky(Side::Lower).map_err(|_| failed())?;
+        let symbolic = match self.symbolic.get() {
+            Some(symbolic) => symbolic.clone(),
+            None => SymbolicLlt::try_new(matrix.symbolic(), Side::Lower).map_err(|_| failed())?,
+        };
+        let symbolic = self.symbolic.get_or_init(|| symbolic);
+        let factor = Llt::try_new_with_symbolic(symbolic.clone(), matrix.as_ref(), Side::Lower);
+        let factor = factor.map_err(|_| failed())?;
         Ok(System { factor })
     }
 

@@ -147,7 +147,7 @@ fn run(name: &str, bodies: usize, steps: usize) -> Result<(), Box<dyn Error>> {
     let text = scene(name, bodies)?;
     let exact = |_: &mut exact_ccd_sim::Settings, _: &exact_ccd_sim::System| Ok(StepFilter::default());
     let scene = Scene::parse(&text, Path::new("scene.toml"), None, &exact)?;
-    let mut simulation = scene.simulation()?;
+    let mut simulation = scene.simulation;
     let mut audit = Audit::default();
     let mut is_free = audit
         .examine(simulation.system().surface_frame(&simulation.state().positions)?)?

@@ -13,7 +13,7 @@ use std::sync::Mutex;
 
 use exact_ccd_mesh::{Audit, MinDistance, Point};
 use exact_ccd_scene::Scene;
-use exact_ccd_sim::{LineSearch, Simulation, Statistics, StepFilter};
+use exact_ccd_sim::{LineSearch, Settings, Simulation, Statistics, StepFilter, System};
 
 use exact_ccd::Thickness;
 
@@ -47,11 +47,14 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn compare(name: &str, steps: u64, meshes: Option<&Path>) -> Result<(), Box<dyn Error>> {
     let path = Path::new(REPOSITORY).join(format!("examples/scenes/{name}.toml"));
-    let mut scene = Scene::read(&path, meshes, &|_, _| Ok(StepFilter::default()))?;
     let mut runs = Vec::new();
     for (text, line_search) in [("common", LineSearch::Common), ("vertex", LineSearch::Vertex)] {
-        scene.settings.line_search = line_search;
-        runs.push(Run::new(text, scene.simulation()?)?);
+        let with_line_search = |settings: &mut Settings, _: &System| {
+            settings.line_search = line_search;
+            Ok(StepFilter::default())
+        };
+        let scene = Scene::read(&path, meshes, &with_line_search)?;
+        runs.push(Run::new(text, scene.simulation)?);
     }
     for _ in 0..steps {
         runs.iter_mut().try_for_each(Run::step)?;

@@ -7,7 +7,6 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::field_error::FieldError;
-use super::import::ImportError;
 
 /// An error in a scene file.
 #[derive(Debug, thiserror::Error)]
@@ -21,9 +20,6 @@ pub enum SceneError {
         /// The cause.
         source: io::Error,
     },
-    /// A scene of another program cannot be imported.
-    #[error(transparent)]
-    Import(#[from] ImportError),
     /// A value is missing or invalid.
     #[error("{}, line {line}, {field}: {message}", file.display())]
     Field {

@@ -2,15 +2,12 @@
 
 use std::path::Path;
 
-use exact_ccd_sim::{
-    Body, Checkpoint, Load, Scripted, Settings, Simulation, SimulationError, StepFilter, System,
-};
+use exact_ccd_sim::{Body, Load, ScriptedVertices, Settings, Simulation, StepFilter, System};
 
 use super::body::{Loaded, check_name, load};
 use super::description::{Axis, BodyDescription, Description, Selection};
 use super::document::{Document, SceneError};
 use super::field_error::FieldError;
-use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
 use super::rendering::Rendering;
@@ -20,28 +17,22 @@ use super::springs::springs;
 /// message with the names that there are. It may replace settings, which are checked after it.
 pub type FilterByName<'a> = dyn Fn(&mut Settings, &System) -> Result<StepFilter, String> + 'a;
 
-/// The system, the settings and the duration of a scene file.
-#[derive(Clone, Debug)]
+/// A scene file as a simulation.
+#[derive(Debug)]
 pub struct Scene {
-    /// The bodies and their scripts.
-    pub system: System,
-    /// The settings.
-    pub settings: Settings,
-    /// The filter of the CCD method that the scene names.
-    pub filter: StepFilter,
+    /// The simulation from its start, with the settings and the CCD method of the scene.
+    pub simulation: Simulation,
     /// The duration, as a number of time steps.
     pub steps: u64,
     /// The settings of the pictures.
     pub rendering: Rendering,
-    /// The entries of a scene of another program that are ignored.
-    pub notes: Vec<Note>,
     /// Facts about the mesh files that could change the result, each with its file.
-    pub mesh_notes: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 impl Scene {
-    /// Reads a scene file, or one of another program as of [`import`]. Mesh files are read from the folder
-    /// `meshes`, or from the folder of the scene file.
+    /// Reads a scene file. Mesh files are read from the folder `meshes`, or from the folder of the scene
+    /// file.
     ///
     /// # Errors
     /// [`SceneError`] names the file, the line and the field.
@@ -51,12 +42,6 @@ impl Scene {
         filter_by_name: &FilterByName<'_>,
     ) -> Result<Self, SceneError> {
         let file = file.as_ref();
-        if let Some(Imported { toml, meshes, notes }) = import(file, meshes)? {
-            let mut label = file.as_os_str().to_owned();
-            label.push(" as TOML");
-            let scene = Self::parse(&toml, Path::new(&label), Some(&meshes), filter_by_name)?;
-            return Ok(Self { notes, ..scene });
-        }
         let bytes = std::fs::read(file).map_err(|source| SceneError::Io {
             file: file.to_owned(),
             source,
@@ -122,40 +107,16 @@ impl Scene {
         let mut settings = description.settings;
         let filter = filter_by_name(&mut settings, &system)
             .map_err(|message| FieldError::new("settings.ccd", message))?;
-        let mut scene = Self {
-            system,
-            settings,
-            filter,
-            steps: 0,
+        let simulation = Simulation::with_method(system, settings, filter);
+        let simulation = simulation.map_err(|error| of_simulation(&error))?;
+        // The simulation has checked that the time step is positive.
+        let steps = steps(duration, simulation.settings().time_step)?;
+        Ok(Self {
+            simulation,
+            steps,
             rendering: description.render,
-            notes: Vec::new(),
-            mesh_notes: parts.notes,
-        };
-        // A simulation checks the settings: the number of steps needs a positive time step.
-        let simulation = scene.simulation();
-        simulation.map_err(|error| of_simulation(&error))?;
-        scene.steps = steps(duration, scene.settings.time_step)?;
-        Ok(scene)
-    }
-
-    /// The simulation from its start.
-    ///
-    /// # Errors
-    /// As [`Simulation::new`].
-    pub fn simulation(&self) -> Result<Simulation, SimulationError> {
-        let settings = Settings {
-            ccd: StepFilter::default().name().to_owned(),
-            ..self.settings.clone()
-        };
-        Simulation::new(self.system.clone(), settings)?.with_filter(self.filter.clone())
-    }
-
-    /// The simulation from a checkpoint of this scene.
-    ///
-    /// # Errors
-    /// As [`Checkpoint::resume`].
-    pub fn resume(&self, checkpoint: Checkpoint) -> Result<Simulation, SimulationError> {
-        checkpoint.resume(self.system.clone(), self.settings.clone(), self.filter.clone())
+            notes: parts.notes,
+        })
     }
 }
 
@@ -163,7 +124,7 @@ impl Scene {
 #[derive(Default)]
 struct Parts {
     bodies: Vec<Body>,
-    scripts: Vec<Scripted>,
+    scripts: Vec<ScriptedVertices>,
     loads: Vec<Load>,
     vertex_count: u32,
     notes: Vec<String>,
@@ -182,7 +143,7 @@ impl Parts {
             selected.map_err(|message| FieldError::new(format!("{number}.vertices"), message))
         };
         for (number, script) in described.script.iter().enumerate() {
-            let scripted = Scripted {
+            let scripted = ScriptedVertices {
                 vertices: selected(&script.vertices, number).map_err(|error| error.below("script"))?,
                 script: script.motion.clone(),
                 axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),

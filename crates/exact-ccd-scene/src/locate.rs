@@ -86,7 +86,7 @@ pub(super) fn of_simulation(error: &SimulationError) -> FieldError {
         }
         SimulationError::Setting(setting) => setting.field,
         SimulationError::ByVertex { .. } | SimulationError::AffineByVertex { .. } => "line-search",
-        SimulationError::Method { .. } | SimulationError::Separation { .. } => "ccd",
+        SimulationError::Method { .. } | SimulationError::Offset { .. } => "ccd",
         _ => "",
     };
     FieldError::new(format!("settings.{setting}"), error)

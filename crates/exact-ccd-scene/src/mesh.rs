@@ -10,20 +10,24 @@ use exact_ccd_sim::{Body, BodyKind, shapes};
 
 /// A mesh with its faces and, if it has any, its loose edges and its tetrahedra.
 #[derive(Default)]
-pub(super) struct Mesh {
-    pub(super) points: Vec<Point>,
-    pub(super) faces: Vec<[u32; 3]>,
-    pub(super) edges: Vec<[u32; 2]>,
-    pub(super) tetrahedra: Vec<[u32; 4]>,
+pub struct Mesh {
+    /// The positions of the vertices, in m.
+    pub points: Vec<Point>,
+    /// The corners of the faces, which are the surface of the tetrahedra if there are any.
+    pub faces: Vec<[u32; 3]>,
+    /// The ends of the edges of no face.
+    pub edges: Vec<[u32; 2]>,
+    /// The corners of the tetrahedra.
+    pub tetrahedra: Vec<[u32; 4]>,
     /// The groups of the file.
-    pub(super) groups: Vec<Group>,
+    pub groups: Vec<Group>,
     /// The facts about the file that could change an answer.
-    pub(super) notes: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 impl Mesh {
     /// Reads the mesh in a file.
-    pub(super) fn read(path: &Path) -> Result<Self, String> {
+    pub fn read(path: &Path) -> Result<Self, String> {
         if Format::of_path(path) == Some(Format::Msh) {
             let (mesh, groups) = read_tet_mesh(path).map_err(|error| error.to_string())?;
             return Ok(Self {

@@ -1,6 +1,7 @@
 //! From the text of a scene file to its contents.
 
-use toml::de::DeTable;
+use serde::Deserialize;
+use toml::de::{DeTable, Deserializer};
 
 use super::description::Description;
 use super::document::{Document, SceneError};
@@ -8,26 +9,26 @@ use super::field_error::FieldError;
 
 /// The contents of a scene file.
 pub(super) fn parse(document: &Document<'_>) -> Result<Description, SceneError> {
-    if let Some(path) = table_for_array(document.text) {
-        let keys = path.split('.').filter(|key| key.parse::<usize>().is_err());
-        let name = keys.collect::<Vec<_>>().join(".");
-        let message = format!("found the table `[{name}]`, expected an array of tables: write `[[{name}]]`");
-        return Err(document.error_of(FieldError::new(path, message)));
-    }
-    toml::from_str(document.text).map_err(|error| {
+    let error = |error: toml::de::Error| {
         let message = error.message();
         match error.span() {
             Some(span) => document.error_at(span.start, |field| readable(message, field)),
             None => document.error_of(FieldError::new("", readable(message, ""))),
         }
-    })
+    };
+    let table = DeTable::parse(document.text).map_err(error)?;
+    if let Some(path) = table_for_array(table.get_ref()) {
+        let keys = path.split('.').filter(|key| key.parse::<usize>().is_err());
+        let name = keys.collect::<Vec<_>>().join(".");
+        let message = format!("found the table `[{name}]`, expected an array of tables: write `[[{name}]]`");
+        return Err(document.error_of(FieldError::new(path, message)));
+    }
+    Description::deserialize(Deserializer::from(table)).map_err(error)
 }
 
 /// The path of the first table in single brackets, as `[body]`, where an array of tables is expected, if
 /// there is one.
-fn table_for_array(text: &str) -> Option<String> {
-    let root = DeTable::parse(text).ok()?;
-    let root = root.get_ref();
+fn table_for_array(root: &DeTable<'_>) -> Option<String> {
     let single = |table: &DeTable<'_>, names: &[&str]| {
         let is_table = |name: &&&str| table.get(**name).is_some_and(|value| value.get_ref().is_table());
         names.iter().find(is_table).map(|name| (*name).to_owned())

@@ -25,8 +25,8 @@ fn scene(name: &str) -> Scene {
 /// intersections.
 fn run(name: &str, steps: usize) -> (Simulation, Vec<Statistics>) {
     let scene = scene(name);
-    let surface = scene.system.surface().clone();
-    let mut simulation = scene.simulation().unwrap();
+    let surface = scene.simulation.system().surface().clone();
+    let mut simulation = scene.simulation;
     let mut at = simulation.state().positions.clone();
     let mut all = Vec::new();
     for _ in 0..steps {
@@ -81,15 +81,15 @@ fn the_cloth_hangs_by_its_corners() {
 fn the_cloth_catches_the_ball() {
     let limit = 0.05;
     let scene = scene("caught-ball.toml");
-    let rest = scene.system.start().to_vec();
-    let cloth = scene.system.body_vertices()[0].clone();
-    let edges = scene.system.surface().edges().iter();
+    let rest = scene.simulation.system().start().to_vec();
+    let cloth = scene.simulation.system().body_vertices()[0].clone();
+    let edges = scene.simulation.system().surface().edges().iter();
     let edges: Vec<[u32; 2]> = edges.copied().filter(|edge| cloth.contains(&edge[0])).collect();
     let length = |points: &[Point], [a, b]: [u32; 2]| {
         let [a, b] = [a, b].map(|vertex| points[vertex as usize]);
         (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>().sqrt()
     };
-    let mut simulation = scene.simulation().unwrap();
+    let mut simulation = scene.simulation;
     let mut most = 0.0_f64;
     for _ in 0..20 {
         let statistics = simulation.step_along(&mut |positions| {
@@ -110,7 +110,7 @@ fn the_small_mat_is_the_same_on_any_number_of_threads() {
             .num_threads(threads)
             .build()
             .unwrap();
-        let mut simulation = scene("small-mat-twist.toml").simulation().unwrap();
+        let mut simulation = scene("small-mat-twist.toml").simulation;
         pool.install(|| {
             let contacts: usize = (0..55).map(|_| simulation.step().unwrap().contacts).sum();
             assert!(contacts > 0, "nothing came near");
@@ -162,12 +162,12 @@ fn the_cloth_stays_outside_of_the_sphere() {
 #[test]
 fn cloth_knot_and_particles_keep_their_thickness() {
     let scene = scene("cloth-knot-particles.toml");
-    let system = &scene.system;
+    let system = scene.simulation.system().clone();
     let offsets = Thickness::new(&system.surface_offsets()).unwrap();
     let least = Separation::new(0.01).unwrap();
     let mut audits = [MinDistance::thickness(offsets), MinDistance::uniform(least)]
         .map(|distance| Audit::default().with_min_distance(distance));
-    let mut simulation = scene.simulation().unwrap();
+    let mut simulation = scene.simulation;
     let mut examine = |positions: &[Point]| {
         let frame = system.surface_frame(positions).unwrap();
         for audit in &mut audits {

@@ -13,14 +13,16 @@
 
 use std::error::Error;
 
-use exact_ccd_sim::{Friction, Integrator, Length, Script, Scripted, Settings, Simulation, System, shapes};
+use exact_ccd_sim::{
+    Friction, Integrator, Length, Script, ScriptedVertices, Settings, Simulation, System, shapes,
+};
 
 /// The time steps.
 const STEPS: usize = 10;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let cloth = || shapes::cloth([16, 16], [1.0, 1.0]);
-    let fixed = |vertices: Vec<u32>| -> Vec<Scripted> { vec![Script::Fixed.on(vertices)] };
+    let fixed = |vertices: Vec<u32>| -> Vec<ScriptedVertices> { vec![Script::Fixed.on(vertices)] };
     let (bodies, scripts, coefficient) = match std::env::args().nth(1).as_deref() {
         Some("cloth") => (vec![cloth()], fixed(vec![0, 16]), 0.0),
         Some("drape") => {

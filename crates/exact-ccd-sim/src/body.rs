@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
-use crate::elasticity::{ElasticModuli, SolidMaterial};
+use crate::energies::elasticity::{ElasticModuli, SolidMaterial};
 
 /// A mesh with its material. The points are also the rest shape.
 #[derive(Clone, Debug, PartialEq)]

@@ -117,7 +117,7 @@ pub enum SimulationError {
         "the CCD method `{name}` has no minimum separation, which bodies with an offset need, \
          expected `exact` or another exact method"
     )]
-    Separation {
+    Offset {
         /// The name of the CCD method.
         name: String,
     },

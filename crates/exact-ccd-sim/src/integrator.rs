@@ -4,8 +4,8 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-use crate::anchor::Anchor;
-use crate::scripted::Axes;
+use crate::energies::anchor::Anchor;
+use crate::prescribed::Axes;
 use crate::state::State;
 
 /// The time integration method.

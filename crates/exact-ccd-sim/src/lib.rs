@@ -8,7 +8,7 @@
 //! Newton. A [`StepFilter`] bounds each Newton step: by the exact
 //! method or, for comparison, by any other [`Ccd`](exact_ccd::Ccd).
 //!
-//! - A [`Body`] is a mesh with its material. Bodies and [`Scripted`] vertices form a [`System`]. A system
+//! - A [`Body`] is a mesh with its material. Bodies and [`ScriptedVertices`] form a [`System`]. A system
 //!   has the vertices of its bodies, one body after the other ([`System::ranges`]).
 //! - A [`Simulation`] takes the time steps of a system. Each step returns [`Statistics`].
 //! - A [`Checkpoint`] is saved and loaded to resume a simulation of the same system and settings.
@@ -34,34 +34,23 @@
 //! Lengths are in m, masses in kg, times in s. No result depends on the number of threads. Results may
 //! differ between processors, because the sparse solver selects vector instructions at run time.
 
-mod anchor;
 mod body;
 mod carriers;
 mod checkpoint;
-mod contact;
-mod damper;
 mod digest;
-mod distance;
-mod elasticity;
-mod energy;
+mod energies;
 mod error;
 mod filter;
-mod friction;
 mod half_space;
 mod integrator;
 mod iteration;
-mod load;
 mod moments;
 mod prescribed;
-mod psd;
 mod range;
-mod script;
-mod scripted;
 mod settings;
 pub mod shapes;
 mod simulation;
 mod solver;
-mod spring;
 mod state;
 mod statistics;
 mod system;
@@ -73,19 +62,18 @@ pub use body::{
     SolidProperties,
 };
 pub use checkpoint::Checkpoint;
-pub use elasticity::SolidMaterial;
+pub use energies::elasticity::SolidMaterial;
+pub use energies::load::{Force, Load};
+pub use energies::spring::{Spring, SpringEnd};
 pub use error::SimulationError;
 pub use filter::StepFilter;
 pub use half_space::HalfSpace;
 pub use integrator::Integrator;
 pub use iteration::Iteration;
-pub use load::{Force, Load};
+pub use prescribed::{KeyFrame, Script, ScriptedVertices};
 pub use range::OutOfRange;
-pub use script::{KeyFrame, Script};
-pub use scripted::Scripted;
 pub use settings::{Formulation, Friction, FrictionPair, Length, LineSearch, Settings};
 pub use simulation::{Contact, Simulation, Warning};
-pub use spring::{Spring, SpringEnd};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
 pub use system::{

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use exact_ccd_mesh::Point;
 use nalgebra::{Matrix3, Vector3};
 
-use crate::energy::gather;
+use crate::energies::term::gather;
 
 /// The volume integrals of 1, x and x xᵀ over the interior of a closed surface.
 #[derive(Clone, Copy, Debug, PartialEq)]

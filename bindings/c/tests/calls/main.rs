@@ -1,5 +1,6 @@
 //! Calls with arguments from random bytes, with a fixed seed.
 
+// The fuzz target of the C interface has it too.
 #[path = "calls.rs"]
 mod calls;
 

@@ -6,10 +6,6 @@
 //! Benchmarks of batches, boxes and steps have the throughput in queries, boxes or candidates a
 //! second.
 
-#[path = "../../examples/scaling/cloth.rs"]
-mod cloth;
-#[path = "../queries/of_cloth.rs"]
-mod of_cloth;
 mod settled;
 
 use std::fmt;
@@ -23,7 +19,7 @@ use exact_ccd::batch::{Instructions, Trajectories};
 use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, Stage, VertexFace};
 use exact_ccd_mesh::{Aabb, BoxPairs, Boxes, Bvh, Detector, StepReport, Sweep};
 
-use crate::cloth::Cloth;
+use exact_ccd_bench::cloth::{self as of_cloth, Cloth};
 
 fn main() {
     divan::main();

@@ -9,14 +9,6 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
-#[path = "../../../exact-ccd/tests/oracle/definition/mod.rs"]
-mod definition;
-#[path = "../../../exact-ccd/tests/hard_cases/mod.rs"]
-#[allow(dead_code, reason = "the test target `hard_cases` needs more of it")]
-mod hard_cases;
-#[path = "../../../exact-ccd/tests/queries/primitives.rs"]
-#[allow(dead_code, reason = "the test target `queries` needs more of it")]
-mod primitives;
 mod table;
 
 use std::error::Error;
@@ -26,8 +18,9 @@ use std::io::BufWriter;
 use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
-use hard_cases::hard::Hard;
-use hard_cases::{Case, cases};
+use exact_ccd_testing::definition;
+use exact_ccd_testing::hard_cases::hard::Hard;
+use exact_ccd_testing::hard_cases::{Case, cases};
 use table::Row;
 
 const COUNT: usize = 40;

@@ -15,7 +15,6 @@
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
-mod cloth;
 mod curve;
 mod measurement;
 mod memory;
@@ -28,12 +27,13 @@ use std::{env, fs};
 
 use exact_ccd_mesh::{Bvh, StepReport};
 
-use crate::cloth::{Cloth, SHEETS};
 use crate::curve::{Curve, PER_DECADE};
 use crate::measurement::{MEASURE, Measurement};
 use crate::memory::{Memory, mebibytes, peak};
 use crate::question::Question;
 use crate::table::or_unknown;
+use exact_ccd_bench::cloth::Cloth;
+use exact_ccd_testing::meshes::cloth::SHEETS;
 
 const DECADES: [i32; 2] = [4, 7];
 

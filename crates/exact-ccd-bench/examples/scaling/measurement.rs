@@ -8,9 +8,9 @@ use exact_ccd_bench::{median, seconds};
 use exact_ccd_mesh::{Bvh, Detector, StepReport};
 use serde::{Deserialize, Serialize};
 
-use crate::cloth::Cloth;
 use crate::memory::Memory;
 use crate::question::Question;
+use exact_ccd_bench::cloth::Cloth;
 
 /// The number of repetitions. The median time counts, and the peak memory of the first run.
 const ROUNDS: usize = 3;

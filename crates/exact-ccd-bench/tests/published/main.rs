@@ -15,9 +15,6 @@ mod parity;
 mod separation;
 mod steps;
 
-#[path = "../../../exact-ccd-methods/tests/parity/expected/mod.rs"]
-mod expected;
-
 use std::path::Path;
 
 use exact_ccd_data::{DataFolder, RecordedStep};

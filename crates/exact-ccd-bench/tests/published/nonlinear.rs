@@ -1,5 +1,6 @@
 //! Curved motion against truth from rational arithmetic: the number of contact times, and the first.
 
+// The benchmark `curved` reads them too; the library of this crate does not read files.
 #[path = "../../benches/nonlinear/mod.rs"]
 mod lines;
 

@@ -6,8 +6,8 @@ use exact_ccd_mesh::Step;
 use exact_ccd_methods::parity::{self, Parity, Rounded};
 use rayon::prelude::*;
 
-use crate::expected::{Rim, expected};
 use crate::{data, scenes};
+use exact_ccd_testing::parity::{Rim, expected};
 
 fn rounded<K: DataKind>(query: &Query<K>) -> Rounded<K> {
     Rounded::shift(query).unwrap()

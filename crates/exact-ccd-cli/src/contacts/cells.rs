@@ -1,7 +1,7 @@
 //! The columns of a list of contacts.
 
 use super::record::ContactRecord;
-use crate::shortest::shortest;
+use crate::text::numbers::shortest;
 
 /// A value in a column; an absent one is empty or null.
 pub(super) enum Cell<'a> {

@@ -11,10 +11,10 @@ use exact_ccd_data::TableColumn;
 use super::cells::Cell;
 use super::cells::row;
 use super::record::ContactRecord;
-use crate::failure::Failure;
+use crate::files::outputs::write_file;
 #[cfg(not(feature = "queries"))]
 use crate::left_out;
-use crate::output::write_file;
+use crate::messages::failure::Failure;
 
 /// A file for a list of contacts. Its extension is the format.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@ use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Contact, Intersection, TriangleMesh, contact_points};
 use serde::{Serialize, Serializer};
 
-use crate::shortest::shortest;
+use crate::text::numbers::shortest;
 
 /// Two primitives that touch, in the shape of the JSON object. All ids are the ids in the files, counted
 /// from 0.

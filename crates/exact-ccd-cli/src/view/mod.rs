@@ -1,5 +1,7 @@
 //! The pages of `--view`: HTML files that show motions and their contacts.
 
+#[cfg(feature = "simulate")]
+pub(crate) mod curves;
 #[cfg(feature = "queries")]
 mod query;
 mod recording;
@@ -14,14 +16,16 @@ use std::path::{Path, PathBuf};
 use exact_ccd_mesh::{HalfSpace, Point};
 use exact_ccd_view::Page;
 
-use crate::failure::Failure;
-use crate::inputs::name;
-use crate::output::{page, replace_file};
-use crate::scene::Scene;
+use crate::assembly::Assembly;
+use crate::files::inputs::name;
+use crate::files::outputs::{page, replace_file};
+use crate::messages::failure::Failure;
 #[cfg(feature = "queries")]
 pub(crate) use query::{ChosenQuery, QueryView};
 pub(crate) use recording::Recording;
 use setup::Setup;
+#[cfg(feature = "simulate")]
+pub(crate) use simulation::SimulationPage;
 
 /// The options `--view` and `--view-up` of the commands that read meshes, and of `exact-ccd simulate`.
 #[derive(clap::Args)]
@@ -41,7 +45,12 @@ impl View {
     }
 
     /// The recording of frames from files, which does nothing if there is to be no page of them.
-    pub(crate) fn recording(&self, files: &[PathBuf], scene: &Scene, half_spaces: &[HalfSpace]) -> Recording {
+    pub(crate) fn recording(
+        &self,
+        files: &[PathBuf],
+        scene: &Assembly,
+        half_spaces: &[HalfSpace],
+    ) -> Recording {
         let setup = || Setup::of_scene(scene, half_spaces.to_vec()).with_up(self.view_up);
         Recording::new(self.view.clone(), title(files), setup)
     }

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use exact_ccd::{Kind, Query, Separation};
 use exact_ccd_view::Page;
 
-use crate::failure::Failure;
-use crate::inputs::name;
-use crate::output::page;
+use crate::files::inputs::name;
+use crate::files::outputs::page;
+use crate::messages::failure::Failure;
 
 /// The options `--view` and `--view-query`.
 #[derive(clap::Args)]

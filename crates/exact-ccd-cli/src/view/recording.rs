@@ -10,7 +10,7 @@ use exact_ccd_view::History;
 use exact_ccd_view::{Page, PageError};
 
 use super::setup::Setup;
-use crate::failure::Failure;
+use crate::messages::failure::Failure;
 
 /// A motion that is recorded for its page, if there is to be one.
 pub(crate) struct Recording {

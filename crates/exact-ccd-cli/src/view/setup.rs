@@ -3,7 +3,7 @@
 use exact_ccd_mesh::{Aabb, HalfSpace, Point, TriangleMesh};
 use exact_ccd_view::{Body, Page};
 
-use crate::scene::Scene;
+use crate::assembly::Assembly;
 
 /// All that a page has beside its frames and contacts.
 #[derive(Default)]
@@ -19,7 +19,7 @@ pub(super) struct Setup {
 
 impl Setup {
     /// The setup of meshes from files.
-    pub(super) fn of_scene(scene: &Scene, half_spaces: Vec<HalfSpace>) -> Self {
+    pub(super) fn of_scene(scene: &Assembly, half_spaces: Vec<HalfSpace>) -> Self {
         Self {
             ids: Some(scene.ids_in_parts()),
             bodies: scene.bodies(),

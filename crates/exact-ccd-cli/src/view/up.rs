@@ -3,7 +3,7 @@
 use exact_ccd_mesh::Point;
 use exact_ccd_mesh::vector::{DIRECTION, has_direction};
 
-use crate::shortest::numbers;
+use crate::text::numbers::numbers;
 
 /// A direction: an axis, with or without a sign, or three numbers.
 pub(super) fn parse(text: &str) -> Result<Point, String> {

@@ -17,15 +17,21 @@ fn octocats_have_the_lengths_of_incremental_potential_contact() {
     let scene = repository.join("examples/scenes/octocats.toml");
     let exact = |_: &mut Settings, _: &System| Ok(StepFilter::default());
     let scene = Scene::read(scene, Some(&data.join("meshes")), &exact).unwrap();
-    let octocats = scene.system.body_vertices()[..3].iter().cloned().flatten();
+    let octocats = scene.simulation.system().body_vertices()[..3]
+        .iter()
+        .cloned()
+        .flatten();
     let bounds: Aabb = octocats
-        .map(|vertex| scene.system.start()[vertex as usize])
+        .map(|vertex| scene.simulation.system().start()[vertex as usize])
         .collect();
     let diagonal = bounds.sides().map(|side| side * side).iter().sum::<f64>().sqrt();
     assert!((diagonal - 8.381).abs() < 5e-4, "{diagonal}");
-    let size = scene.system.size();
+    let size = scene.simulation.system().size();
     assert!(size < diagonal, "{size}");
-    let lengths = [scene.settings.contact_distance, scene.settings.tolerance];
+    let lengths = [
+        scene.simulation.settings().contact_distance,
+        scene.simulation.settings().tolerance,
+    ];
     for (length, share) in lengths.into_iter().zip([1e-3, 1e-2]) {
         assert!(
             (length.meters(size) / (share * 8.381) - 1.0).abs() < 1e-4,

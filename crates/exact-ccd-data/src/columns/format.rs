@@ -6,17 +6,17 @@
 //! Apache Parquet, *parquet.thrift*.
 
 use super::thrift;
-use super::thrift::Kind::{self, List, Other, Plain, Struct, Truth};
+use super::thrift::ValueType::{self, List, Other, Plain, Struct, Truth};
 
-const BYTE: Kind = Plain(thrift::BYTE);
-const I16: Kind = Plain(thrift::I16);
-const I32: Kind = Plain(thrift::I32);
-const I64: Kind = Plain(thrift::I64);
-const DOUBLE: Kind = Plain(thrift::DOUBLE);
-const BINARY: Kind = Plain(thrift::BINARY);
-const EMPTY: Kind = Struct(&[]);
+const BYTE: ValueType = Plain(thrift::BYTE);
+const I16: ValueType = Plain(thrift::I16);
+const I32: ValueType = Plain(thrift::I32);
+const I64: ValueType = Plain(thrift::I64);
+const DOUBLE: ValueType = Plain(thrift::DOUBLE);
+const BINARY: ValueType = Plain(thrift::BINARY);
+const EMPTY: ValueType = Struct(&[]);
 
-pub(super) const FILE_METADATA: Kind = Struct(&[
+pub(super) const FILE_METADATA: ValueType = Struct(&[
     I32,
     List(&SCHEMA_ELEMENT),
     I64,
@@ -26,9 +26,9 @@ pub(super) const FILE_METADATA: Kind = Struct(&[
     List(&COLUMN_ORDER),
 ]);
 
-const SCHEMA_ELEMENT: Kind = Struct(&[I32, I32, I32, BINARY, I32, I32, I32, I32, I32, LOGICAL_TYPE]);
+const SCHEMA_ELEMENT: ValueType = Struct(&[I32, I32, I32, BINARY, I32, I32, I32, I32, I32, LOGICAL_TYPE]);
 
-const LOGICAL_TYPE: Kind = Struct(&[
+const LOGICAL_TYPE: ValueType = Struct(&[
     EMPTY,
     EMPTY,
     EMPTY,
@@ -50,11 +50,11 @@ const LOGICAL_TYPE: Kind = Struct(&[
     EMPTY,
 ]);
 
-const TIME: Kind = Struct(&[Truth, Struct(&[EMPTY, EMPTY, EMPTY])]);
-const COLUMN_ORDER: Kind = Struct(&[EMPTY, EMPTY, EMPTY]);
-const KEY_VALUE: Kind = Struct(&[BINARY, BINARY]);
+const TIME: ValueType = Struct(&[Truth, Struct(&[EMPTY, EMPTY, EMPTY])]);
+const COLUMN_ORDER: ValueType = Struct(&[EMPTY, EMPTY, EMPTY]);
+const KEY_VALUE: ValueType = Struct(&[BINARY, BINARY]);
 
-const ROW_GROUP: Kind = Struct(&[
+const ROW_GROUP: ValueType = Struct(&[
     List(&COLUMN_CHUNK),
     I64,
     I64,
@@ -64,11 +64,11 @@ const ROW_GROUP: Kind = Struct(&[
     I16,
 ]);
 
-const SORTING_COLUMN: Kind = Struct(&[I32, Truth, Truth]);
+const SORTING_COLUMN: ValueType = Struct(&[I32, Truth, Truth]);
 
-const COLUMN_CHUNK: Kind = Struct(&[BINARY, I64, COLUMN_METADATA, I64, I32, I64, I32]);
+const COLUMN_CHUNK: ValueType = Struct(&[BINARY, I64, COLUMN_METADATA, I64, I32, I64, I32]);
 
-const COLUMN_METADATA: Kind = Struct(&[
+const COLUMN_METADATA: ValueType = Struct(&[
     I32,
     List(&I32),
     List(&BINARY),
@@ -88,11 +88,11 @@ const COLUMN_METADATA: Kind = Struct(&[
     Struct(&[BOX, List(&I32)]),
 ]);
 
-const STATISTICS: Kind = Struct(&[BINARY, BINARY, I64, I64, BINARY, BINARY, Truth, Truth, I64]);
+const STATISTICS: ValueType = Struct(&[BINARY, BINARY, I64, I64, BINARY, BINARY, Truth, Truth, I64]);
 
-const BOX: Kind = Struct(&[DOUBLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE]);
+const BOX: ValueType = Struct(&[DOUBLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE, DOUBLE]);
 
-pub(super) const PAGE_HEADER: Kind = Struct(&[
+pub(super) const PAGE_HEADER: ValueType = Struct(&[
     I32,
     I32,
     I32,
@@ -103,4 +103,4 @@ pub(super) const PAGE_HEADER: Kind = Struct(&[
     DATA_PAGE_V2,
 ]);
 
-const DATA_PAGE_V2: Kind = Struct(&[I32, I32, I32, I32, I32, I32, Truth, STATISTICS]);
+const DATA_PAGE_V2: ValueType = Struct(&[I32, I32, I32, I32, I32, I32, Truth, STATISTICS]);

@@ -25,15 +25,15 @@ pub(super) const MAP: u8 = 11;
 pub(super) const STRUCT: u8 = 12;
 
 /// The type of a known value.
-pub(super) enum Kind {
+pub(super) enum ValueType {
     /// A value that contains no others.
     Plain(u8),
     /// A truth value of a structure, which is the type itself.
     Truth,
     /// A list of such values.
-    List(&'static Kind),
+    List(&'static ValueType),
     /// A structure of these fields, in the order of their numbers, from 1. It may have others.
-    Struct(&'static [Kind]),
+    Struct(&'static [ValueType]),
     /// A value of any type.
     Other,
 }
@@ -46,20 +46,20 @@ pub(super) struct Thrift<'a> {
 
 impl Thrift<'_> {
     /// Skips a value of a known type, where the file states this type.
-    pub(super) fn known(&mut self, kind: &Kind, stated: u8) -> Option<()> {
+    pub(super) fn known(&mut self, kind: &ValueType, stated: u8) -> Option<()> {
         match (kind, stated) {
-            (Kind::Truth, TRUE | FALSE) => Some(()),
-            (Kind::Plain(kind), _) if *kind == stated => self.unknown(stated, 1),
-            (Kind::List(kind), LIST) => {
+            (ValueType::Truth, TRUE | FALSE) => Some(()),
+            (ValueType::Plain(kind), _) if *kind == stated => self.unknown(stated, 1),
+            (ValueType::List(kind), LIST) => {
                 let (count, stated) = self.list()?;
                 (0..count).try_for_each(|_| self.known(kind, stated))
             }
-            (Kind::Struct(kinds), STRUCT) => self.fields(&mut |thrift, field, stated| {
+            (ValueType::Struct(kinds), STRUCT) => self.fields(&mut |thrift, field, stated| {
                 // The numbers of fields rise from 1.
                 let kind = kinds.get(usize::from(field.unsigned_abs()) - 1);
-                thrift.known(kind.unwrap_or(&Kind::Other), stated)
+                thrift.known(kind.unwrap_or(&ValueType::Other), stated)
             }),
-            (Kind::Other, _) => self.skip(stated),
+            (ValueType::Other, _) => self.skip(stated),
             _ => None,
         }
     }

@@ -9,7 +9,7 @@ use super::cells::{Assembled, Cells};
 use super::file::{format_of, parse_bytes, parse_file};
 use super::group::Group;
 use super::options::{Polygons, ReadOptions};
-use super::{content, read_cells};
+use super::{read_cells, recognise};
 use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::file_ids::FileIds;
@@ -101,7 +101,7 @@ pub(super) fn assemble(
     folder: Option<&Path>,
     budget: &Budget,
 ) -> Result<Assembled, ParseError> {
-    content::check(bytes, format)?;
+    recognise::check(bytes, format)?;
     let cells = read_cells(bytes, format, folder, budget)?;
     cells.charge(budget);
     assemble_cells(cells, format)

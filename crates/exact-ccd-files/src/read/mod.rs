@@ -3,7 +3,6 @@
 mod budget;
 mod cells;
 mod compressed;
-mod content;
 mod file;
 mod frame;
 mod gltf;
@@ -19,6 +18,7 @@ mod off;
 mod options;
 mod ply;
 mod polygons;
+mod recognise;
 mod record;
 mod scalar;
 mod sequence;

@@ -6,12 +6,12 @@ use exact_ccd_mesh::Point;
 
 use super::cells::Cells;
 use super::file::parse_file;
-use super::gltf::Scene;
+use super::gltf::PlacedMeshes;
 use super::mesh_file::{MeshFile, assemble_cells};
 use super::numpy::{Arrays, Names};
 use super::options::{Polygons, ReadOptions};
 use super::series::{read_pvd_parts, read_pvd_within, read_series_within};
-use super::{content, gltf, numpy};
+use super::{gltf, numpy, recognise};
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::{Format, extension};
 
@@ -55,28 +55,28 @@ struct Recording {
 #[derive(Debug)]
 enum Positions {
     Arrays(Arrays),
-    Scene(Scene),
+    Placed(PlacedMeshes),
 }
 
 impl Positions {
     fn frame_count(&self) -> usize {
         match self {
             Self::Arrays(arrays) => arrays.frame_count,
-            Self::Scene(scene) => scene.frame_count(),
+            Self::Placed(meshes) => meshes.frame_count(),
         }
     }
 
     fn of_frame(&self, frame: usize) -> Result<Vec<Point>, Fault> {
         match self {
             Self::Arrays(arrays) => Ok(arrays.positions(frame)),
-            Self::Scene(scene) => scene.positions(frame),
+            Self::Placed(meshes) => meshes.positions(frame),
         }
     }
 
     fn time(&self, frame: usize) -> Option<f64> {
         match self {
             Self::Arrays(_) => None,
-            Self::Scene(scene) => scene.time(frame),
+            Self::Placed(meshes) => meshes.time(frame),
         }
     }
 }
@@ -132,10 +132,10 @@ impl FrameSequence {
                     if !gltf::has_animations(bytes, budget)? {
                         return Ok(None);
                     }
-                    content::check(bytes, Format::Gltf)?;
-                    let (scene, cells) = gltf::read_moving(bytes, folder, budget)?;
+                    recognise::check(bytes, Format::Gltf)?;
+                    let (meshes, cells) = gltf::read_moving(bytes, folder, budget)?;
                     cells.charge(budget);
-                    with_mesh(Positions::Scene(scene), cells, polygons).map(Some)
+                    with_mesh(Positions::Placed(meshes), cells, polygons).map(Some)
                 })?;
                 recording.unwrap_or_else(|| Source::Files(vec![(None, path.to_owned())]))
             }
@@ -257,7 +257,7 @@ fn read_arrays(path: &Path, format: Format, options: &ReadOptions) -> Result<Sou
     let read_faces = |file| parse_file(Path::new(file), options.max_size, numpy::read_faces);
     let faces = faces_file.map(read_faces).transpose()?;
     parse_file(path, options.max_size, |bytes, budget| {
-        content::check(bytes, format)?;
+        recognise::check(bytes, format)?;
         let mut arrays = match format {
             Format::Npz => numpy::read_npz(bytes, &names, budget)?,
             _ => numpy::read_npy(bytes, budget)?,

@@ -7,9 +7,8 @@ use arrayvec::ArrayVec;
 use exact_ccd::Impact;
 
 use crate::gathered::Gathered;
-use crate::mesh::TriangleMesh;
 use crate::pairs::{Pair, PairKind, Searched};
-use crate::search::{Collect, NarrowPhase};
+use crate::search::{Collect, PairCollision};
 use crate::steps::Step;
 use crate::vector::{dot, minus};
 
@@ -84,37 +83,33 @@ impl<'a> Retreats<'a> {
 }
 
 impl Collect for Retreats<'_> {
-    const PROFITS_FROM_SAMPLE: bool = false;
+    /// The pairs that have no vertex that can be held back.
+    type Batch = Vec<Pair>;
 
     fn until(&self) -> f64 {
         1.0
     }
 
-    fn examine<K: Searched>(
-        &self,
-        narrow_phase: &NarrowPhase,
-        mesh: &TriangleMesh,
-        pairs: &[[u32; 2]],
-    ) -> ControlFlow<()> {
-        let mut stuck = Vec::new();
-        narrow_phase.collisions::<K>(mesh, pairs, self.until(), |ids, pair| {
-            let Some((collision, vertices)) = pair.contact().zip(K::vertices(mesh, ids)) else {
-                return;
-            };
-            let able = self.able(vertices.as_ref());
-            let Some(last) = able.iter().map(|&vertex| self.first(vertex)).max() else {
-                stuck.push(Pair::new(K::KIND, ids));
-                return;
-            };
-            // Otherwise, an earlier contact already holds back each vertex that this one would.
-            if collision.is_before(f64::from_bits(last)) {
-                let impact = collision.impact();
-                let time = impact.time.lower().to_bits();
-                for vertex in self.held_back::<K>(vertices.as_ref(), &impact) {
-                    self.times[vertex as usize].fetch_min(time, Ordering::Relaxed);
-                }
+    fn add<K: Searched>(&self, stuck: &mut Vec<Pair>, ids: [u32; 2], found: PairCollision<'_, K>) {
+        let Some((collision, vertices)) = found.contact().zip(K::vertices(self.step.mesh(), ids)) else {
+            return;
+        };
+        let able = self.able(vertices.as_ref());
+        let Some(last) = able.iter().map(|&vertex| self.first(vertex)).max() else {
+            stuck.push(Pair::new(K::KIND, ids));
+            return;
+        };
+        // Otherwise, an earlier contact already holds back each vertex that this one would.
+        if collision.is_before(f64::from_bits(last)) {
+            let impact = collision.impact();
+            let time = impact.time.lower().to_bits();
+            for vertex in self.held_back::<K>(vertices.as_ref(), &impact) {
+                self.times[vertex as usize].fetch_min(time, Ordering::Relaxed);
             }
-        });
+        }
+    }
+
+    fn end<K: Searched>(&self, stuck: Vec<Pair>, _: usize) -> ControlFlow<()> {
         self.stuck.append(stuck);
         ControlFlow::Continue(())
     }

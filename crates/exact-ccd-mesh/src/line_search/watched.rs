@@ -5,9 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::error::LineSearchError;
 use super::options::FreeStepOptions;
-use crate::mesh::TriangleMesh;
 use crate::pairs::Searched;
-use crate::search::{Collect, NarrowPhase};
+use crate::search::{Collect, PairCollision, Relevant};
 
 /// The caller's callbacks during a search.
 pub(super) struct Watch<'a> {
@@ -55,24 +54,29 @@ pub(super) struct Watched<'a, C> {
 }
 
 impl<C: Collect> Collect for Watched<'_, C> {
+    type Batch = C::Batch;
+
     const PROFITS_FROM_SAMPLE: bool = C::PROFITS_FROM_SAMPLE;
 
     fn until(&self) -> f64 {
         self.collector.until()
     }
 
-    fn examine<K: Searched>(
-        &self,
-        narrow_phase: &NarrowPhase,
-        mesh: &TriangleMesh,
-        pairs: &[[u32; 2]],
-    ) -> ControlFlow<()> {
+    fn relevant<'a, K: Searched>(&self, pairs: &'a [[u32; 2]]) -> ControlFlow<(), Relevant<'a>> {
         if self.watch.is_cancelled() {
             return ControlFlow::Break(());
         }
-        self.collector.examine::<K>(narrow_phase, mesh, pairs)?;
+        self.collector.relevant::<K>(pairs)
+    }
+
+    fn add<K: Searched>(&self, batch: &mut C::Batch, ids: [u32; 2], found: PairCollision<'_, K>) {
+        self.collector.add(batch, ids, found);
+    }
+
+    fn end<K: Searched>(&self, batch: C::Batch, pair_count: usize) -> ControlFlow<()> {
+        self.collector.end::<K>(batch, pair_count)?;
         if let Some(progress) = self.watch.options.progress {
-            progress(pairs.len());
+            progress(pair_count);
         }
         ControlFlow::Continue(())
     }

@@ -13,4 +13,4 @@ pub use options::{BoxKind, CandidateError, CandidateOptions};
 pub(crate) use margin::Margin;
 pub(crate) use primitives::Primitives;
 pub(crate) use step_boxes::StepBoxes;
-pub(crate) use stream::{Receive, stream};
+pub(crate) use stream::stream;

@@ -9,14 +9,8 @@ use super::options::{BoxKind, CandidateError, CandidateOptions};
 use super::primitives::Primitives;
 use super::step_boxes::StepBoxes;
 use crate::broad_phase::{Aabb, BoxPairs, BroadPhase, meet};
-use crate::pairs::{CanCollide, Searched};
+use crate::pairs::{CanCollide, Receive, Searched};
 use crate::steps::Step;
-
-/// A receiver of candidates, in batches in any order, on any thread.
-pub(crate) trait Receive: Sync {
-    /// Receives candidates of one kind. `Break` ends the search.
-    fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()>;
-}
 
 /// Passes the candidates of a step on.
 ///
@@ -91,7 +85,10 @@ impl<'a, const T: usize, F: Fn(Point, Point) -> [Aabb; T] + Sync> Overlaps<'a, T
         broad_phase: &dyn BoxPairs<T>,
         receiver: &impl Receive,
     ) -> ControlFlow<()> {
-        let sink = |pairs: &[_]| receiver.receive::<K>(self.among::<K>(pairs));
+        let sink = |pairs: &[_]| match self.among::<K>(pairs) {
+            none if none.is_empty() => ControlFlow::Continue(()),
+            some => receiver.receive::<K>(&some),
+        };
         self.boxes.pairs::<K>(self.step.mesh(), broad_phase, None, &sink)
     }
 

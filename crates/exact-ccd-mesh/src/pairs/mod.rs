@@ -8,6 +8,7 @@ mod kind;
 mod min_distance;
 mod other_ends;
 mod pair;
+mod receive;
 
 pub use by_kind::PairCounts;
 pub use can_collide::CanCollide;
@@ -19,3 +20,4 @@ pub use pair::Pair;
 pub(crate) use by_kind::ByKind;
 pub(crate) use kind::{PrimitiveSet, Searched};
 pub(crate) use other_ends::OtherEnds;
+pub(crate) use receive::Receive;

@@ -8,10 +8,10 @@ use rayon::prelude::*;
 use super::collect::{AllContacts, AnyContact, Collect, Earliest};
 use super::contact::Contact;
 use super::method;
-use super::narrow_phase::NarrowPhase;
+use super::narrow_phase::{Examiner, NarrowPhase};
 use crate::broad_phase::{BroadPhase, PairCollector};
-use crate::overlaps::{self, CandidateError, CandidateOptions, Receive};
-use crate::pairs::{ByKind, MinDistance, Pair, PairCounts, Searched};
+use crate::overlaps::{self, CandidateError, CandidateOptions};
+use crate::pairs::{ByKind, MinDistance, Pair, PairCounts, Receive, Searched};
 use crate::steps::Step;
 
 /// Pairs of primitives that come near each other in a step, by their indices.
@@ -171,26 +171,15 @@ impl Candidates {
         }
     }
 
-    pub(super) fn examine_all(
-        &self,
-        step: &Step<'_>,
-        narrow_phase: &NarrowPhase,
-        collector: &impl Collect,
-    ) -> ControlFlow<()> {
+    /// Passes all pairs on, in batches.
+    pub(super) fn pass_to(&self, receiver: &impl Receive) -> ControlFlow<()> {
         let mut kinds = AnyKind::ALL.iter();
-        kinds.try_for_each(
-            |&kind| with_kind!(kind, K => self.examine_kind::<K>(step, narrow_phase, collector)),
-        )
+        kinds.try_for_each(|&kind| with_kind!(kind, K => self.pass_kind_to::<K>(receiver)))
     }
 
-    fn examine_kind<K: Searched>(
-        &self,
-        step: &Step<'_>,
-        narrow_phase: &NarrowPhase,
-        collector: &impl Collect,
-    ) -> ControlFlow<()> {
+    fn pass_kind_to<K: Searched>(&self, receiver: &impl Receive) -> ControlFlow<()> {
         let pairs = self.0[K::KIND].par_chunks(GRAIN);
-        pairs.try_for_each(|pairs| collector.examine::<K>(narrow_phase, step.mesh(), pairs))
+        pairs.try_for_each(|pairs| receiver.receive::<K>(pairs))
     }
 }
 
@@ -228,7 +217,11 @@ impl Decision<'_> {
         rayon::scope(|_| {
             let min_distance = self.min_distance.extended_to(self.step.mesh());
             let narrow_phase = NarrowPhase::of(&self.step, min_distance);
-            let _ = self.candidates.examine_all(&self.step, &narrow_phase, collector);
+            let _ = self.candidates.pass_to(&Examiner {
+                narrow_phase: &narrow_phase,
+                mesh: self.step.mesh(),
+                collector,
+            });
         });
     }
 }
@@ -250,8 +243,8 @@ impl FromIterator<Pair> for Candidates {
 }
 
 impl Receive for ByKind<PairCollector> {
-    fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
-        self[K::KIND].add(pairs)
+    fn receive<K: Searched>(&self, pairs: &[[u32; 2]]) -> ControlFlow<()> {
+        self[K::KIND].add(pairs.iter().copied())
     }
 }
 
@@ -259,8 +252,8 @@ impl Receive for ByKind<PairCollector> {
 struct Sink<'a>(&'a (dyn Fn(&[Pair]) -> ControlFlow<()> + Sync));
 
 impl Receive for Sink<'_> {
-    fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
-        let pairs: Vec<Pair> = pairs.into_iter().map(|ids| Pair::new(K::KIND, ids)).collect();
+    fn receive<K: Searched>(&self, pairs: &[[u32; 2]]) -> ControlFlow<()> {
+        let pairs: Vec<Pair> = pairs.iter().map(|&ids| Pair::new(K::KIND, ids)).collect();
         (self.0)(&pairs)
     }
 }

@@ -3,13 +3,12 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use exact_ccd::{Options, Point, Separation};
+use exact_ccd::{Kind, Options, Point, Query, Separation};
 
-use super::collect::Collect;
-use super::detector::Detector;
+use super::detector::{Begun, Detector};
 use super::narrow_phase::NarrowPhase;
 use crate::mesh::TriangleMesh;
-use crate::pairs::Searched;
+use crate::pairs::{Receive, Searched};
 use crate::steps::StepError;
 
 impl Detector {
@@ -44,8 +43,14 @@ impl Detector {
     ///
     /// [`Pair`]: crate::Pair
     pub fn clearances(&mut self, x: &[Point], cut_off: Separation) -> Result<Vec<f64>, StepError> {
-        let mut begun = self.begin(x, x, Options::within(cut_off))?;
-        Ok(begun.run(Clearances::new(x.len(), cut_off)).into_values())
+        let Begun { step, search, .. } = self.begin(x, x, Options::within(cut_off))?;
+        let least = Clearances::new(x.len(), cut_off);
+        search.pass_within(&step, cut_off, |narrow_phase| Measured {
+            narrow_phase,
+            mesh: step.mesh(),
+            least: &least,
+        });
+        Ok(least.into_values())
     }
 }
 
@@ -75,36 +80,38 @@ impl Clearances {
             .map(|&vertex| self.least[vertex as usize].load(Ordering::Relaxed));
         f64::from_bits(bits.max().unwrap_or_default())
     }
+
+    /// Takes a pair at rest.
+    fn add<K: Kind>(&self, vertices: &[u32], query: &Query<K>) {
+        // Most pairs are farther apart than the clearances of their vertices so far; filters prove it.
+        let Ok(most) = Separation::new(self.of(vertices)) else {
+            return;
+        };
+        if !query.collides(most) {
+            return;
+        }
+        let Ok(distance) = query.distance_at(0.0) else {
+            return;
+        };
+        for &vertex in vertices {
+            self.least[vertex as usize].fetch_min(distance.lower.to_bits(), Ordering::Relaxed);
+        }
+    }
 }
 
-impl Collect for Clearances {
-    const PROFITS_FROM_SAMPLE: bool = false;
+/// The narrow phase of a mesh at rest, as a receiver of candidates whose distances it computes.
+struct Measured<'a> {
+    narrow_phase: &'a NarrowPhase,
+    mesh: &'a TriangleMesh,
+    least: &'a Clearances,
+}
 
-    fn until(&self) -> f64 {
-        0.0
-    }
-
-    fn examine<K: Searched>(
-        &self,
-        narrow_phase: &NarrowPhase,
-        mesh: &TriangleMesh,
-        pairs: &[[u32; 2]],
-    ) -> ControlFlow<()> {
-        narrow_phase.queries::<K>(mesh, pairs, |vertices, query| {
-            // Most pairs are farther apart than the clearances of their vertices so far; filters prove it.
-            let Ok(most) = Separation::new(self.of(vertices.as_ref())) else {
-                return;
-            };
-            if !query.collides(most) {
-                return;
-            }
-            let Ok(distance) = query.distance_at(0.0) else {
-                return;
-            };
-            for &vertex in vertices.as_ref() {
-                self.least[vertex as usize].fetch_min(distance.lower.to_bits(), Ordering::Relaxed);
-            }
-        });
+impl Receive for Measured<'_> {
+    fn receive<K: Searched>(&self, pairs: &[[u32; 2]]) -> ControlFlow<()> {
+        self.narrow_phase
+            .queries::<K>(self.mesh, pairs, |vertices, query| {
+                self.least.add(vertices.as_ref(), &query);
+            });
         ControlFlow::Continue(())
     }
 }

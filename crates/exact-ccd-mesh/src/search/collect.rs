@@ -1,5 +1,6 @@
 //! Collectors of the contacts among candidates.
 
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -7,32 +8,41 @@ use std::sync::{Mutex, PoisonError};
 use exact_ccd::{Collision, Kind};
 
 use super::contact::Contact;
-use super::narrow_phase::NarrowPhase;
+use super::pair_collision::PairCollision;
 use crate::gathered::Gathered;
-use crate::mesh::TriangleMesh;
 use crate::pairs::{ByKind, Pair, PairCounts, Searched};
 
-/// A collector of contacts: receives batches of candidates in any order, on any thread.
+/// A collector of contacts, which the narrow phase passes to it, in batches in any order, on any thread.
 pub(crate) trait Collect: Sync {
+    /// The contacts in one batch of pairs, before [`end`](Self::end) unites them with the others.
+    type Batch: Default;
+
     /// True if contacts that are found early shorten the search, and if a pair may be examined
     /// twice.
-    const PROFITS_FROM_SAMPLE: bool;
+    const PROFITS_FROM_SAMPLE: bool = false;
 
     /// The time after which contacts are irrelevant.
     fn until(&self) -> f64;
 
-    /// Examines candidates of one kind, of two primitives of one set the smaller index first. `Break` ends
-    /// the search.
-    fn examine<K: Searched>(
-        &self,
-        narrow_phase: &NarrowPhase,
-        mesh: &TriangleMesh,
-        pairs: &[[u32; 2]],
-    ) -> ControlFlow<()>;
+    /// The pairs among some of one kind whose contacts may be relevant, and the time after which they are
+    /// not. `Break` ends the search.
+    fn relevant<'a, K: Searched>(&self, pairs: &'a [[u32; 2]]) -> ControlFlow<(), Relevant<'a>> {
+        ControlFlow::Continue((Cow::Borrowed(pairs), self.until()))
+    }
+
+    /// Takes a pair that comes within its distance.
+    fn add<K: Searched>(&self, batch: &mut Self::Batch, ids: [u32; 2], found: PairCollision<'_, K>);
+
+    /// Takes a batch after its last pair, and the number of all pairs of the batch, with the irrelevant ones.
+    /// `Break` ends the search.
+    fn end<K: Searched>(&self, batch: Self::Batch, pair_count: usize) -> ControlFlow<()>;
 
     /// Forgets the numbers of one kind, after a sample: its pairs are examined again.
     fn forget_sample<K: Searched>(&self) {}
 }
+
+/// Pairs, and the time after which their contacts are irrelevant.
+pub(crate) type Relevant<'a> = (Cow<'a, [[u32; 2]]>, f64);
 
 /// The existence of a contact that counts.
 pub(crate) struct AnyContact<'a> {
@@ -57,23 +67,19 @@ impl<'a> AnyContact<'a> {
 }
 
 impl Collect for AnyContact<'_> {
-    const PROFITS_FROM_SAMPLE: bool = false;
+    type Batch = ();
 
     fn until(&self) -> f64 {
         self.until
     }
 
-    fn examine<K: Searched>(
-        &self,
-        narrow_phase: &NarrowPhase,
-        mesh: &TriangleMesh,
-        pairs: &[[u32; 2]],
-    ) -> ControlFlow<()> {
-        narrow_phase.collisions::<K>(mesh, pairs, self.until(), |ids, pair| {
-            if !self.is_found() && pair.contact().is_some() && (self.counts)(Pair::new(K::KIND, ids)) {
-                self.is_found.store(true, Ordering::Relaxed);
-            }
-        });
+    fn add<K: Searched>(&self, (): &mut (), ids: [u32; 2], found: PairCollision<'_, K>) {
+        if !self.is_found() && found.contact().is_some() && (self.counts)(Pair::new(K::KIND, ids)) {
+            self.is_found.store(true, Ordering::Relaxed);
+        }
+    }
+
+    fn end<K: Searched>(&self, (): (), _: usize) -> ControlFlow<()> {
         if self.is_found() {
             ControlFlow::Break(())
         } else {
@@ -121,64 +127,63 @@ impl Earliest {
         self.touching.unwrap_or_default().map(AtomicUsize::into_inner)
     }
 
-    fn add<K: Kind>(&self, pair: Pair, collision: &Collision<'_, K>) {
+    /// Takes a contact if it is earlier than all so far.
+    pub(super) fn offer<K: Kind>(&self, pair: Pair, collision: &Collision<'_, K>) {
+        // Equal times count, for a lesser pair. The normal may take long: it is computed before the lock.
         let time = collision.time();
-        let is_earliest = |found: &Option<Contact>| found.is_none_or(|found| (time, pair) < found.key());
-        if !is_earliest(&self.contact()) {
-            return;
+        if time.lower() <= self.until() && self.contact().is_none_or(|first| (time, pair) < first.key()) {
+            self.take(Contact::new(pair, collision));
         }
-        // Before the lock: the normal may take long.
-        let new = Contact::new(pair, collision);
+    }
+
+    /// Takes a contact if it is still earlier than all others.
+    pub(super) fn take(&self, new: Contact) {
         let mut contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
-        if is_earliest(&contact) {
+        if contact.is_none_or(|first| new.key() < first.key()) {
             *contact = Some(new);
-            self.limit.store(time.upper().to_bits(), Ordering::Relaxed);
+            self.limit
+                .store(new.impact.time.upper().to_bits(), Ordering::Relaxed);
         }
     }
 }
 
 impl Collect for Earliest {
+    /// The number of pairs that start within their distance.
+    type Batch = usize;
+
     const PROFITS_FROM_SAMPLE: bool = true;
 
     fn until(&self) -> f64 {
         f64::from_bits(self.limit.load(Ordering::Relaxed))
     }
 
-    fn examine<K: Searched>(
-        &self,
-        narrow_phase: &NarrowPhase,
-        mesh: &TriangleMesh,
-        pairs: &[[u32; 2]],
-    ) -> ControlFlow<()> {
-        let mut touching = 0;
-        let mut lesser = Vec::new();
-        // At the same time, a lesser pair comes first. The kinds are examined in the order of pairs.
-        let is_later = |first| Pair::new(K::KIND, [0; 2]) > first;
-        let (pairs, until) = match self.contact().map(|contact| contact.key()) {
-            Some((time, first)) if time.is_start() && self.touching.is_none() => {
-                if is_later(first) {
-                    return ControlFlow::Break(());
-                }
-                lesser.extend(
-                    pairs
-                        .iter()
-                        .copied()
-                        .filter(|&ids| Pair::new(K::KIND, ids) < first),
-                );
-                (lesser.as_slice(), 0.0)
-            }
-            Some((time, first)) if is_later(first) => (pairs, time.lower()),
-            _ => (pairs, self.until()),
+    fn relevant<'a, K: Searched>(&self, pairs: &'a [[u32; 2]]) -> ControlFlow<(), Relevant<'a>> {
+        let all = Cow::Borrowed(pairs);
+        let Some((time, first)) = self.contact().map(|contact| contact.key()) else {
+            return ControlFlow::Continue((all, self.until()));
         };
-        narrow_phase.collisions::<K>(mesh, pairs, until, |ids, pair| {
-            touching += usize::from(pair.starts_within());
-            // Equal times count, for a lesser pair.
-            if let Some(collision) = pair.contact()
-                && collision.time().lower() <= self.until()
-            {
-                self.add(Pair::new(K::KIND, ids), &collision);
+        // At the same time, a lesser pair comes first. The kinds are examined in the order of pairs.
+        let is_later = Pair::new(K::KIND, [0; 2]) > first;
+        let starts = time.is_start() && self.touching.is_none();
+        ControlFlow::Continue(match (starts, is_later) {
+            (true, true) => return ControlFlow::Break(()),
+            (true, false) => {
+                let is_lesser = |ids: &[u32; 2]| Pair::new(K::KIND, *ids) < first;
+                (pairs.iter().copied().filter(is_lesser).collect(), 0.0)
             }
-        });
+            (false, true) => (all, time.lower()),
+            (false, false) => (all, self.until()),
+        })
+    }
+
+    fn add<K: Searched>(&self, touching: &mut usize, ids: [u32; 2], found: PairCollision<'_, K>) {
+        *touching += usize::from(found.starts_within());
+        if let Some(collision) = found.contact() {
+            self.offer(Pair::new(K::KIND, ids), &collision);
+        }
+    }
+
+    fn end<K: Searched>(&self, touching: usize, _: usize) -> ControlFlow<()> {
         if let Some(all) = &self.touching {
             all[K::KIND].fetch_add(touching, Ordering::Relaxed);
         }
@@ -206,6 +211,11 @@ impl AllContacts {
         }
     }
 
+    /// Adds some contacts.
+    pub(super) fn append(&self, some: Vec<Contact>) {
+        self.contacts.append(some);
+    }
+
     /// The contacts in their order.
     pub(crate) fn sorted(self) -> Vec<Contact> {
         let mut contacts = self.contacts.into_list();
@@ -215,24 +225,19 @@ impl AllContacts {
 }
 
 impl Collect for AllContacts {
-    const PROFITS_FROM_SAMPLE: bool = false;
+    type Batch = Vec<Contact>;
 
     fn until(&self) -> f64 {
         self.until
     }
 
-    fn examine<K: Searched>(
-        &self,
-        narrow_phase: &NarrowPhase,
-        mesh: &TriangleMesh,
-        pairs: &[[u32; 2]],
-    ) -> ControlFlow<()> {
-        let mut found = Vec::new();
-        narrow_phase.collisions::<K>(mesh, pairs, self.until(), |ids, pair| {
-            let contact = pair.contact();
-            found.extend(contact.map(|collision| Contact::new(Pair::new(K::KIND, ids), &collision)));
-        });
-        self.contacts.append(found);
+    fn add<K: Searched>(&self, batch: &mut Vec<Contact>, ids: [u32; 2], found: PairCollision<'_, K>) {
+        let contact = found.contact();
+        batch.extend(contact.map(|collision| Contact::new(Pair::new(K::KIND, ids), &collision)));
+    }
+
+    fn end<K: Searched>(&self, batch: Vec<Contact>, _: usize) -> ControlFlow<()> {
+        self.append(batch);
         ControlFlow::Continue(())
     }
 }

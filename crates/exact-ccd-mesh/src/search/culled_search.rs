@@ -4,17 +4,17 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use exact_ccd::{AnyKind, Point, with_kind};
+use exact_ccd::{AnyKind, Point, Separation, with_kind};
 
 use super::candidates::Candidates;
 use super::collect::Collect;
 use super::kept::Kept;
-use super::narrow_phase::NarrowPhase;
+use super::narrow_phase::{Examiner, NarrowPhase};
 use super::screen::Screen;
 use crate::at_rest::{Intersection, StartCheck};
 use crate::broad_phase::{BoxPairs, BroadPhase};
-use crate::overlaps::{Margin, Primitives, StepBoxes};
-use crate::pairs::{CanCollide, MinDistance, Searched};
+use crate::overlaps::{self, CandidateOptions, Margin, Primitives, StepBoxes};
+use crate::pairs::{CanCollide, MinDistance, Receive, Searched};
 use crate::steps::{Step, StepError};
 use crate::vector::minus;
 
@@ -104,6 +104,23 @@ impl CulledSearch {
         self.pass(step, min_distance, collector, None);
     }
 
+    /// Passes all candidates within a distance to a receiver, which is made of the narrow phase of the step.
+    pub(crate) fn pass_within<'a, R: Receive>(
+        &'a mut self,
+        step: &Step<'_>,
+        distance: Separation,
+        receiver: impl FnOnce(&'a NarrowPhase) -> R,
+    ) {
+        let narrow_phase = &mut self.memory.narrow_phase;
+        narrow_phase.begin(step, distance.into());
+        let options = CandidateOptions {
+            min_distance: distance.into(),
+            can_collide: narrow_phase.can_collide().clone(),
+            ..CandidateOptions::default()
+        };
+        let _ = overlaps::stream(*step, &*self.broad_phase, &options, &receiver(narrow_phase));
+    }
+
     /// The same, for a search in a part of the step afterwards, which [`run_in_part`](Self::run_in_part)
     /// makes.
     pub(crate) fn run_keeping(
@@ -139,7 +156,11 @@ impl CulledSearch {
         };
         let _ = rayon::scope(|_| {
             narrow_phase.begin(part, min_distance.clone());
-            kept.examine_all(part, narrow_phase, collector)
+            kept.pass_to(&Examiner {
+                narrow_phase,
+                mesh: part.mesh(),
+                collector,
+            })
         });
     }
 
@@ -321,7 +342,12 @@ impl<C: Collect> Pass<'_, C> {
         if let Some(time) = new_time {
             boxes.place::<K>(self.step, self.primitives, time);
         }
-        let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
+        let examiner = Examiner {
+            narrow_phase: self.narrow_phase,
+            mesh,
+            collector: self.collector,
+        };
+        let examine = |pairs: &[_]| examiner.receive::<K>(pairs);
         let Some(kept) = self.kept.filter(|_| sample.is_none()) else {
             return boxes.pairs::<K>(mesh, broad_phase, sample, &examine);
         };
@@ -365,8 +391,13 @@ impl<C: Collect> Marked<'_, C> {
         } else {
             boxes.place::<K>(self.step, self.primitives, 1.0);
         }
+        let examiner = Examiner {
+            narrow_phase: self.narrow_phase,
+            mesh,
+            collector: self.collector,
+        };
         boxes.pairs_of_marked::<K>(mesh, self.broad_phase, self.marked, &|pairs: &[_]| {
-            self.collector.examine::<K>(self.narrow_phase, mesh, pairs)
+            examiner.receive::<K>(pairs)
         })
     }
 }

@@ -27,6 +27,6 @@ pub use first_contacts::FirstContacts;
 pub use report::{StepReport, step};
 pub use worlds::Worlds;
 
-pub(crate) use collect::{AnyContact, Collect, Earliest};
+pub(crate) use collect::{AnyContact, Collect, Earliest, Relevant};
 pub(crate) use culled_search::CulledSearch;
-pub(crate) use narrow_phase::NarrowPhase;
+pub(crate) use pair_collision::PairCollision;

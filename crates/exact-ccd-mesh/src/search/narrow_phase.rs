@@ -1,12 +1,15 @@
-//! The narrow phase: exact tests of candidates, in batches.
+//! The narrow phase: exact tests of candidates, in batches, whose contacts a collector receives.
+
+use std::ops::ControlFlow;
 
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{Options, Query, Separation, Separations};
 
 use super::chunks::for_each_chunk;
+use super::collect::Collect;
 use super::pair_collision::PairCollision;
 use crate::mesh::TriangleMesh;
-use crate::pairs::{CanCollide, MinDistance, PairKind};
+use crate::pairs::{CanCollide, MinDistance, PairKind, Receive, Searched};
 use crate::steps::Step;
 
 /// Exact tests of the candidates of a step, in batches.
@@ -47,11 +50,26 @@ impl NarrowPhase {
         &self.can_collide
     }
 
+    /// Passes the contacts among some pairs to a collector. `Break` ends the search.
+    fn examine<K: Searched, C: Collect>(
+        &self,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+        collector: &C,
+    ) -> ControlFlow<()> {
+        let (relevant, until) = collector.relevant::<K>(pairs)?;
+        let mut batch = C::Batch::default();
+        self.collisions::<K>(mesh, &relevant, until, |ids, found| {
+            collector.add::<K>(&mut batch, ids, found);
+        });
+        collector.end::<K>(batch, pairs.len())
+    }
+
     /// Calls `found` with each pair that first comes within its minimum distance at a time not after `until`.
     ///
     /// Pairs with a common vertex are left out, and pairs that cannot collide, and pairs that `mesh`, the
     /// mesh of the step, does not have.
-    pub(crate) fn collisions<K: PairKind>(
+    fn collisions<K: PairKind>(
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
@@ -112,5 +130,19 @@ impl NarrowPhase {
                 found(&vertices, query);
             }
         }
+    }
+}
+
+/// The narrow phase of a step, as a receiver of candidates.
+pub(crate) struct Examiner<'a, C> {
+    pub(crate) narrow_phase: &'a NarrowPhase,
+    pub(crate) mesh: &'a TriangleMesh,
+    pub(crate) collector: &'a C,
+}
+
+impl<C: Collect> Receive for Examiner<'_, C> {
+    fn receive<K: Searched>(&self, pairs: &[[u32; 2]]) -> ControlFlow<()> {
+        self.narrow_phase
+            .examine::<K, C>(self.mesh, pairs, self.collector)
     }
 }

@@ -5,12 +5,13 @@ use std::sync::{Mutex, PoisonError};
 
 use exact_ccd::Point;
 
+use super::collect::{AllContacts, Collect, Earliest};
 use super::contact::Contact;
-use super::narrow_phase::NarrowPhase;
+use super::narrow_phase::{Examiner, NarrowPhase};
+use super::pair_collision::PairCollision;
 use crate::broad_phase::{BroadPhase, Bvh};
-use crate::gathered::Gathered;
 use crate::mesh::TriangleMesh;
-use crate::overlaps::{self, CandidateError, CandidateOptions, Receive};
+use crate::overlaps::{self, CandidateError, CandidateOptions};
 use crate::pairs::{ByKind, Pair, PairCounts, Searched};
 use crate::steps::{Step, StepError};
 
@@ -96,11 +97,9 @@ impl StepReport {
         options: &CandidateOptions,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<(Self, Vec<Contact>), CandidateError> {
-        let list = Gathered::default();
-        let report = Self::tally(step, broad_phase, options, progress, Some(&list))?;
-        let mut contacts = list.into_list();
-        contacts.sort_unstable_by_key(Contact::key);
-        Ok((report, contacts))
+        let all = AllContacts::new(1.0);
+        let report = Self::tally(step, broad_phase, options, progress, Some(&all))?;
+        Ok((report, all.sorted()))
     }
 
     fn tally(
@@ -108,24 +107,27 @@ impl StepReport {
         broad_phase: &dyn BroadPhase,
         options: &CandidateOptions,
         progress: &(dyn Fn(usize) + Sync),
-        list: Option<&Gathered<Contact>>,
+        all: Option<&AllContacts>,
     ) -> Result<Self, CandidateError> {
         let tallies = Tallies {
-            narrow_phase: NarrowPhase::of(&step, options.min_distance.clone()),
-            mesh: step.mesh(),
             progress,
-            tallies: ByKind::default(),
-            list,
+            counts: ByKind::default(),
+            earliest: Earliest::new(1.0),
+            all,
         };
-        let _ = overlaps::stream(step, broad_phase, options, &tallies)?;
-        let of_kind = |tally: Mutex<Tally>| tally.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let tallies = tallies.tallies.map(of_kind);
-        let earliest = tallies.iter().filter_map(|(_, tally)| tally.earliest);
+        let examiner = Examiner {
+            narrow_phase: &NarrowPhase::of(&step, options.min_distance.clone()),
+            mesh: step.mesh(),
+            collector: &tallies,
+        };
+        let _ = overlaps::stream(step, broad_phase, options, &examiner)?;
+        let of_kind = |counts: &Mutex<Counts>| *counts.lock().unwrap_or_else(PoisonError::into_inner);
+        let counts = tallies.counts.map_ref(of_kind);
         Ok(Self {
-            candidates: tallies.map(|tally| tally.candidates),
-            colliding: tallies.map(|tally| tally.colliding),
-            touching: tallies.map(|tally| tally.touching),
-            earliest: earliest.min_by_key(Contact::key),
+            candidates: counts.map_ref(|counts| counts.candidates),
+            colliding: counts.map_ref(|counts| counts.colliding),
+            touching: counts.map_ref(|counts| counts.touching),
+            earliest: tallies.earliest.contact(),
         })
     }
 
@@ -142,72 +144,61 @@ impl StepReport {
     }
 }
 
-/// The counts of each kind of pairs.
+/// The counts of each kind of pairs, and the earliest contact.
 struct Tallies<'a> {
-    narrow_phase: NarrowPhase,
-    mesh: &'a TriangleMesh,
     progress: &'a (dyn Fn(usize) + Sync),
-    tallies: ByKind<Mutex<Tally>>,
+    counts: ByKind<Mutex<Counts>>,
+    earliest: Earliest,
     /// All contacts, if they are wanted.
-    list: Option<&'a Gathered<Contact>>,
+    all: Option<&'a AllContacts>,
 }
 
 /// The counts of one kind of pairs.
 #[derive(Clone, Copy, Default)]
-struct Tally {
+struct Counts {
     candidates: usize,
     colliding: usize,
     touching: usize,
-    earliest: Option<Contact>,
 }
 
-impl Receive for Tallies<'_> {
-    fn receive<K: Searched>(&self, candidates: Vec<[u32; 2]>) -> ControlFlow<()> {
-        if candidates.is_empty() {
-            return ControlFlow::Continue(());
-        }
-        let tally = || {
-            self.tallies[K::KIND]
-                .lock()
-                .unwrap_or_else(PoisonError::into_inner)
+impl Collect for Tallies<'_> {
+    type Batch = (Counts, Vec<Contact>);
+
+    fn until(&self) -> f64 {
+        1.0
+    }
+
+    fn add<K: Searched>(&self, batch: &mut Self::Batch, ids: [u32; 2], found: PairCollision<'_, K>) {
+        let (counts, contacts) = batch;
+        counts.touching += usize::from(found.starts_within());
+        let Some(collision) = found.contact() else {
+            return;
         };
-        let (mut earliest, mut contacts) = (tally().earliest, Vec::new());
-        let (mut colliding, mut touching) = (0, 0);
-        self.narrow_phase
-            .collisions::<K>(self.mesh, &candidates, 1.0, |ids, pair| {
-                touching += usize::from(pair.starts_within());
-                let Some(collision) = pair.contact() else {
-                    return;
-                };
-                colliding += 1;
-                let pair = Pair::new(K::KIND, ids);
-                let is_earliest =
-                    earliest.is_none_or(|first: Contact| (collision.time(), pair) < first.key());
-                if !is_earliest && self.list.is_none() {
-                    return;
-                }
-                let contact = Contact::new(pair, &collision);
-                if is_earliest {
-                    earliest = Some(contact);
-                }
-                contacts.push(contact);
-            });
-        if let Some(list) = self.list {
-            list.append(contacts);
+        counts.colliding += 1;
+        let pair = Pair::new(K::KIND, ids);
+        if self.all.is_none() {
+            self.earliest.offer(pair, &collision);
+            return;
+        }
+        let contact = Contact::new(pair, &collision);
+        self.earliest.take(contact);
+        contacts.push(contact);
+    }
+
+    fn end<K: Searched>(&self, (counts, contacts): Self::Batch, pair_count: usize) -> ControlFlow<()> {
+        if let Some(all) = self.all {
+            all.append(contacts);
         }
         {
-            let mut tally = tally();
-            tally.candidates += candidates.len();
-            tally.colliding += colliding;
-            tally.touching += touching;
-            tally.earliest = tally
-                .earliest
-                .into_iter()
-                .chain(earliest)
-                .min_by_key(Contact::key);
+            let mut all = self.counts[K::KIND]
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner);
+            all.candidates += pair_count;
+            all.colliding += counts.colliding;
+            all.touching += counts.touching;
         }
         // After the lock is released: the callback may take long, or wait for other threads.
-        (self.progress)(candidates.len());
+        (self.progress)(pair_count);
         ControlFlow::Continue(())
     }
 }

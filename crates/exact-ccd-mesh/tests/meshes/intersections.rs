@@ -1,14 +1,12 @@
 //! Self-intersections at rest against rational numbers, and sequences of frames against all pairs.
 
-#[path = "../../../exact-ccd/tests/intersection/oracle.rs"]
-mod oracle;
-
 use exact_ccd::{CONTACT, EdgeEdge, Query, Thickness, VertexFace};
 use exact_ccd_mesh::{
     AllPairs, Audit, Bvh, CanCollide, Frame, Intersection, IntersectionOptions, IntersectionsError, Meeting,
     MinDistance, MotionError, Point, PositionsError, StepError, Sweep, TriangleMesh, Violation,
     has_intersections, intersections, step,
 };
+use exact_ccd_testing::intersection;
 use proptest::prelude::*;
 
 use crate::contacts::every_pair::EveryPair;
@@ -21,7 +19,7 @@ fn expected(mesh: &TriangleMesh, positions: &[Point]) -> Vec<Intersection> {
     for (edge, ends) in (0..).zip(mesh.edges()) {
         for (face, corners) in (0..).zip(mesh.faces()) {
             let apart = ends.iter().all(|vertex| !corners.contains(vertex));
-            if apart && oracle::intersect(ends.map(point), corners.map(point)) {
+            if apart && intersection::intersect(ends.map(point), corners.map(point)) {
                 found.push(Intersection { edge, face });
             }
         }
@@ -116,8 +114,8 @@ proptest! {
         let is_crossing = |pair: &Intersection| {
             let [u, v, w] = mesh.faces()[pair.face as usize].map(|vertex| x[vertex as usize]);
             let [p, q] = mesh.edges()[pair.edge as usize].map(|vertex| x[vertex as usize]);
-            let heights = [p, q].map(|end| oracle::orientation([u, v, w, end]));
-            let volumes = [[u, v], [v, w], [w, u]].map(|[a, b]| oracle::orientation([p, q, a, b]));
+            let heights = [p, q].map(|end| intersection::orientation([u, v, w, end]));
+            let volumes = [[u, v], [v, w], [w, u]].map(|[a, b]| intersection::orientation([p, q, a, b]));
             heights[0] == heights[1].reverse()
                 && heights[0].is_ne()
                 && volumes[0].is_ne()

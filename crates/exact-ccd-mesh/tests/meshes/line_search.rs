@@ -2,20 +2,17 @@
 
 use exact_ccd::{Ccd, Exact};
 use exact_ccd_mesh::{
-    Bvh, Candidates, Detector, FreeStepOptions, Motion, Point, Step, Tolerance, TriangleMesh, advance,
+    Bvh, Candidates, Detector, Frame, FreeStepOptions, Motion, Point, Step, Tolerance, TriangleMesh, advance,
     bisect, step,
 };
+use exact_ccd_testing::meshes::drape;
 
-use super::drape;
 use super::odd::Odd;
 
 fn example(end: &str) -> Motion {
-    let frames = drape::frames().expect("the examples are sound");
     let frame = |name: &str| {
-        frames
-            .iter()
-            .find(|frame| frame.0 == name)
-            .map(|frame| frame.1.clone())
+        let (_, (positions, faces)) = drape::frames().into_iter().find(|(of, _)| *of == name)?;
+        Frame::new(positions, faces).ok()
     };
     let [start, end] = ["drape_start.ply", end].map(|name| frame(name).expect("there is such an example"));
     Motion::new(start, end).expect("the examples are sound")

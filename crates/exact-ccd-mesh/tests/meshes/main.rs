@@ -6,7 +6,6 @@ mod bodies;
 mod broad_phase;
 mod contacts;
 mod coverage;
-mod drape;
 mod enclosed;
 mod intersections;
 mod line_search;

@@ -5,7 +5,7 @@ use std::ops::Neg;
 
 use dashu_int::IBig;
 
-use crate::interval::Interval;
+use crate::interval::Enclosure;
 use crate::ring::Ring;
 
 /// A coefficient.
@@ -27,13 +27,13 @@ impl Number for f64 {
     }
 }
 
-impl Number for Interval {
+impl Number for Enclosure {
     fn times(self, n: u8) -> Self {
         self * Self::from(f64::from(n))
     }
 }
 
-impl Signed for Interval {
+impl Signed for Enclosure {
     fn sign(&self) -> Option<Ordering> {
         Self::sign(*self)
     }

@@ -9,7 +9,7 @@ use super::curve::{Curve, Roots};
 use super::inside::is_inside;
 use super::number::{Signed, signs};
 use crate::integers::to_integers;
-use crate::interval::Interval;
+use crate::interval::Enclosure;
 
 /// Bernstein sign classification ("BSC") of M. Tang, R. Tong, Z. Wang and D. Manocha.
 ///
@@ -90,7 +90,7 @@ impl<K: Configured> Decide<K> for BernsteinSignClassification {
             return false;
         }
         let exactly = || Polynomials::new(to_integers(&configuration.points), &configuration);
-        decide(&Polynomials::<Interval>::from_coordinates(&configuration))
+        decide(&Polynomials::<Enclosure>::from_coordinates(&configuration))
             .or_else(|| decide(&exactly()))
             .unwrap_or(true)
     }
@@ -142,7 +142,7 @@ mod tests {
         ) {
             let [start, end] = [start, end].map(|points| points.map(|point| point.map(f64::from)));
             let configuration = Configuration::new(&Query::<EdgeEdge>::new(start, end).unwrap());
-            let filtered = decide(&Polynomials::<Interval>::from_coordinates(&configuration));
+            let filtered = decide(&Polynomials::<Enclosure>::from_coordinates(&configuration));
             let exact = decide(&Polynomials::new(to_integers(&configuration.points), &configuration));
             prop_assert!(filtered.is_none() || filtered == exact);
         }

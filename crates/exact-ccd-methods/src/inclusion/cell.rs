@@ -1,6 +1,6 @@
 //! Boxes in the domain of F.
 
-use crate::interval::Interval;
+use crate::interval::Enclosure;
 
 /// The box of the intervals `[lower, lower + width]` in [0, 1]ᴺ, whose first axis is time.
 ///
@@ -26,8 +26,8 @@ impl<const N: usize> Cell<N> {
         self.lower[0]
     }
 
-    pub(crate) fn interval(&self, axis: usize) -> Interval {
-        Interval::new(self.lower[axis], self.lower[axis] + self.width[axis])
+    pub(crate) fn interval(&self, axis: usize) -> Enclosure {
+        Enclosure::new(self.lower[axis], self.lower[axis] + self.width[axis])
     }
 
     /// The lower half, then the upper one. The box must be wider than

@@ -5,7 +5,7 @@ use exact_ccd::{Decide, Point, Query};
 use super::bisection::Bisection;
 use super::cell::Cell;
 use super::gap::{Coordinates, Gap};
-use crate::interval::Interval;
+use crate::interval::Enclosure;
 use crate::vector::{dot, minus};
 
 /// IRF, the multivariate interval root finder: bisects (t, u, v) depth-first, and keeps the boxes
@@ -69,7 +69,7 @@ impl<K: Gap> Decide<K> for IntervalRootFinder {
                 .map(|length| self.tolerance / length),
             max_iterations: self.max_iterations,
         };
-        let coordinates = Coordinates::<Interval>::new(points);
+        let coordinates = Coordinates::<Enclosure>::new(points);
         let may_contain_root = |cell: &Cell<3>| {
             let [t, u, v] = [0, 1, 2].map(|axis| cell.interval(axis));
             K::meets_domain(cell) && (0..3).all(|axis| K::gap(coordinates.at(axis, t), u, v).contains_zero())

@@ -6,7 +6,7 @@ use super::bisection::Bisection;
 use super::cell::Cell;
 use super::gap::Coordinates;
 use super::interval_root_finder::greatest_displacement;
-use crate::interval::Interval;
+use crate::interval::Enclosure;
 use crate::vector::{Vector, cross, dot, minus};
 
 /// UIRF, the univariate interval root finder: bisects t, and keeps the intervals in which the four
@@ -79,30 +79,30 @@ impl Barycentric {
     /// q, x, y and z in an interval of time.
     fn at(
         &self,
-        coordinates: &Coordinates<Interval>,
-        t: Interval,
-    ) -> (Vector<Interval>, [Vector<Interval>; 3]) {
+        coordinates: &Coordinates<Enclosure>,
+        t: Enclosure,
+    ) -> (Vector<Enclosure>, [Vector<Enclosure>; 3]) {
         let axes = [0, 1, 2].map(|axis| coordinates.at(axis, t));
         let position = |point: usize| axes.map(|axis| axis[point]);
         (position(self.point), self.triangle.map(position))
     }
 
     /// Returns true if q may lie in the plane of the triangle.
-    fn may_be_coplanar(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
+    fn may_be_coplanar(&self, coordinates: &Coordinates<Enclosure>, t: Enclosure) -> bool {
         let (q, [x, y, z]) = self.at(coordinates, t);
         dot(&minus(&q, &x), &cross(&minus(&y, &x), &minus(&z, &x))).contains_zero()
     }
 
     /// Returns true if the barycentric coordinates may have their signs. For the normal n, the one of x is n
     /// · ((y − q) × (z − q)) / n², and so on around the triangle.
-    fn may_meet(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
+    fn may_meet(&self, coordinates: &Coordinates<Enclosure>, t: Enclosure) -> bool {
         let (q, triangle) = self.at(coordinates, t);
         let [x, y, z] = triangle;
         let normal = cross(&minus(&y, &x), &minus(&z, &x));
         let to_corner = triangle.map(|corner| minus(&corner, &q));
         (0..3).all(|k| {
             let area = dot(&normal, &cross(&to_corner[(k + 1) % 3], &to_corner[(k + 2) % 3]));
-            (area * Interval::from(self.signs[k])).upper >= 0.0
+            (area * Enclosure::from(self.signs[k])).upper >= 0.0
         })
     }
 }

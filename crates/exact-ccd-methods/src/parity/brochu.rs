@@ -8,7 +8,7 @@ use super::image::{Domain, Image, Predicate, RAY, with_ray};
 use super::intervals::Intervals;
 use super::ray::{along_ray, cast};
 use super::{Parity, culling};
-use crate::interval::Interval;
+use crate::interval::Enclosure;
 use crate::vector::Vector;
 
 /// Root parity as it was first published: a ray from the origin, and signs in intervals first, then
@@ -65,8 +65,8 @@ fn rays() -> impl Iterator<Item = Point> {
 }
 
 /// The larger distance from the origin to an extreme corner of the bounding box.
-fn extent(corners: &[Vector<Interval>]) -> f64 {
-    let distance = |bound: fn(&Vector<Interval>, usize) -> f64| {
+fn extent(corners: &[Vector<Enclosure>]) -> f64 {
+    let distance = |bound: fn(&Vector<Enclosure>, usize) -> f64| {
         let bounds = [0, 1, 2].map(|axis| {
             corners
                 .iter()

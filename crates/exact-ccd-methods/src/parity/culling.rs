@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use exact_ccd::Point;
 
-use crate::interval::Interval;
+use crate::interval::Enclosure;
 use crate::vector::{Vector, cross, dot, minus};
 
 /// The normals that are tried for any query: the axes, their pairs, and all three, as in El Topo.
@@ -20,8 +20,8 @@ const NORMALS: [Point; 7] = [
 
 /// Returns true if a plane separates the origin from the hull of the corners. It tries planes across fixed
 /// directions, and planes along the two triangles of each face.
-pub(super) fn separates(corners: &[Vector<Interval>; 8], faces: &[[usize; 4]]) -> bool {
-    let middles = corners.map(|corner| corner.map(Interval::middle));
+pub(super) fn separates(corners: &[Vector<Enclosure>; 8], faces: &[[usize; 4]]) -> bool {
+    let middles = corners.map(|corner| corner.map(Enclosure::middle));
     let normals = faces
         .iter()
         .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
@@ -39,8 +39,8 @@ fn normal([a, b, c]: [Point; 3]) -> Option<Point> {
     (length > 0.0 && length.is_finite()).then(|| normal.map(|x| x / length))
 }
 
-fn is_on_one_side(corners: &[Vector<Interval>; 8], normal: Point) -> bool {
-    let normal = normal.map(Interval::from);
+fn is_on_one_side(corners: &[Vector<Enclosure>; 8], normal: Point) -> bool {
+    let normal = normal.map(Enclosure::from);
     let mut sides = corners.iter().map(|corner| dot(&normal, corner).sign());
     let first = sides.next().flatten();
     matches!(first, Some(Ordering::Less | Ordering::Greater)) && sides.all(|side| side == first)

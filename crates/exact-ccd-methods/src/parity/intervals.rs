@@ -7,12 +7,12 @@ use dashu_int::IBig;
 
 use super::expansion::Expansion;
 use super::image::{Differences, Image, Predicate, Vectors, integers, vectors};
-use crate::interval::Interval;
+use crate::interval::Enclosure;
 
 /// An image with signs in intervals, and exact signs where intervals leave them open.
 pub(super) struct Intervals {
     differences: Differences,
-    vectors: Vectors<Interval>,
+    vectors: Vectors<Enclosure>,
     exact: OnceCell<Exact>,
 }
 
@@ -51,7 +51,7 @@ impl Intervals {
         }
     }
 
-    pub(super) fn vectors(&self) -> &Vectors<Interval> {
+    pub(super) fn vectors(&self) -> &Vectors<Enclosure> {
         &self.vectors
     }
 

@@ -6,10 +6,11 @@ use exact_ccd_methods::parity::{Parity, Rounded};
 use proptest::array::{uniform2, uniform3, uniform4};
 use proptest::prelude::*;
 
-use crate::generators::*;
-use crate::laws::{checked_parity, query};
-use crate::primitives::Points;
-use crate::runner::for_all;
+use exact_ccd_testing::families::*;
+use exact_ccd_testing::kinds::query;
+use exact_ccd_testing::parity::laws::checked_parity;
+use exact_ccd_testing::primitives::Points;
+use exact_ccd_testing::runner::for_all;
 
 /// Few powers of two, such that products cancel at every magnitude.
 fn powers() -> impl Strategy<Value = Points> {

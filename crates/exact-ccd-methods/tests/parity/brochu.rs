@@ -5,10 +5,10 @@ use exact_ccd_methods::parity::{BrochuRootParity, Parity, RationalRootParity};
 use proptest::array::{uniform3, uniform4};
 use proptest::prelude::*;
 
-use crate::expected::expected;
-use crate::laws::query;
-use crate::primitives::Points;
-use crate::runner::for_all;
+use exact_ccd_testing::kinds::query;
+use exact_ccd_testing::parity::expected;
+use exact_ccd_testing::primitives::Points;
+use exact_ccd_testing::runner::for_all;
 
 const CASES: u32 = 2000;
 

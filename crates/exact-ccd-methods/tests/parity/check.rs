@@ -6,11 +6,11 @@ use exact_ccd_methods::parity::{Rounded, RoundingError};
 use proptest::prelude::*;
 
 use crate::corners::Corners;
-use crate::expected::integers::exactly;
-use crate::generators::*;
-use crate::laws::query;
-use crate::primitives::{Points, Primitives};
-use crate::runner::for_all;
+use exact_ccd_testing::families::*;
+use exact_ccd_testing::kinds::query;
+use exact_ccd_testing::parity::integers::exactly;
+use exact_ccd_testing::primitives::{Points, Primitives};
+use exact_ccd_testing::runner::for_all;
 
 /// Returns true if x − y is an f64: it has at most 53 bits, and is less than 2¹⁰²⁴.
 fn is_exact(x: f64, y: f64) -> bool {

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 
-use crate::primitives::Points;
+use exact_ccd_testing::primitives::Points;
 
 pub(crate) trait Corners: Kind<Points = [Point; 4]> + PartialEq + Debug {
     /// The differences in the order of the checks.

@@ -4,11 +4,12 @@ use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_methods::parity::Rounded;
 use proptest::prelude::*;
 
-use crate::expected::Rim;
-use crate::generators::*;
-use crate::laws::{assert_defined, query};
-use crate::primitives::{Points, Primitives};
-use crate::runner::for_all;
+use exact_ccd_testing::families::*;
+use exact_ccd_testing::kinds::query;
+use exact_ccd_testing::parity::Rim;
+use exact_ccd_testing::parity::laws::assert_defined;
+use exact_ccd_testing::primitives::{Points, Primitives};
+use exact_ccd_testing::runner::for_all;
 
 /// Small integers need no rounding.
 fn as_they_are<K: Rim>(cases: u32, points: impl Strategy<Value = Points>) {

@@ -8,11 +8,11 @@ use exact_ccd_methods::parity::{Displacement, Rounded, RoundingError};
 use proptest::prelude::*;
 
 use crate::corners::Corners;
-use crate::expected::integers::exactly;
-use crate::generators::*;
-use crate::laws::query;
-use crate::primitives::Points;
-use crate::runner::for_all;
+use exact_ccd_testing::families::*;
+use exact_ccd_testing::kinds::query;
+use exact_ccd_testing::parity::integers::exactly;
+use exact_ccd_testing::primitives::Points;
+use exact_ccd_testing::runner::for_all;
 
 /// Pairs of all relations of magnitude.
 fn points() -> impl Strategy<Value = Points> {

@@ -9,10 +9,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 use exact_ccd_methods::parity::{Parity, Rounded};
 
-use crate::generators::small_integers;
-use crate::laws::{assert_defined, query};
 use crate::plane::{Flat, area, is_in_triangle, is_on_segment, passages};
-use crate::runner::for_all;
+use exact_ccd_testing::families::small_integers;
+use exact_ccd_testing::kinds::query;
+use exact_ccd_testing::parity::laws::assert_defined;
+use exact_ccd_testing::runner::for_all;
 
 /// The signs of (−1)ⁱ Vᵢ, where Vᵢ is the determinant of the corners but the i-th.
 type Signs = [i64; 4];

@@ -9,21 +9,6 @@ mod check;
 mod corners;
 mod definition;
 mod displacement;
-mod expected;
 mod flat_patch;
-mod laws;
 mod plane;
 mod rays;
-
-#[path = "../../../exact-ccd/tests/queries/generators/mod.rs"]
-#[expect(
-    dead_code,
-    unused_imports,
-    reason = "the tests of queries use more of the families"
-)]
-mod generators;
-#[path = "../../../exact-ccd/tests/queries/primitives.rs"]
-#[expect(dead_code, reason = "what the families are made of, and more")]
-mod primitives;
-#[path = "../../../exact-ccd/tests/queries/runner.rs"]
-mod runner;

@@ -6,10 +6,11 @@ use exact_ccd_methods::parity::Rounded;
 use proptest::array::{uniform2, uniform3};
 use proptest::prelude::*;
 
-use crate::expected::Rim;
-use crate::laws::{assert_defined, query};
-use crate::primitives::combine;
-use crate::runner::for_all;
+use exact_ccd_testing::kinds::query;
+use exact_ccd_testing::parity::Rim;
+use exact_ccd_testing::parity::laws::assert_defined;
+use exact_ccd_testing::primitives::combine;
+use exact_ccd_testing::runner::for_all;
 
 /// A corner on one of the rays, opposite of one, or in the plane of two.
 fn corner() -> impl Strategy<Value = Point> {

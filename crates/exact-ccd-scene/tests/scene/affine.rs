@@ -39,7 +39,8 @@ stiffness = 10.0
 #[test]
 fn affine_bodies_and_springs_are_read() {
     let scene = parse(RING).unwrap();
-    let system = &scene.system;
+    let mut simulation = scene.simulation;
+    let system = simulation.system();
     // 32 vertices and 4 nodes, 8 vertices and 4 nodes.
     assert_eq!(system.start().len(), 48);
     assert_eq!(system.body_kinds(), ["affine", "affine"]);
@@ -47,7 +48,6 @@ fn affine_bodies_and_springs_are_read() {
     let mass: f64 = system.masses()[36..].iter().sum();
     assert!((mass - 1.0).abs() < 1e-12);
     assert!((0..40).all(|vertex| system.has_mass(vertex)));
-    let mut simulation = scene.simulation().unwrap();
     let speed = |simulation: &Simulation, axis: usize| simulation.state().velocities[47][axis];
     for _ in 0..10 {
         assert!(simulation.step().unwrap().converged);

@@ -32,14 +32,14 @@ fn folder(name: &str) -> PathBuf {
 fn rods_and_particles_are_generated() {
     let line = "shape = { line = { edges = 4, length = 2.0 } }";
     let scene = parse(&body(&[line, ROD, "offset = 0.05"])).unwrap();
-    assert_eq!(scene.system.start()[4], [2.0, 0.0, 0.0]);
-    assert_eq!(scene.system.surface().loose_edges().len(), 4);
-    assert_eq!(scene.system.surface_offsets(), [0.05; 5]);
+    assert_eq!(scene.simulation.system().start()[4], [2.0, 0.0, 0.0]);
+    assert_eq!(scene.simulation.system().surface().loose_edges().len(), 4);
+    assert_eq!(scene.simulation.system().surface_offsets(), [0.05; 5]);
     let points = "shape = { points = { counts = [2, 1, 3], size = [1.0, 9.0, 4.0] } }";
-    let scene = parse(&body(&[points, BEADS])).unwrap();
-    assert_eq!(scene.system.particles(), [0, 1, 2, 3, 4, 5]);
-    assert_eq!(scene.system.start()[5], [1.0, 0.0, 4.0]);
-    scene.simulation().unwrap().step().unwrap();
+    let mut scene = parse(&body(&[points, BEADS])).unwrap();
+    assert_eq!(scene.simulation.system().particles(), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(scene.simulation.system().start()[5], [1.0, 0.0, 4.0]);
+    scene.simulation.step().unwrap();
 }
 
 /// The knot has edges of one length, up to the corners that they cut, and clearance for a thickness.
@@ -47,7 +47,7 @@ fn rods_and_particles_are_generated() {
 fn a_knot_is_a_rod_with_clearance() {
     let shape = "shape = { knot = { edges = 64, length = 1.8 } }";
     let scene = parse(&body(&[shape, ROD, "offset = 0.012"])).unwrap();
-    let points = scene.system.start();
+    let points = scene.simulation.system().start();
     let lengths = points.windows(2).map(|ends| {
         (0..3)
             .map(|axis| (ends[1][axis] - ends[0][axis]).powi(2))
@@ -85,12 +85,12 @@ fn rods_and_particles_are_read_from_files() {
     for extension in ["obj", "ply", "vtu"] {
         let scene = of_file(&folder, &format!("rod.{extension}"), ROD).unwrap();
         assert_eq!(
-            scene.system.surface().loose_edges(),
+            scene.simulation.system().surface().loose_edges(),
             [[0, 1], [1, 2]],
             "{extension}"
         );
         let scene = of_file(&folder, &format!("beads.{extension}"), BEADS).unwrap();
-        assert_eq!(scene.system.particles(), [0, 1, 2], "{extension}");
+        assert_eq!(scene.simulation.system().particles(), [0, 1, 2], "{extension}");
         // A body must have the cells of its material.
         let error = of_file(&folder, &format!("beads.{extension}"), ROD).unwrap_err();
         assert!(
@@ -156,8 +156,8 @@ fn facts_about_mesh_files_are_notes() {
     let folder = folder("scene-notes");
     fs::write(folder.join("plane.obj"), "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n").unwrap();
     let scene = of_file(&folder, "plane.obj", "").unwrap();
-    let [note] = &scene.mesh_notes[..] else {
-        panic!("{:?}", scene.mesh_notes)
+    let [note] = &scene.notes[..] else {
+        panic!("{:?}", scene.notes)
     };
     assert!(
         note.contains("plane.obj: line 1: the vertices have two coordinates"),

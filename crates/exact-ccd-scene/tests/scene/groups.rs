@@ -97,14 +97,18 @@ fn parse(text: &str, name: &str) -> Result<Scene, String> {
 #[test]
 fn a_column_of_two_materials_stretches_as_two_springs() {
     let scene = parse(SCENE, "groups-column").unwrap();
-    let mass: f64 = scene.system.masses().iter().sum();
+    let mass: f64 = scene.simulation.system().masses().iter().sum();
     assert!((mass - 2000.0).abs() < 1e-9, "{mass}");
-    let mut simulation = scene.simulation().unwrap();
+    let mut simulation = scene.simulation;
     for _ in 0..scene.steps {
         assert!(simulation.step().unwrap().converged);
     }
     let expected = 100.0 * (0.5 / 1e6 + 0.5 / 4e6);
-    let pairs = scene.system.start().iter().zip(&simulation.state().positions);
+    let pairs = simulation
+        .system()
+        .start()
+        .iter()
+        .zip(&simulation.state().positions);
     let mut ends = 0;
     for (start, now) in pairs.filter(|(start, _)| start[1] == 1.0) {
         let stretch = now[1] - start[1];
@@ -125,7 +129,7 @@ fn later_regions_replace_earlier_ones() {
         &SCENE.replacen("\n[[body.script]]", &format!("{light}\n[[body.script]]"), 1),
         "groups-last",
     );
-    let mass: f64 = scene.unwrap().system.masses().iter().sum();
+    let mass: f64 = scene.unwrap().simulation.system().masses().iter().sum();
     assert!((mass - 550.0).abs() < 1e-9, "{mass}");
 }
 
@@ -139,7 +143,8 @@ fn groups_of_obj_select_vertices() {
         );
         parse(&text, "groups-obj")
     };
-    let system = scene("\"left\"").unwrap().system;
+    let left = scene("\"left\"").unwrap();
+    let system = left.simulation.system();
     let free: Vec<usize> = (0..4).filter(|&vertex| system.is_free(vertex)).collect();
     assert_eq!(free, [3]);
     for unknown in ["\"middle\"", "1"] {

@@ -7,7 +7,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::paths::Paths;
-use crate::scripted::Axes;
+use super::vertices::Axes;
 
 /// The scripts of a body in one time step, which all vertices follow by one fraction, from 0 to 1: a body
 /// that is moved as a whole stays rigid, also where an obstruction stops it.

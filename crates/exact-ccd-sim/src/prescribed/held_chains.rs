@@ -7,8 +7,8 @@ use nalgebra::Vector3;
 
 use super::dirichlet::Dirichlet;
 use super::paths::{Acting, Paths};
-use crate::elasticity::{Chain, Twist, angle_about, transported};
-use crate::scripted::Axes;
+use super::vertices::Axes;
+use crate::energies::elasticity::{Chain, Twist, angle_about, transported};
 
 /// The parts of rods between two held edges, in a part of a time step. Beyond the last held edge, cross
 /// sections turn freely. Without twist their energy is least: 0, for every shape.

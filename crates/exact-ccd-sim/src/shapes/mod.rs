@@ -8,7 +8,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
-use crate::elasticity::SolidMaterial;
+use crate::energies::elasticity::SolidMaterial;
 
 pub use rods::{BEAD, ROPE, knot, line, particles};
 

@@ -4,11 +4,11 @@
 use exact_ccd_mesh::Point;
 
 use super::problem::Problem;
-use crate::contact::Collision;
-use crate::damper::Damper;
-use crate::energy::Energy;
+use crate::energies::contact::Collision;
+use crate::energies::damper::Damper;
+use crate::energies::friction::{FrictionContact, Smoothing};
+use crate::energies::term::Energy;
 use crate::error::SimulationError;
-use crate::friction::{FrictionContact, Smoothing};
 use crate::integrator::Integrator;
 use crate::solver::{Iterate, Memory};
 use crate::statistics::Statistics;
@@ -81,11 +81,11 @@ impl Problem<'_> {
             }
             let bound = coefficient * stiffness * collision.normal_force(&now.positions);
             let vertices = collision.vertices().iter().copied().collect();
-            let separation = collision.separation(&now.positions);
+            let shortest = collision.shortest_vector(&now.positions);
             Some(FrictionContact::new(
                 vertices,
                 &scheme.origin,
-                &separation,
+                &shortest,
                 bound,
                 smoothing,
             ))

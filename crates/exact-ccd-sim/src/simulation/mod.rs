@@ -1,15 +1,15 @@
 //! Simulations.
 
-mod contacts;
+mod known;
 mod minimise;
 mod problem;
 mod record;
+mod reported_contact;
 mod resume;
 mod start;
 mod step;
 mod warning;
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -18,10 +18,10 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use crate::checkpoint::Checkpoint;
-use crate::contact::{Barrier, StiffnessRange};
+use crate::energies::contact::{Barrier, StiffnessRange};
+use crate::energies::friction::Coefficients;
 use crate::error::SimulationError;
 use crate::filter::StepFilter;
-use crate::friction::Coefficients;
 use crate::integrator::Scheme;
 use crate::iteration::{Iteration, Watch};
 use crate::range::{OutOfRange, check, check_finite, check_not_negative};
@@ -30,8 +30,8 @@ use crate::solver::Memory;
 use crate::state::State;
 use crate::system::{Fingerprint, System};
 
-pub use contacts::Contact;
-use contacts::KnownCollisions;
+use known::KnownCollisions;
+pub use reported_contact::Contact;
 pub use warning::Warning;
 
 /// The motion of a system under elasticity, gravity, contact and friction.
@@ -69,17 +69,22 @@ impl Simulation {
     /// [`SimulationError`] names the setting that is out of range, or two primitives that intersect or touch
     /// at the start. A body entirely inside another one has no such pair: it is accepted and stays inside.
     pub fn new(system: System, settings: Settings) -> Result<Self, SimulationError> {
-        let state = State {
-            step: 0,
-            positions: system.start.clone(),
-            velocities: system.velocities.clone(),
-            earlier: None,
-            stiffness: None,
-            origins: BTreeMap::new(),
-            behind: BTreeMap::new(),
-            twists: BTreeMap::new(),
-        };
+        let state = start::state(&system);
         Self::resume(system, settings, state)
+    }
+
+    /// The simulation of a system from its initial positions and velocities, with a filter, whose name
+    /// replaces the name in the settings.
+    ///
+    /// # Errors
+    /// As for [`Simulation::new`] and [`Simulation::with_filter`].
+    pub fn with_method(
+        system: System,
+        settings: Settings,
+        filter: StepFilter,
+    ) -> Result<Self, SimulationError> {
+        let state = start::state(&system);
+        Self::resume_with(system, settings, state, filter)
     }
 
     /// The simulation of a system from an earlier state.
@@ -149,7 +154,7 @@ impl Simulation {
     /// The same simulation with another filter. Settings and checkpoints then have the name of this filter.
     ///
     /// # Errors
-    /// [`SimulationError::Separation`] and [`SimulationError::ByVertex`], if the method of the filter is not
+    /// [`SimulationError::Offset`] and [`SimulationError::ByVertex`], if the method of the filter is not
     /// exact, and a body has an offset or the line search is by vertex.
     pub fn with_filter(mut self, filter: StepFilter) -> Result<Self, SimulationError> {
         check_filter(&self.system, &self.settings, &filter)?;
@@ -277,7 +282,7 @@ fn check_filter(system: &System, settings: &Settings, filter: &StepFilter) -> Re
     }
     let name = filter.name().to_owned();
     if system.is_thick() {
-        return Err(SimulationError::Separation { name });
+        return Err(SimulationError::Offset { name });
     }
     match settings.line_search {
         LineSearch::Common => Ok(()),

@@ -4,8 +4,8 @@
 use nalgebra::Vector3;
 
 use super::Simulation;
-use crate::contact::Collisions;
-use crate::elasticity::Twist;
+use crate::energies::contact::CollisionSet;
+use crate::energies::elasticity::Twist;
 use crate::integrator::Scheme;
 use crate::prescribed::{Dirichlet, HeldChains, Paths};
 use crate::solver::{Form, Iterate, Newton, Terms};
@@ -80,7 +80,7 @@ impl<'a> Problem<'a> {
     }
 
     /// κ at the start: the larger of the κ that balances the other forces and the previous κ.
-    fn stiffness(&self, collisions: &Collisions, twists: &[Twist]) -> f64 {
+    fn stiffness(&self, collisions: &CollisionSet, twists: &[Twist]) -> f64 {
         let before = self.kept_stiffness().unwrap_or(0.0);
         let range = &self.newton.range;
         if collisions.as_slice().is_empty() {

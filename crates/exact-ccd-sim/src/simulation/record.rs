@@ -4,15 +4,15 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::problem::Problem;
-use crate::contact::Collisions;
-use crate::elasticity::Twist;
+use crate::energies::contact::CollisionSet;
+use crate::energies::elasticity::Twist;
 use crate::solver::{Form, Iterate};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Statistics};
 
 impl Problem<'_> {
     /// The state with the positions of an iterate, and its collisions. Adds its figures to the statistics.
-    pub(super) fn record(&self, now: Iterate<'_>, statistics: &mut Statistics) -> (State, Collisions) {
+    pub(super) fn record(&self, now: Iterate<'_>, statistics: &mut Statistics) -> (State, CollisionSet) {
         let before = &self.simulation.state;
         let twists = self.newton.chains.twists(&now.dirichlet);
         let velocities = self.scheme.velocities(&now.positions);

@@ -1,13 +1,29 @@
-//! The check that a simulation starts without intersections.
+//! The start of a simulation: its state, and the check that nothing intersects.
+
+use std::collections::BTreeMap;
 
 use exact_ccd::Options;
 use exact_ccd_mesh::{Audit, MotionError, Point, Step, StepError, TriangleMesh, Violation};
 
-use crate::contact::Barrier;
+use crate::energies::contact::Barrier;
 use crate::error::SimulationError;
 use crate::settings::Formulation;
 use crate::state::State;
 use crate::system::{BodyPrimitive, Primitive, System};
+
+/// The initial positions and velocities of a system.
+pub(super) fn state(system: &System) -> State {
+    State {
+        step: 0,
+        positions: system.start.clone(),
+        velocities: system.velocities.clone(),
+        earlier: None,
+        stiffness: None,
+        origins: BTreeMap::new(),
+        behind: BTreeMap::new(),
+        twists: BTreeMap::new(),
+    }
+}
 
 /// Checks that no two primitives intersect or touch, including pairs of two obstacles. An [`Audit`] of the
 /// recorded motion starts with the same check. Then checks that all pairs except pairs of two obstacles are

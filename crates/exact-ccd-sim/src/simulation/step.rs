@@ -6,7 +6,7 @@ use std::time::Instant;
 use exact_ccd_mesh::Point;
 
 use super::Simulation;
-use super::contacts::KnownCollisions;
+use super::known::KnownCollisions;
 use super::problem::Problem;
 use crate::error::SimulationError;
 use crate::integrator::Integrator;

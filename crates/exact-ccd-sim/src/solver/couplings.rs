@@ -4,8 +4,8 @@ use super::form::Form;
 use super::pattern::{Pattern, key};
 use super::unknowns::Unknowns;
 use crate::carriers::Carriers;
-use crate::elasticity::Twist;
-use crate::energy::{Block, Energy, pairs};
+use crate::energies::elasticity::Twist;
+use crate::energies::term::{Block, Energy, pairs};
 use crate::system::System;
 
 /// The pairs of unknowns that share an elastic element, and the places of the blocks of all elements.

@@ -4,7 +4,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use crate::energy::Energy;
+use crate::energies::term::Energy;
 use crate::system::System;
 
 /// A sum of terms of one kind, times a factor. Terms are computed in parallel and added in order.

@@ -9,7 +9,7 @@ use super::direction::{Direction, FARTHEST, SLACK, dot};
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
 use super::vertex_steps::VertexSteps;
-use crate::contact::Collisions;
+use crate::energies::contact::CollisionSet;
 use crate::error::SimulationError;
 use crate::settings::LineSearch;
 use crate::statistics::Statistics;
@@ -21,7 +21,7 @@ const HALVINGS: usize = 60;
 /// A step that is free of contact and decreases the potential.
 pub(super) struct Taken {
     pub(super) positions: Vec<Point>,
-    pub(super) collisions: Collisions,
+    pub(super) collisions: CollisionSet,
     /// The value of the potential there.
     pub(super) value: f64,
     /// The length of the step, relative to the Newton direction.
@@ -129,7 +129,7 @@ impl Newton<'_> {
 
     /// Takes a step, and adapts the stiffness of the barrier.
     fn take(&self, now: &mut Iterate<'_>, taken: Taken, statistics: &mut Statistics) {
-        let [before, after] = [&now.collisions, &taken.collisions].map(Collisions::minimal_distance);
+        let [before, after] = [&now.collisions, &taken.collisions].map(CollisionSet::minimal_distance);
         let stiffness = self.range.adapt(now.stiffness, before, after);
         now.value = (stiffness == now.stiffness).then_some(taken.value);
         now.stiffness = stiffness;
@@ -147,7 +147,7 @@ impl Newton<'_> {
         direction: &Direction<'_>,
         potential: &Potential<'_>,
         positions: &[Point],
-        collisions: &Collisions,
+        collisions: &CollisionSet,
     ) -> bool {
         let before = direction.slope(direction.displacements);
         let gradient = potential.gradient(positions, collisions.as_slice());
@@ -188,8 +188,8 @@ impl Newton<'_> {
         displaced
     }
 
-    pub(super) fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
-        Collisions::new(
+    pub(super) fn collisions(&self, candidates: &Candidates, points: &[Point]) -> CollisionSet {
+        CollisionSet::new(
             self.system.contact_surface(self.settings.formulation),
             candidates,
             points,

@@ -2,13 +2,13 @@
 
 mod couplings;
 mod direction;
+mod dirichlet_steps;
 mod form;
 mod line_search;
 mod linear;
 mod newton;
 mod pattern;
 mod potential;
-mod prescribe;
 mod quadratic;
 mod stagnation;
 #[cfg(test)]

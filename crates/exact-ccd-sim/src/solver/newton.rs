@@ -13,13 +13,13 @@ use super::potential::{Potential, Terms};
 use super::stagnation::Stagnation;
 use super::unknowns::Unknowns;
 use super::vertex_steps::VertexSteps;
-use crate::contact::{Barrier, Collisions, StiffnessRange};
-use crate::elasticity::Twist;
+use crate::energies::contact::{Barrier, CollisionSet, StiffnessRange};
+use crate::energies::elasticity::Twist;
 use crate::error::SimulationError;
 use crate::filter::StepFilter;
 use crate::iteration::{Iteration, Watch};
+use crate::prescribed::Axes;
 use crate::prescribed::{Dirichlet, HeldChains, Times};
-use crate::scripted::Axes;
 use crate::settings::Settings;
 use crate::statistics::Statistics;
 use crate::system::{Designation, System};
@@ -51,7 +51,7 @@ pub(crate) struct Memory {
 /// An iterate of Newton's method.
 pub(crate) struct Iterate<'a> {
     pub(crate) positions: Vec<Point>,
-    pub(crate) collisions: Collisions,
+    pub(crate) collisions: CollisionSet,
     /// The value of the potential here, if the line search before found it.
     pub(crate) value: Option<f64>,
     /// κ.

@@ -2,7 +2,7 @@
 
 use faer::sparse::SymbolicSparseColMat;
 
-use crate::energy::Block;
+use crate::energies::term::Block;
 
 /// The pairs of unknowns that interact, as the lower triangle of a block matrix in compressed columns.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,11 +4,11 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::form::Form;
-use crate::anchor::Anchor;
-use crate::contact::Collision;
-use crate::damper::Damper;
-use crate::elasticity::Twist;
-use crate::friction::FrictionContact;
+use crate::energies::anchor::Anchor;
+use crate::energies::contact::Collision;
+use crate::energies::damper::Damper;
+use crate::energies::elasticity::Twist;
+use crate::energies::friction::FrictionContact;
 use crate::system::System;
 
 /// The terms of an incremental potential that stay constant while it is minimised.

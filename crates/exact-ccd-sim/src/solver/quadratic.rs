@@ -11,9 +11,9 @@ use super::pattern::Pattern;
 use super::potential::Potential;
 use super::unknowns::Unknowns;
 use crate::carriers::Carriers;
-use crate::contact::Collision;
-use crate::energy::{Block, Projection, pair_count, write_blocks};
-use crate::scripted::Axes;
+use crate::energies::contact::Collision;
+use crate::energies::term::{Block, Projection, pair_count, write_blocks};
+use crate::prescribed::Axes;
 
 /// The gradient and the Hessian of a potential, and the effect of the prescribed displacements.
 pub(crate) struct Quadratic {
@@ -107,7 +107,8 @@ struct Sum<'a> {
 
 impl Sum<'_> {
     /// Adds the derivatives of some terms. `place` is called for each pair of vertices of a term, in the
-    /// order of [`pairs`](crate::energy::pairs), and returns the place of its block, if both are unknown.
+    /// order of [`pairs`](crate::energies::term::pairs), and returns the place of its block, if both are
+    /// unknown.
     fn add(&mut self, form: &Form<'_>, mut place: impl FnMut([u32; 2]) -> Option<Place>) {
         let (points, carriers) = (self.points, self.carriers);
         form.each(

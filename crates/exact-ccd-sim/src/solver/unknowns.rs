@@ -1,6 +1,6 @@
 //! The vertices that are unknowns of the linear system.
 
-use crate::scripted::Axes;
+use crate::prescribed::Axes;
 
 /// A numbering of the vertices with at least one unknown coordinate.
 #[derive(Clone, Debug, PartialEq, Eq)]

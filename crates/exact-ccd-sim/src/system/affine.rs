@@ -15,7 +15,7 @@ use super::body_error::BodyError;
 use super::parts::Parts;
 use crate::body::AffineProperties;
 use crate::carriers::Carrier;
-use crate::elasticity::{SaintVenantKirchhoff, Tetrahedron};
+use crate::energies::elasticity::{SaintVenantKirchhoff, Tetrahedron};
 use crate::moments::{Moments, is_closed};
 use crate::range::check_positive;
 

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use exact_ccd_mesh::Point;
 
-use super::size::diameter;
-use super::{Designation, System};
+use super::ball::diameter;
+use super::designation::Designation;
 use crate::body::{Body, BodyKind};
 use crate::digest::Hash;
 
@@ -21,13 +21,24 @@ pub(crate) struct Bodies {
     pub(super) materials: String,
 }
 
+/// The range of vertices of each body, in the order of the bodies.
+pub(super) fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
+    let mut end = 0;
+    let range = |body: &Body| {
+        let start = end;
+        end += body.vertex_count() as u32;
+        start..end
+    };
+    bodies.iter().map(range).collect()
+}
+
 impl Bodies {
     pub(super) fn new(bodies: &[Body]) -> Self {
         let materials: Vec<(&BodyKind, f64)> = bodies.iter().map(|body| (&body.kind, body.offset)).collect();
         Self {
             names: bodies.iter().map(|body| body.name.clone()).collect(),
             kinds: bodies.iter().map(|body| body.kind.name()).collect(),
-            ranges: System::ranges(bodies),
+            ranges: ranges(bodies),
             materials: Hash::of(&materials),
         }
     }

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::elasticity::Chain;
-use crate::energy::Energy;
-use crate::spring::Spring;
+use crate::energies::elasticity::Chain;
+use crate::energies::spring::Spring;
+use crate::energies::term::Energy;
 
 /// The elastic parts of a system, springs included.
 #[derive(Clone, Debug, Default)]

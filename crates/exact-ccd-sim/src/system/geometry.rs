@@ -7,11 +7,11 @@ use exact_ccd_mesh::{
     Bvh, CanCollide, CandidateOptions, Candidates, MeshError, MinDistance, Point, Step, TriangleMesh,
 };
 
-use super::SystemError;
+use super::error::SystemError;
 use super::obstacles::{contact_parts, obstacle_pairs};
-use crate::contact::{Barrier, Surface, Weights};
+use crate::energies::contact::{Barrier, Surface, Weights};
 use crate::half_space::HalfSpace;
-use crate::scripted::Coordinates;
+use crate::prescribed::Coordinates;
 use crate::settings::Formulation;
 
 /// The surfaces of bodies under construction.

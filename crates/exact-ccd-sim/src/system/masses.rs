@@ -3,8 +3,8 @@
 use nalgebra::Matrix3;
 
 use super::System;
-use crate::energy::Projection;
-use crate::scripted::{Axes, Coordinates};
+use crate::energies::term::Projection;
+use crate::prescribed::{Axes, Coordinates};
 
 impl System {
     /// Returns true if a vertex has mass, and at least one coordinate that no script holds at all times.

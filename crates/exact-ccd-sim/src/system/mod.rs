@@ -1,6 +1,7 @@
 //! The bodies of a scene, as one list of vertices and lists of elements over it.
 
 mod affine;
+pub(crate) mod ball;
 mod bodies;
 mod body_error;
 mod coils;
@@ -9,8 +10,6 @@ mod elastic;
 mod error;
 mod fingerprint;
 mod geometry;
-mod half_spaces;
-mod loads;
 mod masses;
 mod materials;
 mod names;
@@ -19,9 +18,11 @@ mod parts;
 mod primitive;
 mod selection;
 mod shells;
-pub(crate) mod size;
+mod size;
 mod spring_error;
-mod springs;
+mod with_half_spaces;
+mod with_loads;
+mod with_springs;
 
 use std::ops::Range;
 
@@ -29,9 +30,9 @@ use exact_ccd_mesh::{Frame, MinDistance, Point, PositionsError, TriangleMesh};
 
 use crate::body::Body;
 use crate::carriers::Carriers;
-use crate::contact::{Barrier, Collisions, Surface};
-use crate::load::Load;
-use crate::scripted::{Coordinates, Scripted};
+use crate::energies::contact::{Barrier, CollisionSet, Surface};
+use crate::energies::load::Load;
+use crate::prescribed::{Coordinates, ScriptedVertices};
 use crate::settings::Formulation;
 use bodies::Bodies;
 use elastic::Elastic;
@@ -70,7 +71,7 @@ impl System {
     ///
     /// # Errors
     /// [`SystemError`] names the body or the script, unless it is about the mesh of all bodies.
-    pub fn new(bodies: &[Body], scripts: &[Scripted]) -> Result<Self, SystemError> {
+    pub fn new(bodies: &[Body], scripts: &[ScriptedVertices]) -> Result<Self, SystemError> {
         let listed = Bodies::new(bodies);
         let mut parts = Parts::default();
         for (place, body) in bodies.iter().enumerate() {
@@ -125,7 +126,7 @@ impl System {
     ) -> Option<(f64, [Designation; 2])> {
         let candidates = self.geometry.near_at(points, &barrier);
         let surface = self.contact_surface(formulation);
-        let (gap, collision) = Collisions::nearest(surface, &candidates, points, barrier)?;
+        let (gap, collision) = CollisionSet::nearest(surface, &candidates, points, barrier)?;
         let [a, b] = self.bodies_of(&collision);
         let bodies = [a.min(b), a.max(b)].map(|body| self.designation(body));
         Some((gap, bodies))

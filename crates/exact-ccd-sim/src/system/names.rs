@@ -3,23 +3,18 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
+use super::bodies::ranges;
 use super::{Designation, System};
 use crate::body::Body;
-use crate::contact::Collision;
-use crate::energy::Energy;
+use crate::energies::contact::Collision;
+use crate::energies::term::Energy;
 
 impl System {
     /// The range of vertices of each body, in the order of the bodies. The last four of an affine body are
     /// its nodes.
     #[must_use]
     pub fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
-        let mut end = 0;
-        let range = |body: &Body| {
-            let start = end;
-            end += body.vertex_count() as u32;
-            start..end
-        };
-        bodies.iter().map(range).collect()
+        ranges(bodies)
     }
 
     /// The body or half space with this place in [`System::names`], in messages.

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use exact_ccd_mesh::CanCollide;
 
-use crate::contact::Part;
-use crate::scripted::Coordinates;
+use crate::energies::contact::Part;
+use crate::prescribed::Coordinates;
 
 /// The part in contact of each vertex of some bodies.
 pub(super) fn contact_parts(

@@ -10,15 +10,19 @@ use nalgebra::Vector3;
 use super::bodies::Bodies;
 use super::body_error::{BodyError, Selecting};
 use super::elastic::Elastic;
+use super::error::SystemError;
 use super::geometry::Outline;
 use super::materials::materials;
-use super::{SystemError, selection};
+use super::selection;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::carriers::Carriers;
-use crate::elasticity::{Bend, Chain, Membrane, StrainLimit, Stretch, Tetrahedron, bending, bends, chains};
-use crate::energy::{Energy, gather};
+use crate::energies::elasticity::{
+    Chain, Membrane, RodBend, StrainLimit, Stretch, Tetrahedron, bending, bending_vertices,
+    paths_between_ends,
+};
+use crate::energies::term::{Energy, gather};
+use crate::prescribed::{Coordinates, ScriptedVertices, Timed};
 use crate::range::{OutOfRange, check, check_finite, check_positive};
-use crate::scripted::{Coordinates, Scripted, Timed};
 
 /// The least limit of strains. Rounding alone leads to strains of some 1e-15 in shapes at rest.
 const LEAST_STRAIN_LIMIT: f64 = 1e-6;
@@ -102,7 +106,7 @@ impl Parts {
     pub(super) fn script(
         &mut self,
         number: usize,
-        scripted: &Scripted,
+        scripted: &ScriptedVertices,
         bodies: &Bodies,
     ) -> Result<(), SystemError> {
         scripted.check().map_err(|source| SystemError::Motion {
@@ -221,16 +225,18 @@ impl Parts {
                 [material.density, material.young],
             )?;
         }
-        for (element, corners) in bends(&edges) {
-            let bend = Bend::new(corners, &self.start, material.flexural_rigidity());
+        for (element, corners) in bending_vertices(&edges) {
+            let bend = RodBend::new(corners, &self.start, material.flexural_rigidity());
             let bend = bend.ok_or(BodyError::Folded { element })?;
             self.elastic.elements.push(Arc::new(bend));
         }
         match material.torsional_rigidity() {
-            None => self.elastic.untwisted.extend(chains(&edges)),
+            None => self.elastic.untwisted.extend(paths_between_ends(&edges)),
             Some(rigidity) => {
                 let chain = |vertices| Chain::new(vertices, &self.start, rigidity);
-                self.elastic.chains.extend(chains(&edges).into_iter().map(chain));
+                self.elastic
+                    .chains
+                    .extend(paths_between_ends(&edges).into_iter().map(chain));
             }
         }
         self.outline.edges.extend(edges);

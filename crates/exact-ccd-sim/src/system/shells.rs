@@ -1,7 +1,7 @@
 //! Shells whose meshes do not resist twist everywhere.
 
 use super::System;
-use crate::elasticity::incomplete_part;
+use crate::energies::elasticity::incomplete_part;
 
 /// The part of the inner vertices from which a shell counts as too soft in twist. Of a grid with random
 /// diagonals, 1 in 16 inner vertices has four edges.

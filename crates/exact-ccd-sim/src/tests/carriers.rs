@@ -6,8 +6,8 @@ use nalgebra::{DVector, Matrix3, Vector3};
 use super::differences::{random_points, random_rotation, random_vector};
 use super::elasticity::MODULI;
 use crate::carriers::{Carrier, Carriers};
-use crate::elasticity::{SolidMaterial, Tetrahedron};
-use crate::energy::Projection;
+use crate::energies::elasticity::{SolidMaterial, Tetrahedron};
+use crate::energies::term::Projection;
 use crate::moments::{Moments, is_closed};
 use crate::shapes;
 

@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 
 use super::differences::{Points, random_rotation, random_vector};
 use super::naive::Naive;
-use crate::contact::{Barrier, Collisions, Surface};
-use crate::energy::Energy;
+use crate::energies::contact::{Barrier, CollisionSet, Surface};
+use crate::energies::term::Energy;
 use crate::solver::Form;
 
 /// The activation distance of the barrier.
@@ -68,7 +68,7 @@ fn the_sum_over_merged_collisions_is_the_sum_over_all_pairs() {
         let step = Step::new(&mesh, &points, &points).unwrap();
         let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
         let surface = Surface::new(&mesh, &rest);
-        let collisions = Collisions::new(surface, &candidates, &points, barrier);
+        let collisions = CollisionSet::new(surface, &candidates, &points, barrier);
         let naive = Naive::new(&mesh, &obstacle, &points, &rest, barrier);
 
         let sum = Form::of(collisions.as_slice(), 1.0);

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 
 use super::differences::{at, check, random_points, random_vector, slope};
-use crate::contact::{Barrier, Collision};
-use crate::distance::{Mollifier, edge_edge, point_triangle};
-use crate::energy::{Energy, Projection};
+use crate::energies::contact::{Barrier, Collision};
+use crate::energies::distance::{Mollifier, edge_edge, point_triangle};
+use crate::energies::term::{Energy, Projection};
 
 #[test]
 fn the_derivatives_of_the_barrier_match_differences() {
@@ -48,7 +48,7 @@ fn the_derivatives_of_collisions_match_differences() {
         } else {
             edge_edge(&points)
         };
-        let squared = feature.separation(&points).squared();
+        let squared = feature.shortest_vector(&points).squared();
         let [a, b, c, d] = points;
         let sines = [(b - a).cross(&(d - c)), (c - b).cross(&(d - b))];
         if !(0.01..0.9).contains(&squared) || sines.iter().any(|sine| sine.norm() < 0.5) {
@@ -58,7 +58,7 @@ fn the_derivatives_of_collisions_match_differences() {
         let collision = Collision::new([0, 1, 2, 3], feature, barrier);
         sizes[collision.vertices().len()] += 1;
         // The canonical form, without unused vertices, has the same distance.
-        let shortest = collision.separation(&at(&points)).squared();
+        let shortest = collision.shortest_vector(&at(&points)).squared();
         assert!((shortest - squared).abs() < 1e-12);
         indefinite += usize::from(check(&collision, &points, 1e-5, [1e-5; 2], "collision") < -1e-9);
     }
@@ -79,9 +79,9 @@ fn the_derivatives_of_mollified_collisions_match_differences() {
         let points = [a, b, c, d];
         let mollifier = Mollifier::new([20.0, 20.0]);
         let feature = edge_edge(&points);
-        let squared = feature.separation(&points).squared();
+        let squared = feature.shortest_vector(&points).squared();
         // Differences need a distance from the end of the mollifier and from changes of the closest feature.
-        let shares = feature.separation(&points).weights;
+        let shares = feature.shortest_vector(&points).weights;
         let inside = shares
             .iter()
             .all(|share| share.abs() < 1e-9 || (0.05..0.95).contains(&share.abs()) || share.abs() == 1.0);
@@ -131,13 +131,13 @@ fn mollified_collisions_have_a_canonical_order() {
         let mollifier = Mollifier::new([20.0, 20.0]);
         let feature = edge_edge(&points);
         let collision = Collision::mollified([0, 1, 2, 3], feature, mollifier, barrier);
-        let separation = collision.separation(&at(&points));
-        assert!(separation.weights[..2].iter().all(|&weight| weight >= 0.0));
-        assert!(separation.weights[2..].iter().all(|&weight| weight <= 0.0));
+        let shortest = collision.shortest_vector(&at(&points));
+        assert!(shortest.weights[..2].iter().all(|&weight| weight >= 0.0));
+        assert!(shortest.weights[2..].iter().all(|&weight| weight <= 0.0));
         swapped += usize::from(collision.vertices()[0] == 2);
         // The distance is the same as with the edges in their first order.
-        let squared = feature.separation(&points).squared();
-        assert!((separation.squared() - squared).abs() <= 1e-12 * squared);
+        let squared = feature.shortest_vector(&points).squared();
+        assert!((shortest.squared() - squared).abs() <= 1e-12 * squared);
     }
     assert!((20..180).contains(&swapped), "{swapped}");
 }
@@ -149,7 +149,7 @@ fn parallel_edges_that_touch_have_finite_derivatives() {
     let points = [0.0, 2.0, 1.0, 3.0].map(|x| Vector3::x() * x);
     let mollifier = Mollifier::new([4.0, 4.0]);
     let collision = Collision::mollified([0, 1, 2, 3], edge_edge(&points), mollifier, barrier);
-    assert_eq!(collision.separation(&at(&points)).squared(), 0.0);
+    assert_eq!(collision.shortest_vector(&at(&points)).squared(), 0.0);
     assert_eq!(collision.value(&at(&points)), 0.0);
     assert_eq!(slope(&collision, &points).amax(), 0.0);
     assert_eq!(collision.normal_force(&at(&points)), 0.0);

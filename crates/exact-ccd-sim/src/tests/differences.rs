@@ -3,8 +3,8 @@
 use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, Rotation3, Vector3};
 
-use crate::distance::{Matrix12, Vector12};
-use crate::energy::{Energy, Projection};
+use crate::energies::distance::{Matrix12, Vector12};
+use crate::energies::term::{Energy, Projection};
 
 pub(crate) type Points = [Vector3<f64>; 4];
 

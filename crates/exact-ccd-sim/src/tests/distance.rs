@@ -5,7 +5,9 @@ use nalgebra::Vector3;
 use super::differences::{
     Points, assert_gradient, assert_hessian, gradient, jacobian, random_points, random_vector,
 };
-use crate::distance::{Feature, FeatureKind, Matrix12, Mollifier, Vector12, edge_edge, point_triangle};
+use crate::energies::distance::{
+    Feature, FeatureKind, Matrix12, Mollifier, Vector12, edge_edge, point_triangle,
+};
 
 fn derivatives(feature: &Feature, points: &Points) -> (Vector12, Matrix12) {
     let factors = feature.factors(points);
@@ -41,7 +43,7 @@ fn the_derivatives_of_squared_distances_match_differences() {
         }
         tested += 1;
         let (first, second) = derivatives(&feature, &points);
-        let expected = gradient(&points, 1e-3, |x| feature.separation(x).squared());
+        let expected = gradient(&points, 1e-3, |x| feature.shortest_vector(x).squared());
         assert_gradient(&first, &expected, 1e-7, "distance");
         let expected = jacobian(&points, 1e-3, |x| derivatives(&feature, x).0);
         assert_hessian(&second, &expected, 1e-7, "distance");
@@ -78,7 +80,7 @@ fn the_distance_of_the_closest_features_is_the_least_on_a_grid() {
             edge_edge(&points)
         };
         *kinds.entry((sample % 2, feature.kind())).or_insert(0) += 1;
-        let distance = feature.separation(&points).squared().sqrt();
+        let distance = feature.shortest_vector(&points).squared().sqrt();
         assert!(distance <= least + 1e-12, "{distance} > {least}: {points:?}");
         // The grid's error is at most the diagonal of a cell.
         assert!(least - distance < 0.15, "{distance} < {least}: {points:?}");
@@ -99,7 +101,7 @@ fn the_distance_of_the_closest_features_is_the_least_on_a_grid() {
 #[test]
 fn parallel_and_degenerate_edges_have_a_distance() {
     let [o, x, y] = [Vector3::zeros(), Vector3::x(), Vector3::y()];
-    let distance = |points: Points| edge_edge(&points).separation(&points).squared().sqrt();
+    let distance = |points: Points| edge_edge(&points).shortest_vector(&points).squared().sqrt();
     assert_eq!(distance([o, x, y, x + y]), 1.0);
     assert_eq!(distance([o, x, y + x * 3.0, y + x * 4.0]), 5.0_f64.sqrt());
     assert_eq!(distance([o, o, y, x + y]), 1.0);

@@ -8,8 +8,8 @@ use super::differences::{
 };
 use std::sync::Arc;
 
-use crate::elasticity::{ElasticModuli, Hinge, Membrane, SolidMaterial, Tetrahedron};
-use crate::energy::{Energy, Projection};
+use crate::energies::elasticity::{ElasticModuli, Hinge, Membrane, SolidMaterial, Tetrahedron};
+use crate::energies::term::{Energy, Projection};
 
 pub(crate) const MODULI: ElasticModuli = ElasticModuli {
     young: 3.0,

@@ -10,7 +10,7 @@ use crate::body::{
     AffineProperties, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties,
 };
 use crate::digest::Hash;
-use crate::elasticity::SolidMaterial;
+use crate::energies::elasticity::SolidMaterial;
 
 /// The hashes of a kind with a material and with changes of each of its numbers.
 fn hashes<M: Serialize + DeserializeOwned>(material: &M, kind: impl Fn(M) -> BodyKind) -> Vec<String> {

@@ -4,8 +4,8 @@ use arrayvec::ArrayVec;
 use nalgebra::Vector3;
 
 use super::differences::{at, check, random_points, slope};
-use crate::distance::point_triangle;
-use crate::friction::{FrictionContact, Smoothing};
+use crate::energies::distance::point_triangle;
+use crate::energies::friction::{FrictionContact, Smoothing};
 
 const SMOOTHING: Smoothing = Smoothing { threshold: 0.8 };
 
@@ -28,9 +28,9 @@ fn the_derivatives_of_friction_match_differences() {
     let mut random = fastrand::Rng::with_seed(1);
     for _ in 0..100 {
         let points = random_points(&mut random);
-        let separation = point_triangle(&points).separation(&points);
+        let shortest = point_triangle(&points).shortest_vector(&points);
         let vertices = ArrayVec::from([0, 1, 2, 3]);
-        let contact = FrictionContact::new(vertices, &at(&points), &separation, 0.7, SMOOTHING);
+        let contact = FrictionContact::new(vertices, &at(&points), &shortest, 0.7, SMOOTHING);
         let displacements = random_points(&mut random).map(|x| x * 0.5);
         let moved = core::array::from_fn(|place| points[place] + displacements[place]);
         check(&contact, &moved, 1e-4, [1e-7, 2e-4], "friction");
@@ -41,7 +41,7 @@ fn the_derivatives_of_friction_match_differences() {
         assert!(power >= 0.0);
         let total: Vector3<f64> = (0..4).map(force).sum();
         assert!(total.norm() < 1e-12);
-        assert!(force(0).dot(&separation.vector).abs() < 1e-12);
+        assert!(force(0).dot(&shortest.vector).abs() < 1e-12);
         assert!(force(0).norm() <= 0.7 * (1.0 + 1e-12));
     }
 }

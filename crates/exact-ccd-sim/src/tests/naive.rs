@@ -5,8 +5,8 @@ use exact_ccd_mesh::{PairKind, Point, TriangleMesh};
 use nalgebra::Vector3;
 
 use super::differences::Points;
-use crate::contact::Barrier;
-use crate::distance::{Mollifier, Vector12};
+use crate::energies::contact::Barrier;
+use crate::energies::distance::{Mollifier, Vector12};
 
 /// The weights of four points in the shortest vector between two primitives, computed without the features
 /// of the library.

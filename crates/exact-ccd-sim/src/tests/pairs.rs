@@ -8,12 +8,12 @@ use exact_ccd_methods::parity::Displacement;
 use fastrand::Rng;
 use nalgebra::Vector3;
 
-use crate::distance::{edge_edge, point_triangle};
+use crate::energies::distance::{edge_edge, point_triangle};
 
 /// The number of pieces of a scene, with two triangles each. The first and the last are obstacles.
 const PIECES: usize = 5;
 
-struct Scene {
+struct Surroundings {
     mesh: TriangleMesh,
     can_collide: CanCollide,
     start: Vec<Point>,
@@ -23,7 +23,7 @@ struct Scene {
 
 /// Pieces of random shape and motion, with lengths between a nanometre and a metre, near the origin or far
 /// from it.
-fn random_scene(random: &mut Rng) -> Scene {
+fn random_scene(random: &mut Rng) -> Surroundings {
     let mut choose = |choices: &[f64]| choices[random.usize(..choices.len())];
     let scale = choose(&[1.0, 1e-3, 1e-9]);
     let offset = [0, 1, 2].map(|_| choose(&[0.0, 0.0, 1.0, -1e6]));
@@ -51,7 +51,7 @@ fn random_scene(random: &mut Rng) -> Scene {
     }
     let obstacle = (0..4 * PIECES).map(|vertex| [0, PIECES - 1].contains(&(vertex / 4)));
     let mesh = TriangleMesh::new(4 * PIECES, faces).unwrap();
-    Scene {
+    Surroundings {
         mesh,
         can_collide: CanCollide::not_two_obstacles(obstacle.collect()),
         start,
@@ -60,7 +60,7 @@ fn random_scene(random: &mut Rng) -> Scene {
     }
 }
 
-impl Scene {
+impl Surroundings {
     fn step(&self) -> Step<'_> {
         Step::new(&self.mesh, &self.start, &self.end).unwrap()
     }
@@ -111,8 +111,13 @@ impl Scene {
         let at = |vertices: [u32; 4]| vertices.map(|vertex| Vector3::from(points[vertex as usize]));
         let limit = self.distance * self.distance;
         self.filtered(
-            |vertices| point_triangle(&at(vertices)).separation(&at(vertices)).squared() < limit,
-            |vertices| edge_edge(&at(vertices)).separation(&at(vertices)).squared() < limit,
+            |vertices| {
+                point_triangle(&at(vertices))
+                    .shortest_vector(&at(vertices))
+                    .squared()
+                    < limit
+            },
+            |vertices| edge_edge(&at(vertices)).shortest_vector(&at(vertices)).squared() < limit,
         )
     }
 

@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 use super::differences::{
     Points, at, check, curvature, random_points, random_rotation, random_vector, slope,
 };
-use crate::elasticity::{Bend, Stretch};
-use crate::energy::{Energy, Projection};
+use crate::energies::elasticity::{RodBend, Stretch};
+use crate::energies::term::{Energy, Projection};
 
 /// cos φ of the angle φ between two successive edges.
 fn cosine(points: &Points) -> f64 {
@@ -63,7 +63,7 @@ fn the_derivatives_of_bending_match_differences() {
         // Every other rod is straight at rest.
         let straight = [rest[0], rest[1], rest[1] * 2.0 - rest[0], rest[3]];
         let rest = if tested % 2 == 0 { rest } else { straight };
-        let bend = Bend::new([0, 1, 2], &at(&rest), 3.0).unwrap();
+        let bend = RodBend::new([0, 1, 2], &at(&rest), 3.0).unwrap();
         indefinite += usize::from(check(&bend, &points, 1e-4, [1e-7; 2], "bend") < -1e-6);
     }
     assert!(indefinite > 20, "{indefinite}");
@@ -72,7 +72,7 @@ fn the_derivatives_of_bending_match_differences() {
 /// Near the straight shape, cos φ is 1 up to rounding; the energy still has all digits.
 #[test]
 fn slight_bending_keeps_its_digits() {
-    let bend = Bend::new([0, 1, 2], &[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 2.0).unwrap();
+    let bend = RodBend::new([0, 1, 2], &[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 2.0).unwrap();
     for angle in [1e-9, 1e-6, 1e-3, 0.1, 1.0, 3.0_f64] {
         let end = Vector3::new(angle.cos(), angle.sin(), 0.0);
         let points = [Vector3::zeros(), Vector3::x(), Vector3::x() + end].map(Point::from);
@@ -97,12 +97,12 @@ fn a_rod_that_is_rolled_into_a_circle_has_the_energy_of_a_beam() {
             let (sine, cosine) = (place * angle).sin_cos();
             [cosine, sine, 0.0]
         });
-        let bend = Bend::new([0, 1, 2], &straight, 3.0).unwrap();
+        let bend = RodBend::new([0, 1, 2], &straight, 3.0).unwrap();
         let whole = bend.value(&circle) * f64::from(count);
         let beam = 0.5 * 3.0 * core::f64::consts::TAU;
         // The rod is straight again without energy, and a ring has none at rest.
         assert_eq!(bend.value(&straight), 0.0);
-        let ring = Bend::new([0, 1, 2], &circle, 3.0).unwrap();
+        let ring = RodBend::new([0, 1, 2], &circle, 3.0).unwrap();
         assert!(ring.value(&circle) < 1e-28);
         whole / beam - 1.0
     });
@@ -121,7 +121,7 @@ fn rods_are_invariant_under_rigid_motions() {
         let (turn, shift) = (random_rotation(&mut random), random_vector(&mut random));
         let moved = points.map(|x| turn * x + shift);
         let stretch = Stretch::new([0, 1], &at(&rest), 1.0).unwrap();
-        let bend = Bend::new([0, 1, 2], &at(&rest), 1.0).unwrap();
+        let bend = RodBend::new([0, 1, 2], &at(&rest), 1.0).unwrap();
         let values = [&points, &moved].map(|x| stretch.value(&at(x)) + bend.value(&at(x)));
         assert!(
             (values[0] - values[1]).abs() < 1e-9 * (1.0 + values[0]),
@@ -145,11 +145,11 @@ fn degenerate_rods_have_finite_derivatives() {
         gradient.iter().chain(&hessian).all(|x| x.is_finite())
     }
     let [o, x, xx, xy] = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
-    let bend = Bend::new([0, 1, 2], &[o, x, xx], 1.0).unwrap();
+    let bend = RodBend::new([0, 1, 2], &[o, x, xx], 1.0).unwrap();
     for points in [[o, x, o], [o, o, x], [x, x, x]] {
         assert_eq!(bend.value(&points), f64::INFINITY);
         assert!(is_finite(&bend, &points));
-        assert!(Bend::new([0, 1, 2], &points, 1.0).is_none());
+        assert!(RodBend::new([0, 1, 2], &points, 1.0).is_none());
     }
     let stretch = Stretch::new([0, 1], &[o, x], 1.0).unwrap();
     assert_eq!(
@@ -159,6 +159,6 @@ fn degenerate_rods_have_finite_derivatives() {
     assert!(is_finite(&stretch, &[o, o]));
     assert!(Stretch::new([0, 1], &[x, x], 1.0).is_none());
     // A straight rod that is curved at rest is at a peak of its energy.
-    let curved = Bend::new([0, 1, 2], &[o, x, xy], 1.0).unwrap();
+    let curved = RodBend::new([0, 1, 2], &[o, x, xy], 1.0).unwrap();
     assert!(is_finite(&curved, &[o, x, xx]));
 }

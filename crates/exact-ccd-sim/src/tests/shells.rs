@@ -5,8 +5,8 @@ use nalgebra::{Matrix3, Matrix6, Vector2, Vector3};
 
 use super::differences::{Points, at, check, curvature, random_points, random_rotation};
 use super::elasticity::MODULI;
-use crate::elasticity::{Hinge, Membrane, StrainLimit};
-use crate::energy::{Energy, Projection};
+use crate::energies::elasticity::{Hinge, Membrane, StrainLimit};
+use crate::energies::term::{Energy, Projection};
 use crate::{Body, BodyKind};
 
 #[test]

@@ -4,7 +4,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Vector3};
 
 use super::differences::{random_rotation, random_vector};
-use crate::system::size::diameter;
+use crate::system::ball::diameter;
 
 fn moved(points: &[Vector3<f64>], turn: &Rotation3<f64>, shift: Vector3<f64>) -> f64 {
     diameter(points.iter().map(|point| Point::from(turn * point + shift)))

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::differences::{at, check, curvature, random_points};
-use crate::energy::{Energy, Projection};
-use crate::spring::SpringEnergy;
+use crate::energies::spring::SpringEnergy;
+use crate::energies::term::{Energy, Projection};
 
 #[test]
 fn the_derivatives_of_springs_match_differences() {

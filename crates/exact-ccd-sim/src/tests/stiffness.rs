@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::contact::{Barrier, StiffnessRange};
+use crate::energies::contact::{Barrier, StiffnessRange};
 use crate::{Length, Script, Settings, Simulation, System, shapes};
 
 const SIZE: f64 = 3.0;

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 
 use super::differences::{at, check, random_points, slope};
-use crate::contact::{Barrier, Collision};
-use crate::distance::{Mollifier, edge_edge, point_edge, point_triangle};
-use crate::energy::Energy;
+use crate::energies::contact::{Barrier, Collision};
+use crate::energies::distance::{Mollifier, edge_edge, point_edge, point_triangle};
+use crate::energies::term::Energy;
 
 const REACH: f64 = 0.25;
 
@@ -92,7 +92,7 @@ fn the_derivatives_of_collisions_with_thickness_match_differences() {
             1 => edge_edge(&points),
             _ => point_edge(&points, 0, 1, 2),
         };
-        let distance = feature.separation(&points).squared().sqrt();
+        let distance = feature.shortest_vector(&points).squared().sqrt();
         let [a, b, c, d] = points;
         let sines = [(b - a).cross(&(d - c)), (c - b).cross(&(d - b))];
         if !(0.35..0.75).contains(&distance) || sines.iter().any(|sine| sine.norm() < 0.5) {
@@ -111,10 +111,10 @@ fn the_derivatives_of_collisions_with_thickness_match_differences() {
         indefinite += usize::from(least < -1e-9);
         // The normal force is the gradient by the distance, for unit weights.
         let gradient = slope(&collision, &points);
-        let separation = collision.separation(&at(&points));
+        let shortest = collision.shortest_vector(&at(&points));
         let force: Vector3<f64> = (0..)
             .zip(collision.vertices())
-            .filter(|&(place, _): &(usize, &u32)| separation.weights[place] > 0.0)
+            .filter(|&(place, _): &(usize, &u32)| shortest.weights[place] > 0.0)
             .map(|(_, &vertex)| -gradient.fixed_rows::<3>(3 * vertex as usize))
             .sum();
         if tested % 3 != 2 {

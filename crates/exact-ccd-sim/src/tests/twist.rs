@@ -4,9 +4,9 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::differences::{at, check, random_points, random_vector};
-use crate::elasticity::chains;
-use crate::elasticity::{Chain, Twist};
-use crate::energy::{Block, Energy, Projection, write_blocks};
+use crate::energies::elasticity::paths_between_ends;
+use crate::energies::elasticity::{Chain, Twist};
+use crate::energies::term::{Block, Energy, Projection, write_blocks};
 
 /// The twist of a chain as an energy of its four inner vertices. The first and the last edge are held.
 #[derive(Debug)]
@@ -118,10 +118,10 @@ fn chains_end_at_hinges() {
         [22, 20],
     ];
     assert_eq!(
-        chains(&edges),
+        paths_between_ends(&edges),
         [vec![0, 1, 2], vec![10, 11, 12], vec![10, 13, 14]]
     );
     // A loop at a hinge is one chain. An edge that is given twice is one edge.
     let lasso = [[0, 1], [1, 2], [2, 3], [3, 1], [1, 0]];
-    assert_eq!(chains(&lasso), [vec![1, 2, 3, 1]]);
+    assert_eq!(paths_between_ends(&lasso), [vec![1, 2, 3, 1]]);
 }

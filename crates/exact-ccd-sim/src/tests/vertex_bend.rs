@@ -6,8 +6,8 @@ use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::differences::random_vector;
-use crate::elasticity::bending;
-use crate::energy::{Energy, Projection, pair_count};
+use crate::energies::elasticity::bending;
+use crate::energies::term::{Energy, Projection, pair_count};
 
 /// The change of the angle at the edge of two vertices, and its sign, by the half angle between both unit
 /// normals.

@@ -189,10 +189,7 @@ fn bodies_with_offsets_need_an_exact_method() {
             let name = "parity".to_owned();
             match result {
                 Ok(_) => assert!(is_accepted),
-                Err(error) => assert_eq!(
-                    (is_accepted, error),
-                    (false, SimulationError::Separation { name })
-                ),
+                Err(error) => assert_eq!((is_accepted, error), (false, SimulationError::Offset { name })),
             }
         }
     }

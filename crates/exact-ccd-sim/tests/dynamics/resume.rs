@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use exact_ccd::Exact;
 use exact_ccd_sim::{
-    Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, Scripted, Settings, Simulation,
+    Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, ScriptedVertices, Settings, Simulation,
     SimulationError, State, StepFilter, System, shapes,
 };
 use serde_json::Value;
@@ -134,7 +134,7 @@ fn a_checkpoint_of_another_simulation_is_an_error() {
     }
     let cube = || shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
     let floor = || shapes::floor([1, 1], [1.1, 1.2]);
-    let changed = |change: &dyn Fn(&mut Body), scripts: &[Scripted]| {
+    let changed = |change: &dyn Fn(&mut Body), scripts: &[ScriptedVertices]| {
         let mut cube = cube();
         change(&mut cube);
         other(System::new(&[cube, floor()], scripts).unwrap(), &|_| ())

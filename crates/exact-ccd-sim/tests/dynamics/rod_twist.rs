@@ -1,7 +1,8 @@
 //! Twist of rods against theory.
 
 use exact_ccd_sim::{
-    Body, BodyKind, Integrator, Length, RodProperties, Script, Scripted, Settings, Simulation, System, shapes,
+    Body, BodyKind, Integrator, Length, RodProperties, Script, ScriptedVertices, Settings, Simulation,
+    System, shapes,
 };
 
 const EDGES: u32 = 20;
@@ -285,7 +286,7 @@ fn a_held_edge_divides_the_twist() {
     let energy = |angle: f64, length: f64| 0.5 * rigidity * angle * angle / length;
     // Both edges of the middle vertex are held, at a distance of one edge.
     let part = half - 0.5 / f64::from(EDGES);
-    let run = |scripts: &[Scripted], expected: &dyn Fn(f64) -> f64| {
+    let run = |scripts: &[ScriptedVertices], expected: &dyn Fn(f64) -> f64| {
         let system = System::new(std::slice::from_ref(&body), scripts).unwrap();
         let mut simulation = Simulation::new(system, settings(0.0)).unwrap();
         for step in 1..=30 {

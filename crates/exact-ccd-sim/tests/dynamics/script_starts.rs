@@ -2,8 +2,8 @@
 
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{
-    Body, Force, Integrator, KeyFrame, Length, Load, Script, Scripted, Settings, Simulation, State, System,
-    shapes,
+    Body, Force, Integrator, KeyFrame, Length, Load, Script, ScriptedVertices, Settings, Simulation, State,
+    System, shapes,
 };
 
 use crate::scripted_axes::{fallen, particles};
@@ -13,7 +13,7 @@ fn up(speed: f64, until: Option<f64>) -> Script {
     Script::Moving { velocity, until }
 }
 
-fn simulation(bodies: &[Body], scripts: &[Scripted], settings: Settings) -> Simulation {
+fn simulation(bodies: &[Body], scripts: &[ScriptedVertices], settings: Settings) -> Simulation {
     Simulation::new(System::new(bodies, scripts).unwrap(), settings).unwrap()
 }
 
@@ -235,7 +235,7 @@ fn origins_are_those_of_later_scripts() {
 
 #[test]
 fn scripts_that_begin_after_their_end_are_errors() {
-    let error = |scripted: Scripted| scripted.check().unwrap_err().field;
+    let error = |scripted: ScriptedVertices| scripted.check().unwrap_err().field;
     let fixed = || Script::Fixed.on([0]);
     assert_eq!(error(fixed().from(f64::NAN)), "from");
     assert_eq!(error(fixed().from(-1.0)), "from");

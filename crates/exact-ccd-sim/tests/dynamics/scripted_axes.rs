@@ -183,7 +183,7 @@ fn an_obstruction_acts_along_the_scripted_axes_only() {
 
 #[test]
 fn scripts_without_an_axis_or_released_before_the_start_are_errors() {
-    let error = |scripted: exact_ccd_sim::Scripted| scripted.check().unwrap_err().field;
+    let error = |scripted: exact_ccd_sim::ScriptedVertices| scripted.check().unwrap_err().field;
     assert_eq!(error(Script::Fixed.on([0]).along([false; 3])), "axes");
     assert_eq!(error(Script::Fixed.on([0]).until(-1.0)), "release");
     assert_eq!(error(Script::Fixed.on([0]).until(f64::NAN)), "release");

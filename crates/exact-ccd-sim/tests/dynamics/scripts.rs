@@ -1,4 +1,4 @@
-//! Scripted motion of vertices and obstacles.
+//! ScriptedVertices motion of vertices and obstacles.
 
 use exact_ccd_mesh::{Audit, Point};
 use exact_ccd_sim::{BodyKind, Length, Script, Settings, Simulation, StepFilter, System, shapes};

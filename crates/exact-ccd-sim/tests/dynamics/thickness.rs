@@ -2,8 +2,8 @@
 
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{
-    Body, BodyPrimitive, Checkpoint, Designation, Friction, Integrator, Length, Primitive, Script, Scripted,
-    Settings, Simulation, SimulationError, Statistics, StepFilter, System, shapes,
+    Body, BodyPrimitive, Checkpoint, Designation, Friction, Integrator, Length, Primitive, Script,
+    ScriptedVertices, Settings, Simulation, SimulationError, Statistics, StepFilter, System, shapes,
 };
 use nalgebra::Vector3;
 
@@ -33,7 +33,7 @@ fn moved(body: Body, [x, y, z]: Point) -> Body {
 /// Takes some steps. Checks the distances in each increment.
 fn run(
     bodies: &[Body],
-    scripts: &[Scripted],
+    scripts: &[ScriptedVertices],
     settings: Settings,
     steps: usize,
 ) -> (Simulation, Vec<Statistics>) {

@@ -3,7 +3,7 @@
 use exact_ccd_sim::{Energies, Statistics};
 use exact_ccd_view::{Chart, Curve, History};
 
-use crate::curves;
+use crate::view::curves;
 
 /// The charts of time steps: energies, minimal distance and contacts. `start` is the time of the first frame,
 /// before the first of these steps; `contact_distance` is d̂, in m.

@@ -12,11 +12,11 @@ use exact_ccd_view::Body;
 use super::View;
 use super::recording::Recording;
 use super::setup::Setup;
-use crate::failure::Failure;
-use crate::inputs::name;
+use crate::files::inputs::name;
+use crate::messages::failure::Failure;
 
 /// A simulation that is recorded for its page, if there is to be one.
-pub(crate) struct SimulationRecording {
+pub(crate) struct SimulationPage {
     frames: Recording,
     /// The time of the first frame, and the time steps after it.
     start: f64,
@@ -30,10 +30,10 @@ impl View {
         file: &Path,
         simulation: &Simulation,
         rendering: &Rendering,
-    ) -> SimulationRecording {
+    ) -> SimulationPage {
         let upwards = rendering.upwards(simulation.settings().gravity);
         let setup = || setup(simulation).with_up(self.view_up.or(Some(upwards)));
-        SimulationRecording {
+        SimulationPage {
             frames: Recording::new(self.view.clone(), name(file), setup),
             start: 0.0,
             steps: Vec::new(),
@@ -54,7 +54,7 @@ fn setup(simulation: &Simulation) -> Setup {
     }
 }
 
-impl SimulationRecording {
+impl SimulationPage {
     /// Adds the surface in the state of a simulation, with the statistics of the time step that led to it.
     pub(crate) fn add_state(
         &mut self,

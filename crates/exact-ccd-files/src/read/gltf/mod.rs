@@ -9,8 +9,8 @@ mod document;
 mod extensions;
 mod instances;
 mod motion;
+mod placed_meshes;
 mod primitive;
-mod scene;
 mod transform;
 
 use std::collections::HashMap;
@@ -24,9 +24,9 @@ use accessor::Accessors;
 use buffers::Buffers;
 use document::{Document, Node, at};
 use motion::Motion;
+pub(super) use placed_meshes::PlacedMeshes;
+use placed_meshes::{Placed, Run};
 use primitive::{Part, check_count};
-pub(super) use scene::Scene;
-use scene::{Placed, Run};
 use transform::Transform;
 
 /// The work for a primitive besides its vertices, in steps. Many nodes may have the same mesh.
@@ -47,7 +47,7 @@ pub(super) fn read_moving(
     bytes: &[u8],
     folder: Option<&Path>,
     budget: &Budget,
-) -> Result<(Scene, Cells), ParseError> {
+) -> Result<(PlacedMeshes, Cells), ParseError> {
     read_scene(bytes, folder, budget, true)
 }
 
@@ -62,7 +62,7 @@ fn read_scene(
     folder: Option<&Path>,
     budget: &Budget,
     moves: bool,
-) -> Result<(Scene, Cells), ParseError> {
+) -> Result<(PlacedMeshes, Cells), ParseError> {
     let (json, blob) = container::split(bytes, budget)?;
     let document = Document::read(json, budget)?;
     let read = || {
@@ -84,7 +84,7 @@ fn read_scene(
     };
     let at_file = |fault: Fault| fault.at(Place::File);
     let (nodes, runs, mut cells, motion) = read().map_err(at_file)?;
-    let mut scene = Scene {
+    let mut scene = PlacedMeshes {
         document,
         nodes,
         runs,

@@ -8,7 +8,7 @@ use super::super::polygons::strip;
 use super::super::record::Record;
 use super::super::scalar::Scalar;
 use super::super::tokens::Tokens;
-use super::header::{Element, Header, Kind, Property};
+use super::header::{Element, Header, Property, PropertyType};
 use crate::error::{Fault, ParseError, Place, quoted};
 use crate::named_part::NamedPart;
 use crate::note::{Fact, Note};
@@ -81,7 +81,8 @@ fn find<'a>(header: &'a Header<'a>, name: &str) -> Result<&'a Element<'a>, Parse
 
 /// Returns true for an element that is not read and may have vertices: one with lists of integers, or edges.
 fn may_be_unread_mesh(element: &Element) -> bool {
-    let is_list = |property: &Property| matches!(property.kind, Kind::List { item, .. } if item.is_integer());
+    let is_list =
+        |property: &Property| matches!(property.kind, PropertyType::List { item, .. } if item.is_integer());
     match element.name {
         b"vertex" | b"face" | b"tristrips" => false,
         b"edge" => end_points(element).is_none(),
@@ -95,7 +96,7 @@ fn end_points(element: &Element) -> Option<[Scalar; 2]> {
     let integer = |name: &[u8]| {
         let mut properties = element.properties.iter();
         match properties.find(|property| property.name == name)?.kind {
-            Kind::One(integer) if integer.is_integer() => Some(integer),
+            PropertyType::One(integer) if integer.is_integer() => Some(integer),
             _ => None,
         }
     };
@@ -134,7 +135,7 @@ impl<'a> Rows<'_, 'a> {
         let axes = [b"x", b"y", b"z"];
         for axis in axes {
             let is_coordinate =
-                |property: &Property| property.name == axis && matches!(property.kind, Kind::One(_));
+                |property: &Property| property.name == axis && matches!(property.kind, PropertyType::One(_));
             if !element.properties.iter().any(is_coordinate) {
                 let expected = format!("a property {} of element `vertex`, a number", quoted(axis));
                 return Err(Fault::expected(expected, "none").at(element.place));
@@ -146,7 +147,7 @@ impl<'a> Rows<'_, 'a> {
             let mut position = [0.0; 3];
             for property in &element.properties {
                 match (axes.iter().position(|axis| property.name == *axis), property.kind) {
-                    (Some(axis), Kind::One(scalar)) => {
+                    (Some(axis), PropertyType::One(scalar)) => {
                         position[axis] = self.tokens.real(scalar, "a number")?;
                     }
                     _ => skip(property, self.tokens)?,
@@ -167,7 +168,7 @@ impl<'a> Rows<'_, 'a> {
     ) -> Result<(), ParseError> {
         let element = self.element;
         let corner_list = |property: &Property| match property.kind {
-            Kind::List { count, item }
+            PropertyType::List { count, item }
                 if item.is_integer() && matches!(property.name, b"vertex_indices" | b"vertex_index") =>
             {
                 Some((count, item))
@@ -259,8 +260,8 @@ impl<'a> Rows<'_, 'a> {
 
 fn skip(property: &Property, tokens: &mut Tokens) -> Result<(), ParseError> {
     match property.kind {
-        Kind::One(scalar) => tokens.skip(1, scalar),
-        Kind::List { count, item } => {
+        PropertyType::One(scalar) => tokens.skip(1, scalar),
+        PropertyType::List { count, item } => {
             let count = tokens.integer(count, COUNT)?;
             let negative = |_| Fault::expected(COUNT, format!("`{count}`")).at(tokens.place());
             let count = u64::try_from(count).map_err(negative)?;

@@ -27,11 +27,11 @@ pub(super) struct Element<'a> {
 
 pub(super) struct Property<'a> {
     pub(super) name: &'a [u8],
-    pub(super) kind: Kind,
+    pub(super) kind: PropertyType,
 }
 
 #[derive(Clone, Copy)]
-pub(super) enum Kind {
+pub(super) enum PropertyType {
     One(Scalar),
     /// A number of items, an integer of the first type, and the items.
     List {
@@ -131,9 +131,9 @@ fn read_property<'a>(tokens: &mut Tokens<'a>) -> Result<Property<'a>, ParseError
             }
             let item = tokens.expect_word(TYPE)?;
             let item = scalar(tokens, item)?;
-            Kind::List { count, item }
+            PropertyType::List { count, item }
         }
-        word => Kind::One(scalar(tokens, word)?),
+        word => PropertyType::One(scalar(tokens, word)?),
     };
     let name = tokens.expect_word("the name of a property")?;
     Ok(Property { name, kind })

@@ -2,9 +2,9 @@
 //!
 //! Every reader takes the bytes of a file from here, so that they are counted in one place.
 
+mod encoded;
 mod lines;
 mod number;
-mod numbers;
 mod words;
 
 use super::budget::Budget;

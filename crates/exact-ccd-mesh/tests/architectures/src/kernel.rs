@@ -8,9 +8,9 @@ use exact_ccd::{
     Separation, VertexEdge, VertexFace, VertexVertex,
 };
 
-use crate::hard_cases::digest::Digest;
-use crate::hard_cases::hard::Hard;
-use crate::hard_cases::{Case, cases};
+use exact_ccd_testing::hard_cases::digest::Digest;
+use exact_ccd_testing::hard_cases::hard::Hard;
+use exact_ccd_testing::hard_cases::{Case, cases};
 
 /// The number of queries of each family, for contact and within a distance.
 const COUNT: usize = 4;

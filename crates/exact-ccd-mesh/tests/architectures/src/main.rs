@@ -4,16 +4,8 @@
 //! The exit status is 0 if both equal the numbers recorded here. For each file of raw queries (`raw.rs`), it
 //! prints a line with the digest of the answers.
 
-#[path = "../../../../exact-ccd-bench/examples/scaling/cloth.rs"]
-mod cloth;
-#[path = "../../../../exact-ccd/tests/hard_cases/mod.rs"]
-#[allow(dead_code, reason = "the test target `hard_cases` needs more of it")]
-mod hard_cases;
 mod kernel;
 mod meshes;
-#[path = "../../../../exact-ccd/tests/queries/primitives.rs"]
-#[allow(dead_code, reason = "the test target `queries` needs more of it")]
-mod primitives;
 #[cfg(not(test))]
 mod raw;
 

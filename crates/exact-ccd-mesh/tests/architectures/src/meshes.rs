@@ -3,11 +3,11 @@
 use exact_ccd::Separation;
 use exact_ccd_mesh::{
     Bvh, CONTACT, Contact, Detector, FreeStepOptions, IntersectionOptions, Options, Point, Step,
-    intersections,
+    TriangleMesh, intersections,
 };
 
-use crate::cloth::Cloth;
-use crate::hard_cases::digest::Digest;
+use exact_ccd_testing::hard_cases::digest::Digest;
+use exact_ccd_testing::meshes::cloth::Cloth;
 
 /// The numbers of threads: WebAssembly has one.
 pub(crate) const THREADS: std::ops::RangeInclusive<usize> = if cfg!(target_family = "wasm") {
@@ -28,7 +28,13 @@ fn of_steps() -> u64 {
     let mut digest = Digest::default();
     for nearest in [0.5, 0.1, -0.2] {
         let cloth = Cloth::new(9, nearest);
-        add_step(&mut digest, cloth.step());
+        let mesh = TriangleMesh::new(cloth.x0.len(), cloth.faces);
+        let mesh = mesh.expect("all vertices of faces are there");
+        let step = Step::new(&mesh, &cloth.x0, &cloth.x1);
+        add_step(
+            &mut digest,
+            step.expect("there are as many positions as vertices, and all are finite"),
+        );
     }
     digest.0
 }

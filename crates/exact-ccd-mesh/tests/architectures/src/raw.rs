@@ -9,8 +9,8 @@ use std::io;
 
 use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexFace};
 
-use crate::hard_cases::digest::Digest;
 use crate::kernel::add_answers;
+use exact_ccd_testing::hard_cases::digest::Digest;
 
 const BYTES: usize = 26 * size_of::<f64>();
 

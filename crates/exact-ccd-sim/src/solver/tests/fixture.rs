@@ -4,11 +4,11 @@ use exact_ccd_mesh::{Candidates, Point, Step};
 use fastrand::Rng;
 use nalgebra::{DMatrix, Vector3};
 
-use crate::anchor::Anchor;
-use crate::contact::{Barrier, Collisions};
-use crate::energy::{Energy, Projection};
-use crate::friction::{FrictionContact, Smoothing};
-use crate::scripted::Axes;
+use crate::energies::anchor::Anchor;
+use crate::energies::contact::{Barrier, CollisionSet};
+use crate::energies::friction::{FrictionContact, Smoothing};
+use crate::energies::term::{Energy, Projection};
+use crate::prescribed::Axes;
 use crate::settings::Formulation;
 use crate::shapes;
 use crate::solver::couplings::Couplings;
@@ -75,9 +75,9 @@ impl Fixture {
         };
         let collisions = fixture.collisions(&fixture.points);
         let friction = collisions.as_slice().iter().map(|collision| {
-            let separation = collision.separation(&fixture.points);
+            let shortest = collision.shortest_vector(&fixture.points);
             let vertices = collision.vertices().iter().copied().collect();
-            FrictionContact::new(vertices, &origin, &separation, 1e3, SMOOTHING)
+            FrictionContact::new(vertices, &origin, &shortest, 1e3, SMOOTHING)
         });
         fixture.terms.friction = friction.collect();
         fixture
@@ -92,10 +92,10 @@ impl Fixture {
         }
     }
 
-    pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
+    pub(super) fn collisions(&self, points: &[Point]) -> CollisionSet {
         let step = Step::new(self.system.surface(), points, points).unwrap();
         let candidates = self.system.geometry.near(step, &self.barrier);
-        Collisions::new(
+        CollisionSet::new(
             self.system.contact_surface(Formulation::default()),
             &candidates,
             points,
@@ -104,9 +104,9 @@ impl Fixture {
     }
 
     /// The empty constraint set.
-    pub(super) fn no_collisions(&self) -> Collisions {
+    pub(super) fn no_collisions(&self) -> CollisionSet {
         let surface = self.system.contact_surface(Formulation::default());
-        Collisions::new(surface, &Candidates::default(), &self.points, self.barrier)
+        CollisionSet::new(surface, &Candidates::default(), &self.points, self.barrier)
     }
 
     /// The known coordinates of each vertex: all of an obstacle and of one vertex of five, two of another
@@ -144,7 +144,7 @@ impl Fixture {
         self.known().iter().enumerate().map(prescribed).collect()
     }
 
-    pub(super) fn quadratic(&self, collisions: &Collisions, unknowns: &Unknowns) -> Quadratic {
+    pub(super) fn quadratic(&self, collisions: &CollisionSet, unknowns: &Unknowns) -> Quadratic {
         self.quadratic_after(None, collisions, unknowns)
     }
 
@@ -152,7 +152,7 @@ impl Fixture {
     pub(super) fn quadratic_after(
         &self,
         earlier: Option<&Pattern>,
-        collisions: &Collisions,
+        collisions: &CollisionSet,
         unknowns: &Unknowns,
     ) -> Quadratic {
         let potential = self.potential();
@@ -168,7 +168,7 @@ impl Fixture {
     }
 
     /// The projected Hessian with respect to all vertices.
-    pub(super) fn dense(&self, collisions: &Collisions) -> DMatrix<f64> {
+    pub(super) fn dense(&self, collisions: &CollisionSet) -> DMatrix<f64> {
         let points = &self.points;
         let mut dense = DMatrix::zeros(3 * points.len(), 3 * points.len());
         let mut add = |term: &dyn Energy, scale: f64| {

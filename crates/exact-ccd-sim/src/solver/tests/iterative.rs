@@ -7,8 +7,8 @@ use std::time::Duration;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::contact::{Barrier, Collisions};
-use crate::scripted::Scripted;
+use crate::energies::contact::{Barrier, CollisionSet};
+use crate::prescribed::ScriptedVertices;
 use crate::solver::couplings::Couplings;
 use crate::solver::linear::LinearSolver;
 use crate::solver::pattern::Pattern;
@@ -207,7 +207,7 @@ fn first_system(simulation: &Simulation) -> (Pattern, Vec<f64>, Vec<f64>, usize)
     let barrier = Barrier::new(settings.contact_distance.meters(system.size()));
     let candidates = system.geometry.near_at(&state.positions, &barrier);
     let surface = system.contact_surface(settings.formulation);
-    let collisions = Collisions::new(surface, &candidates, &state.positions, barrier);
+    let collisions = CollisionSet::new(surface, &candidates, &state.positions, barrier);
     let potential = Potential {
         system,
         terms: &terms,
@@ -277,7 +277,7 @@ fn conjugate_gradients_against_the_factorisation() {
         shapes::cloth([40, 40], [1.0; 2]).placed(move |[x, y, z]| [x - 0.5, y + height, z - 0.5])
     };
     let beam = vec![solid([44, 4, 4], [1.1, 0.1, 0.1], 1e6)];
-    let end: Vec<Scripted> = vec![Script::Fixed.on((0..25).map(|row| 45 * row))];
+    let end: Vec<ScriptedVertices> = vec![Script::Fixed.on((0..25).map(|row| 45 * row))];
     let scenes = [
         ("beam that hangs at one end, 1 MPa", beam, end, 5),
         ("cube on a floor, 0.1 MPa", stack(1, 17, 1e5), vec![], 1),

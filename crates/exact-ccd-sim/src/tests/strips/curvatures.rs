@@ -5,8 +5,8 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::mesh::{Mesh, Strip};
-use crate::elasticity::bending;
-use crate::energy::{Energy, Projection};
+use crate::energies::elasticity::bending;
+use crate::energies::term::{Energy, Projection};
 
 /// A plate in the plane y = 0 with a flexural rigidity of 1.
 pub(super) struct Plate<'a> {

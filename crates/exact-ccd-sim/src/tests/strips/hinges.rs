@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::mesh::Mesh;
-use crate::elasticity::Hinge;
-use crate::energy::{Energy, Projection};
+use crate::energies::elasticity::Hinge;
+use crate::energies::term::{Energy, Projection};
 
 /// The deflections of the vertices for a flexural rigidity of 1 and a load by area of 1, with some of them
 /// clamped.

@@ -1,0 +1,8 @@
+//! The arguments, the half spaces, the files and the report of `step` and `audit`, the commands about a mesh
+//! in motion.
+
+pub(crate) mod arguments;
+pub(crate) mod counts;
+pub(crate) mod half_spaces;
+pub(crate) mod paraview;
+pub(crate) mod report;

@@ -1,0 +1,8 @@
+//! Queries of curved motion: answers against the definition, and laws.
+
+mod cases;
+mod errors;
+mod filters;
+mod laws;
+mod oracle;
+mod places;
