@@ -1,5 +1,7 @@
 //! The common root of a quadratic and another polynomial, by their resultant.
 
+use arrayvec::ArrayVec;
+
 use super::dyadic::Dyadic;
 use super::length::{LongArea, Volume};
 use super::wide::Wide;
@@ -7,6 +9,9 @@ use super::window::{linear_sign_at, quadratic_sign_at};
 
 /// A quadratic q₀ (1−t)² + q₁ (1−t) t + q₂ t².
 pub(super) type Quadratic = [LongArea; 3];
+
+/// The quadratics that decide contact and are not zero: at most one for each of three axes and a scalar product, for four sides.
+pub(super) type Quadratics = ArrayVec<Quadratic, 16>;
 
 /// An integer of 1792 bits.
 ///

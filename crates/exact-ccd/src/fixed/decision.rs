@@ -36,7 +36,7 @@ pub(crate) fn first_moment<K: Tables>(points: &Points<f64>) -> Option<Option<Mom
         };
     }
     for moment in moments_in_plane(&integers, &cubic)? {
-        let (moment, touches) = decided(&integers, &cubic, moment)?;
+        let (moment, touches) = integers.decided(moment, |moment| narrower(&cubic, moment))?;
         if touches {
             return Some(Some(moment));
         }
@@ -64,11 +64,13 @@ pub(crate) fn moments<K: Tables>(points: &Points<f64>) -> Option<Intervals> {
     let times = ExactCubic::new(cubic);
     let of_contact = moments_in_plane(&integers, &cubic)?
         .into_iter()
-        .filter_map(|moment| match decided(&integers, &cubic, moment) {
-            Some((_, false)) => None,
-            Some((moment, true)) => Some(times.time(&moment)),
-            None => Some(None),
-        });
+        .filter_map(
+            |moment| match integers.decided(moment, |moment| narrower(&cubic, moment)) {
+                Some((_, false)) => None,
+                Some((moment, true)) => Some(times.time(&moment)),
+                None => Some(None),
+            },
+        );
     of_contact.map(|time| time.map(Interval::moment)).collect()
 }
 
@@ -81,25 +83,21 @@ fn moments_in_plane<K: Tables>(integers: &Integers<K>, cubic: &[Volume; 4]) -> O
     Some(moments)
 }
 
-/// A moment at which the cubic vanishes, in a narrower window if that is necessary, and true if the
-/// primitives touch then; `None` if that is not certain.
-fn decided<K: Tables>(integers: &Integers<K>, cubic: &[Volume; 4], moment: Moment) -> Option<(Moment, bool)> {
-    if let Some(touches) = integers.touches(&moment) {
-        return Some((moment, touches));
+/// A moment at which a cubic vanishes, in a narrower window if it is a root.
+fn narrower(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
+    match moment {
+        Moment::Root(window, root) => narrowed(cubic, window, root),
+        moment => Some(moment.clone()),
     }
-    let Moment::Root(window, root) = &moment else {
-        return None;
-    };
-    let narrow = narrowed(cubic, window, root)?;
-    let touches = integers.touches(&narrow)?;
-    Some((narrow, touches))
 }
 
 /// The time of a moment of contact. A known time needs no integers.
 pub(crate) fn time<K: Tables>(points: &Points<f64>, moment: &Moment) -> Option<ContactTime> {
     match moment {
         Moment::At(time) => return Some(time.time()),
-        Moment::QuadraticRoot(root) => return root.time(),
+        Moment::QuadraticRoot(of) => {
+            return ExactCubic::new(of.raised()).time(&Moment::Root(of.window, of.root));
+        }
         Moment::Root(..) | Moment::Later => {}
     }
     ExactCubic::new(Integers::<K>::new(points)?.rest_of_cubic()).time(moment)

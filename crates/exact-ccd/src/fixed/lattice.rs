@@ -5,8 +5,7 @@ use core::cell::OnceCell;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use super::common_root::vanishes_at_cubic_root;
-use super::coplanar::Quadratics;
+use super::common_root::{Quadratics, vanishes_at_cubic_root};
 use super::factors::{Ends, Factors, difference};
 use super::fraction::Fraction;
 use super::length::{Area, Length, Volume};
@@ -82,7 +81,27 @@ impl<K: Tables> Integers<K> {
             Self::Long(lattice) => lattice.position(moment),
         }
     }
+
+    /// A moment, in a narrower window if that is necessary, and true if the primitives touch then; `None` if that is
+    /// not certain.
+    pub(super) fn decided(
+        &self,
+        mut moment: Moment,
+        narrowed: impl Fn(&Moment) -> Option<Moment>,
+    ) -> Option<(Moment, bool)> {
+        for _ in 0..MOST_NARROWINGS {
+            if let Some(touches) = self.touches(&moment) {
+                return Some((moment, touches));
+            }
+            moment = narrowed(&moment)?;
+        }
+        let touches = self.touches(&moment)?;
+        Some((moment, touches))
+    }
 }
+
+/// The number of times that a window is made narrower.
+const MOST_NARROWINGS: usize = 2;
 
 /// The points in integers of one width.
 pub(super) struct Lattice<K, L> {

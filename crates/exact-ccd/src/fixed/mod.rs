@@ -19,6 +19,7 @@ mod fraction;
 mod lattice;
 mod length;
 pub(crate) mod moment;
+mod quadratic_root;
 mod wide;
 pub(crate) mod window;
 mod zeros;

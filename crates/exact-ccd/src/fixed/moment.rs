@@ -3,9 +3,9 @@
 
 use core::cmp::Ordering;
 
-use super::coplanar::QuadraticRoot;
 use super::fraction::Fraction;
 use super::length::Area;
+use super::quadratic_root::QuadraticRoot;
 use super::window::{Window, quadratic_sign_at};
 use crate::numbers::cubic::Root;
 use crate::numbers::number::Lanes;

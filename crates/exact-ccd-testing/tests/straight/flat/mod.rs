@@ -24,9 +24,6 @@ fn is_near(a: &Impact, b: &Impact) -> bool {
 /// Compares all answers to a query with the exact path, and returns the stage that decided.
 fn checked_stage<K: Kind>(query: &Query<K>) -> Stage {
     let (collision, stage) = query.decide(CONTACT);
-    if stage == Stage::Exact {
-        println!("EXACT {query:?} {:?}", query.exactly().intervals(CONTACT));
-    }
     let intervals = query.exactly().intervals(CONTACT);
     assert_eq!(
         collision.is_some(),
@@ -132,20 +129,21 @@ fn scenes_along_the_axes_do_not_need_the_exact_path() {
     }
 }
 
-/// Coordinates have all bits, or differ in size by many.
+/// Coordinates have all bits. Those of the sphere thrown through its centre, the last scene, also differ in size
+/// by many, and many of its cubics have roots closer together than the narrowest window.
 #[test]
 fn scenes_with_general_coordinates_hardly_need_the_exact_path() {
-    for scene in general_scenes(4) {
-        let stages = stages(&scene);
+    let scenes = general_scenes(4);
+    let (sphere, sheets) = scenes.split_last().unwrap();
+    for (scene, parts) in sheets.iter().map(|sheets| (sheets, 1000)).chain([(sphere, 100)]) {
+        let stages = stages(scene);
         let exact = stages.iter().filter(|stage| **stage == Stage::Exact).count();
-        if false {
-            assert!(
-                1000 * exact <= stages.len(),
-                "{}: {exact} of {}",
-                scene.name,
-                stages.len()
-            );
-        }
+        assert!(
+            parts * exact <= stages.len(),
+            "{}: {exact} of {}",
+            scene.name,
+            stages.len()
+        );
     }
 }
 

@@ -24,14 +24,6 @@ fn times(cubic: &[Volume; 4]) -> Option<Vec<ContactTime>> {
     zeros(cubic)?.iter().map(|moment| exact.time(moment)).collect()
 }
 
-/// A root in a narrower window.
-fn in_narrower_window(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
-    match moment {
-        Moment::Root(window, root) => narrowed(cubic, window, root),
-        _ => None,
-    }
-}
-
 /// The time a / (a + b).
 fn quotient(a: i128, b: i128) -> ContactTime {
     let nearest = a as f64 / (a + b) as f64;
@@ -109,7 +101,7 @@ fn times_of_early_roots_are_right_or_unknown() {
         expected.sort_unstable();
         expected.dedup();
         for moment in zeros(&cubic).unwrap_or_default() {
-            let narrow = in_narrower_window(&cubic, &moment);
+            let narrow = narrower(&cubic, &moment);
             for time in [Some(moment), narrow]
                 .iter()
                 .flatten()
@@ -314,7 +306,7 @@ fn a_narrower_window_has_the_same_root() {
         let roots = [(); 3].map(|()| [random.i128(1..1 << 20), random.i128(1..1 << 20)]);
         let cubic = product(roots.map(|[a, b]| [-a, b]));
         for moment in zeros(&cubic).expect("the roots are apart") {
-            if let Some(found) = in_narrower_window(&cubic, &moment) {
+            if let Some(found) = narrower(&cubic, &moment) {
                 let exact = ExactCubic::new(cubic);
                 assert_eq!(exact.time(&found), exact.time(&moment));
                 if let Moment::Root(window, root) = &moment {
