@@ -1,4 +1,4 @@
-//! Query files: no bytes make the reader panic, and its queries survive a round trip.
+//! Query files: no bytes make the readers panic, and the queries of CSV survive a round trip.
 
 #![no_main]
 
@@ -7,7 +7,7 @@ use std::fmt::Debug;
 use arbitrary::{Result, Unstructured};
 use dashu_ratio::RBig;
 use exact_ccd::{AnyKind, Kind, with_kind};
-use exact_ccd_data::{QueryReader, Rounding, Sample};
+use exact_ccd_data::{CurvedReader, QueryReader, Rounding, Sample};
 use exact_ccd_fuzz::file;
 use libfuzzer_sys::fuzz_target;
 
@@ -28,6 +28,13 @@ const WORDS: &[&str] = &[
     "9007199254740993",
     "340282366920938463463374607431768211456,",
     "0,1,0,1,0,1\n",
+    "{\"kind\": \"vv\", \"points\": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], ",
+    "{\"kind\": \"vv\", \"points\": [[0, 0, 0], [1, 0, 0]], \"second\": [], \"first\": [",
+    "{\"q0\": [1, 0, 0, 0], \"q1\": [1, 0, 0, 1], \"o0\": [0, 0, 0], \"o1\": ",
+    "[0, 2, 0]",
+    "}",
+    "]]]}\n",
+    "]}\n",
     "1,1,2,4,3,8,1\n",
     "1,1,2,4,3,8,0\n",
     "1,3,1,3,1,3\n",
@@ -44,7 +51,18 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     for &kind in AnyKind::ALL {
         with_kind!(kind, K => check_kind::<K>(&text));
     }
+    check_curved(&text);
     Ok(())
+}
+
+/// A record of curved motion has a query of its kind.
+fn check_curved(text: &[u8]) {
+    for record in CurvedReader::new("input", text) {
+        match record {
+            Ok(record) => with_kind!(record.kind(), K => assert!(record.query::<K>().is_some())),
+            Err(error) => drop(error.to_string()),
+        }
+    }
 }
 
 fn check_kind<K: Kind + Debug + PartialEq>(text: &[u8]) {

@@ -1,24 +1,23 @@
 //! The published queries of curved motion: the share that the filters leave to integers, and times of a
-//! query, with filters and in integers alone; near misses of two bodies; and steps of two meshes.
+//! query, with filters and in integers alone; near misses; steps of two meshes; and a recording.
 //!
 //! `cargo bench -p exact-ccd-bench --bench curved`, on one thread. Times are means over the queries of a
 //! file, in microseconds. The motion of a pair of bodies is prepared before, as for many queries.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
+mod bodies;
 mod nonlinear;
 
-use std::f64::consts::TAU;
 use std::hint::black_box;
 
-use exact_ccd::motion::{BodyPair, Chain, CurvedQuery, RigidMotion};
-use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::motion::{Bezier, BodyPair, Chain, CurvedQuery, RigidMotion};
+use exact_ccd::{AnyKind, CONTACT, EdgeEdge, Kind, Point, Query, VertexFace, with_kind};
 use exact_ccd_bench::fastest;
-use exact_ccd_data::DataError;
-use exact_ccd_mesh::{Bodies, Frame};
+use exact_ccd_data::{CurvedRecord, DataError};
 use fastrand::Rng;
 
-use nonlinear::{files, query};
+use nonlinear::files;
 
 const RUNS: usize = 3;
 
@@ -31,64 +30,18 @@ fn main() -> Result<(), DataError> {
     );
     println!("|---|{}", "---:|".repeat(6));
     for (name, lines) in files()? {
-        if lines.iter().all(|line| line.kind == "vf") {
-            print_row(&name, &lines.iter().map(query::<VertexFace>).collect::<Vec<_>>());
-        } else {
-            print_row(&name, &lines.iter().map(query::<EdgeEdge>).collect::<Vec<_>>());
+        for &kind in AnyKind::ALL {
+            with_kind!(kind, K => print_row(&name, &lines.iter().filter_map(CurvedRecord::query::<K>).collect::<Vec<_>>()));
         }
     }
-    println!("\n| near misses | integers, % | one body turns | straight |");
-    println!("|---|{}", "---:|".repeat(3));
+    println!(
+        "\n| near misses | integers, % | collides | straight: collides | time of impact | straight: time of impact |"
+    );
+    println!("|---|{}", "---:|".repeat(5));
     print_near::<VertexFace>("vf");
     print_near::<EdgeEdge>("ee");
-    println!("\n| two tori of 320 and 576 faces | earliest contact, ms | decision, ms |");
-    println!("|---|{}", "---:|".repeat(2));
-    for (name, distance) in [("that meet", 1.5), ("that pass by each other", 3.2)] {
-        print_step(name, distance);
-    }
+    bodies::print();
     Ok(())
-}
-
-/// A step of two tori that turn by about 90° and approach each other up to a distance of their centers.
-fn print_step(name: &str, distance: f64) {
-    let bodies = Bodies::new([torus([16, 10]), torus([24, 12])]).expect("meshes");
-    let quaternions = [[1.0, 0.1, -0.2, 0.3], [0.8, -0.4, 0.5, 0.9]];
-    let others = [[0.9, 0.3, 0.2, -0.1], [0.2, 0.7, -0.4, 0.6]];
-    let paths = [
-        [[0.0; 3], [0.3, -0.2, 0.1]],
-        [[4.0, 0.5, 0.0], [distance, -0.5, 0.2]],
-    ];
-    let motion = |(quaternions, places): ([[f64; 4]; 2], [Point; 2])| -> Chain {
-        RigidMotion::new(quaternions, &places).expect("a motion").into()
-    };
-    let motions = [(quaternions, paths[0]), (others, paths[1])].map(motion);
-    let milliseconds = |answer: &dyn Fn() -> bool| 1e3 * fastest(RUNS, || black_box(answer()));
-    let earliest = || bodies.collision(&motions, CONTACT).expect("two motions");
-    println!(
-        "| {name}: {} | {:.1} | {:.1} |",
-        earliest().map_or_else(
-            || "free".to_owned(),
-            |contact| contact.impact.time.lower().to_string()
-        ),
-        milliseconds(&|| earliest().is_some()),
-        milliseconds(&|| bodies.collides(&motions, CONTACT).expect("two motions")),
-    );
-}
-
-/// A torus with a radius of 1 and a tube of 0.4.
-fn torus([m, n]: [u32; 2]) -> Frame {
-    let point = |i: u32, j: u32| {
-        let [a, b] = [(i, m), (j, n)].map(|(i, m)| TAU * f64::from(i) / f64::from(m));
-        let radius = 1.0 + 0.4 * b.cos();
-        [radius * a.cos(), radius * a.sin(), 0.4 * b.sin()]
-    };
-    let places = (0..m).flat_map(|i| (0..n).map(move |j| (i, j)));
-    let faces = places.clone().flat_map(|(i, j)| {
-        let at = |i: u32, j: u32| i % m * n + j % n;
-        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
-        [[a, b, c], [a, c, d]]
-    });
-    Frame::new(places.map(|(i, j)| point(i, j)).collect(), faces.collect()).expect("a mesh")
 }
 
 fn microseconds_each<T>(queries: &[T], answer: impl Fn(&T) -> bool) -> f64 {
@@ -101,6 +54,9 @@ fn percent(count: usize, all: usize) -> f64 {
 }
 
 fn print_row<K: Kind>(name: &str, queries: &[CurvedQuery<K>]) {
+    if queries.is_empty() {
+        return;
+    }
     let count = |is_counted: &dyn Fn(&CurvedQuery<K>) -> bool| {
         percent(
             queries.iter().filter(|query| is_counted(query)).count(),
@@ -118,15 +74,19 @@ fn print_row<K: Kind>(name: &str, queries: &[CurvedQuery<K>]) {
     );
 }
 
-/// Primitives of a body that turns by about 90° near others at rest, and straight motion between the same
-/// ends. Half of the former touch or miss by less than a hundredth.
+/// Primitives of a body that turns by about 90° near others: at rest, or of a body that turns by a few
+/// degrees. And quadratic and straight motion between the same ends. Half of the former touch or miss by
+/// less than a hundredth.
 fn print_near<K: Kind<Points = [Point; 4]>>(name: &str) {
     let mut random = Rng::with_seed(1);
     let quaternions = [[1.0, 0.1, -0.2, 0.3], [0.8, -0.4, 0.5, 0.9]];
     let motion = RigidMotion::new(quaternions, &[[0.0; 3], [0.3, -0.2, 0.1]]).expect("a motion");
-    let pair = BodyPair::new(motion.into(), Chain::default());
+    let slow = [[1.0, 0.0, 0.0, 0.0], [1.0, 0.02, 0.01, -0.03]];
+    let slow = RigidMotion::new(slow, &[[0.0; 3], [0.01, 0.0, -0.02]]).expect("a motion");
+    let pair = BodyPair::new(motion.clone().into(), Chain::default());
+    let pair_of_two = BodyPair::new(motion.into(), slow.into());
     let mut point = |scale: f64| [(); 3].map(|()| scale * (random.f64() - 0.5));
-    let (mut curved, mut straight) = (Vec::new(), Vec::new());
+    let (mut curved, mut straight) = ([(); 3].map(|()| Vec::new()), Vec::new());
     for _ in 0..NEAR {
         let center = point(2.0);
         let mut points = [(); 4].map(|()| {
@@ -141,19 +101,27 @@ fn print_near<K: Kind<Points = [Point; 4]>>(name: &str) {
         }
         let mut ends = points;
         ends[..K::FIRST].copy_from_slice(&end[..K::FIRST]);
-        curved.push(pair.query::<K>(points).expect("finite points"));
+        let middle = [0, 1, 2, 3].map(|i: usize| {
+            let bend = point(0.1);
+            [0, 1, 2].map(|axis: usize| 0.5 * (points[i][axis] + ends[i][axis]) + bend[axis])
+        });
+        let bezier = Bezier::new(&[points, middle, ends]).expect("finite points");
+        curved[0].push(CurvedQuery::<K>::from(bezier));
+        curved[1].push(pair.query::<K>(points).expect("finite points"));
+        curved[2].push(pair_of_two.query::<K>(points).expect("finite points"));
         straight.push(Query::<K>::new(points, ends).expect("finite points"));
     }
-    let integers = curved
-        .iter()
-        .filter(|query| query.bracket(CONTACT).is_none())
-        .count();
-    println!(
-        "| {name} | {:.2} | {:.2} | {:.2} |",
-        percent(integers, curved.len()),
-        microseconds_each(&curved, |query| query.collides(CONTACT)),
-        microseconds_each(&straight, |query| query.collides(CONTACT)),
-    );
+    let is_left = |query: &&CurvedQuery<K>| query.bracket(CONTACT).is_none();
+    for (motion, queries) in ["quadratic", "one body", "two bodies"].iter().zip(&curved) {
+        println!(
+            "| {name}, {motion} | {:.2} | {:.2} | {:.2} | {:.2} | {:.2} |",
+            percent(queries.iter().filter(is_left).count(), queries.len()),
+            microseconds_each(queries, |query| query.collides(CONTACT)),
+            microseconds_each(&straight, |query| query.collides(CONTACT)),
+            microseconds_each(queries, |query| query.time_of_impact(CONTACT).is_some()),
+            microseconds_each(&straight, |query| query.time_of_impact(CONTACT).is_some()),
+        );
+    }
 }
 
 /// The place of a point at the end, about.

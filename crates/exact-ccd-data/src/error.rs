@@ -7,6 +7,7 @@ use exact_ccd_files::ReadMotionError;
 
 #[cfg(feature = "parquet")]
 use crate::columns::{ColumnProblem, RecordProblem};
+use crate::curved::CurvedProblem;
 use crate::rational::CoordinateError;
 
 /// A data file that cannot be read.
@@ -33,6 +34,16 @@ pub enum DataError {
         line: u64,
         /// The problem.
         problem: Problem,
+    },
+    /// A line of a file of curved motion is wrong.
+    #[error("{}, line {line}: {problem}", file.display())]
+    Curved {
+        /// The file.
+        file: PathBuf,
+        /// The line, from 1.
+        line: u64,
+        /// The problem.
+        problem: CurvedProblem,
     },
     /// A Parquet file is wrong.
     #[cfg(feature = "parquet")]

@@ -5,6 +5,7 @@
 //! | query files: CSV, a row for each point at t = 0 and at t = 1 | [`QueryReader`], [`QueryWriter`], [`write_query`] |
 //! | Parquet files, a row a query, with all fields of a [`Record`]: the feature `parquet` | `ColumnReader`, `ColumnWriter` |
 //! | either of both, by the name of the file | [`open()`] |
+//! | curved motion: a JSON object on each line | [`CurvedReader`] |
 //! | scenes: two meshes of a recorded time step, the queried pairs, and verdicts | [`RecordedStep`] |
 //! | root files: the contact times of the queries of a scene | [`read_roots`] |
 //! | queries with the times within a distance | [`SeparationFile`] |
@@ -30,6 +31,7 @@
 #[cfg(feature = "parquet")]
 mod columns;
 mod coordinate;
+mod curved;
 mod data_folder;
 mod error;
 mod fields;
@@ -53,6 +55,7 @@ mod write;
 
 #[cfg(feature = "parquet")]
 pub use columns::{ColumnProblem, ColumnReader, ColumnWriter, RecordProblem, TableColumn, write_table};
+pub use curved::{CurvedProblem, CurvedReader, CurvedRecord};
 pub use data_folder::DataFolder;
 pub use error::{DataError, Problem};
 pub use kind::DataKind;

@@ -1,4 +1,4 @@
-//! The lines of a CSV file and their fields. All bytes are counted here.
+//! The lines of a text file, and the fields of CSV. All bytes are counted here.
 
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -53,6 +53,11 @@ impl<R: Read> Lines<R> {
                 return Ok(true);
             }
         }
+    }
+
+    /// The line, with its end.
+    pub(crate) fn text(&self) -> &[u8] {
+        &self.line
     }
 
     /// The fields of the line, without blanks around them. There are no quotes.

@@ -4,18 +4,21 @@ use exact_ccd::Point;
 
 /// a − b.
 #[must_use]
+#[inline]
 pub fn minus(a: Point, b: Point) -> Point {
     [0, 1, 2].map(|axis: usize| a[axis] - b[axis])
 }
 
 /// a · b.
 #[must_use]
+#[inline]
 pub fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// a × b.
 #[must_use]
+#[inline]
 pub fn cross(a: Point, b: Point) -> Point {
     [[1, 2], [2, 0], [0, 1]].map(|[i, j]: [usize; 2]| a[i] * b[j] - a[j] * b[i])
 }

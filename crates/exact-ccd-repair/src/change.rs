@@ -97,9 +97,9 @@ impl Change {
         }
     }
 
-    /// The mean displacement, once and once more for each limit of a good repair that is exceeded: no new fold,
-    /// no edge beyond 1.5 times its length, 95 % of the edges within 1.05 times, and no aspect beyond twice
-    /// the worst one before.
+    /// The mean displacement, once and once more for each limit of a good repair that is exceeded: no new
+    /// fold, no edge beyond 1.5 times its length, 95 % of the edges within 1.05 times, and no aspect beyond
+    /// twice the worst one before.
     pub(crate) fn damage(&self) -> f64 {
         let exceeded = [
             self.folds > 0,

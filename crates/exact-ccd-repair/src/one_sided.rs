@@ -4,14 +4,14 @@ use exact_ccd_mesh::TriangleMesh;
 
 /// A face of a closed surface that cannot be oriented, the first one, if there is such a surface.
 ///
-/// A *surface* is here a set of faces that common edges connect, closed if each of their edges has exactly two
-/// faces. If no choice of orientations makes neighbours run through their common edges in opposite directions,
-/// its second cohomology group with integer coefficients is ℤ/2. The second cohomology group of a compact set
-/// X in space is isomorphic to the reduced group of components of the complement of X in the sphere
-/// (Alexander duality), which has no torsion. So the surface does not embed, even if several of its parts meet
-/// in a vertex. Positions in which the mesh is free would be an embedding: see
-/// [`Meeting`](exact_ccd_mesh::Meeting); faces without an area get one by a small displacement, after which the
-/// mesh is still free.
+/// A *surface* is here a set of faces that common edges connect, closed if each of their edges has exactly
+/// two faces. If no choice of orientations makes neighbours run through their common edges in opposite
+/// directions, its second cohomology group with integer coefficients is ℤ/2. The second cohomology group of a
+/// compact set X in space is isomorphic to the reduced group of components of the complement of X in the
+/// sphere (Alexander duality), which has no torsion. So the surface does not embed, even if several of its
+/// parts meet in a vertex. Positions in which the mesh is free would be an embedding: see
+/// [`Meeting`](exact_ccd_mesh::Meeting); faces without an area get one by a small displacement, after which
+/// the mesh is still free.
 pub(crate) fn one_sided_surface(mesh: &TriangleMesh) -> Option<u32> {
     let faces = mesh.faces();
     let mut sides = Vec::with_capacity(3 * faces.len());

@@ -28,6 +28,9 @@ const ROUNDS: [usize; 2] = [50, 25];
 /// The fraction of a free step that is kept.
 const KEEP: f64 = 0.7;
 
+/// The fraction of its gap that a near pair keeps.
+const KEPT: f64 = 0.5;
+
 /// The displacement in a round at which the return ends, relative to the diagonal.
 const STILL: f64 = 1e-5;
 
@@ -102,7 +105,7 @@ fn stage(
         }
         *round += 1;
         let mut displacements = differences(&target(problem, x), x);
-        slide(problem, &near, &mut displacements);
+        slide(problem, &near, KEPT, &mut displacements);
         let towards = moved(x, &displacements, 1.0);
         let step = problem
             .detector

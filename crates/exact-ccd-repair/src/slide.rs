@@ -10,29 +10,25 @@ use crate::system::Unknowns;
 /// The number of passes over all near pairs.
 const PASSES: usize = 30;
 
-/// The fraction of its gap that a pair keeps.
-const KEPT: f64 = 0.5;
-
 /// Gaps above this count as this, relative to the mean length of edges.
 const WIDE: f64 = 0.02;
 
-/// A near pair and the least change of its distance that is allowed: at most 0 for a pair beyond the minimum
-/// distance.
+/// A near pair and the least change of its distance that is allowed.
 struct Kept<'a> {
     near: &'a Near,
     least: f64,
 }
 
-/// Changes displacements so that each near pair keeps a part of its gap beyond the minimum distance, to first
-/// order: projected Gauss-Seidel for the nearest displacements with this property. It proves nothing; the
-/// certified step that follows decides.
-pub(crate) fn slide(problem: &Problem<'_>, near: &[Near], displacements: &mut [Point]) {
-    let kept = |near| {
+/// Changes displacements so that each near pair keeps `kept` times its gap beyond the minimum distance, to
+/// first order: projected Gauss-Seidel for the nearest displacements with this property. It proves nothing;
+/// the certified step that follows decides.
+pub(crate) fn slide(problem: &Problem<'_>, near: &[Near], kept: f64, displacements: &mut [Point]) {
+    let pair = |near| {
         let gap = near_gap(problem, near);
-        let least = KEPT * gap.min(WIDE * problem.size.mean_edge) - gap;
+        let least = kept * gap.min(WIDE * problem.size.mean_edge) - gap;
         Kept { near, least }
     };
-    let pairs: Vec<Kept<'_>> = near.iter().map(kept).collect();
+    let pairs: Vec<Kept<'_>> = near.iter().map(pair).collect();
     let mut pushes = vec![0.0; pairs.len()];
     for _ in 0..PASSES {
         for (pair, push) in pairs.iter().zip(&mut pushes) {

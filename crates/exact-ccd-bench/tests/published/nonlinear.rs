@@ -2,11 +2,12 @@
 
 // The benchmark `curved` reads them too; the library of this crate does not read files.
 #[path = "../../benches/nonlinear/mod.rs"]
-mod lines;
+mod curved_queries;
 
-use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, VertexFace};
+use exact_ccd::{AnyKind, CONTACT, Kind, with_kind};
+use exact_ccd_data::CurvedRecord;
 
-use lines::{Line, files, query};
+use curved_queries::files;
 
 /// Files of generic motion: the filters decide nearly all queries in them.
 const GENERIC: [&str; 7] = [
@@ -20,10 +21,10 @@ const GENERIC: [&str; 7] = [
 ];
 
 /// Compares the answers, with filters and in integers. Returns true if the filters decide.
-fn check<K: Kind<Points = [Point; 4]>>(line: &Line, place: &str) -> bool {
-    let query = query::<K>(line);
+fn check<K: Kind>(line: &CurvedRecord, place: &str) -> bool {
+    let query = line.query::<K>().unwrap();
     let intervals = query.intervals(CONTACT);
-    let expected = usize::try_from(line.count).ok();
+    let expected = usize::try_from(line.count.unwrap()).ok();
     assert_eq!(intervals.count(), expected, "{place}");
     let first = intervals.first_time().map(|time| time.lower().to_bits());
     assert_eq!(first, line.toi.map(f64::to_bits), "{place}");
@@ -40,16 +41,13 @@ fn check<K: Kind<Points = [Point; 4]>>(line: &Line, place: &str) -> bool {
 }
 
 /// The lines of all files about one kind.
-fn check_files(kind: &str, expected: usize) {
+fn check_files(kind: AnyKind, expected: usize) {
     let mut count = 0;
     for (name, lines) in files().unwrap() {
-        let lines: Vec<_> = lines.iter().filter(|line| line.kind == kind).collect();
+        let lines: Vec<_> = lines.iter().filter(|line| line.kind() == kind).collect();
         let decided = lines.iter().enumerate().filter(|(index, line)| {
             let place = format!("line {} of {name}", index + 1);
-            match kind {
-                "vf" => check::<VertexFace>(line, &place),
-                _ => check::<EdgeEdge>(line, &place),
-            }
+            with_kind!(kind, K => check::<K>(line, &place))
         });
         let integers = lines.len() - decided.count();
         if GENERIC.contains(&name.replace("-ee", "-vf").as_str()) {
@@ -67,11 +65,11 @@ fn check_files(kind: &str, expected: usize) {
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn vertices_and_faces_on_curves() {
-    check_files("vf", 2130);
+    check_files(AnyKind::VertexFace, 2130);
 }
 
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn edges_on_curves() {
-    check_files("ee", 2130);
+    check_files(AnyKind::EdgeEdge, 2130);
 }

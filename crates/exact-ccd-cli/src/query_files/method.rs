@@ -4,7 +4,9 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use exact_ccd::{AnyKind, Ccd, ContactTime, Decide, Kind, Point, Query, Separation, TimeGuarantee};
+use exact_ccd::{
+    AnyKind, Ccd, ContactTime, Decide, Intervals, Kind, Point, Query, Separation, TimeGuarantee,
+};
 use exact_ccd_data::Record;
 use exact_ccd_methods::parity::{self, Parity, Rounded, RoundingError};
 use exact_ccd_methods::{UnknownMethod, by_name};
@@ -128,7 +130,12 @@ pub(crate) enum Count {
 impl Answer {
     /// The answer of the exact method: contact, or the times within a distance above 0.
     pub(crate) fn exact<K: Kind>(query: &Query<K>, d: Separation) -> Self {
-        let (count, toi) = count_and_time(query, d);
+        Self::of_intervals(&query.intervals(d), d)
+    }
+
+    /// The answer with these times.
+    pub(crate) fn of_intervals(intervals: &Intervals, d: Separation) -> Self {
+        let (count, toi) = count_and_time(intervals, d);
         Self {
             collides: toi.is_some(),
             count: Some(Count::Number(count)),
@@ -139,8 +146,7 @@ impl Answer {
 
 /// The number of contact times, -1 for infinitely many, and the first one. If the distance is above 0, the
 /// number of maximal intervals of times within it, and the first such time.
-pub(crate) fn count_and_time<K: Kind>(query: &Query<K>, d: Separation) -> (i64, Option<f64>) {
-    let intervals = query.intervals(d);
+pub(crate) fn count_and_time(intervals: &Intervals, d: Separation) -> (i64, Option<f64>) {
     let count = if d.is_zero() {
         intervals.count()
     } else {
@@ -153,7 +159,7 @@ pub(crate) fn count_and_time<K: Kind>(query: &Query<K>, d: Separation) -> (i64, 
 
 /// A record with the answers of the exact method in place of its own.
 pub(crate) fn answered<K: Kind>(record: Record<K>, d: Separation) -> Record<K> {
-    let (count, toi) = count_and_time(&record.sample.query, d);
+    let (count, toi) = count_and_time(&record.sample.query.intervals(d), d);
     let count = Some(count);
     Record { count, toi, ..record }
 }

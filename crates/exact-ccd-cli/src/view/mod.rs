@@ -21,7 +21,7 @@ use crate::files::inputs::name;
 use crate::files::outputs::{page, replace_file};
 use crate::messages::failure::Failure;
 #[cfg(feature = "queries")]
-pub(crate) use query::{ChosenQuery, QueryView};
+pub(crate) use query::QueryView;
 pub(crate) use recording::Recording;
 use setup::Setup;
 #[cfg(feature = "simulate")]

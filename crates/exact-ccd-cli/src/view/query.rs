@@ -34,6 +34,11 @@ struct Chosen<K: Kind> {
 }
 
 impl QueryView {
+    /// Returns true if there is to be a page.
+    pub(crate) fn is_asked_for(&self) -> bool {
+        self.view.is_some()
+    }
+
     /// The choice, before the first query.
     pub(crate) fn choice<K: Kind>(&self) -> ChosenQuery<K> {
         ChosenQuery {

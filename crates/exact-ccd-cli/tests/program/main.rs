@@ -23,6 +23,7 @@ mod methods;
 mod octocats;
 mod parts;
 mod queries;
+mod queries_curved;
 mod queries_errors;
 mod queries_separation;
 mod query_rows;

@@ -4,14 +4,12 @@ use exact_ccd::motion::{BodyPair, CurvedQuery};
 use exact_ccd::{AnyKind, ContactTime, Impact, Kind, Options, with_kind};
 
 use super::Bodies;
-use super::body::Set;
+use super::shape::Shape;
 
 /// Two primitives of different bodies that come near each other.
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
     pub(super) kind: AnyKind,
-    /// The sets of the first and of the second primitive.
-    pub(super) sets: [Set; 2],
     /// The bodies of the first and of the second primitive.
     pub(super) bodies: [usize; 2],
     pub(super) primitives: [u32; 2],
@@ -51,9 +49,10 @@ impl Candidate {
     /// The query of the primitives, whose coordinates are finite.
     fn query<K: Kind>(&self, bodies: &Bodies) -> Option<CurvedQuery<K>> {
         let mut points = K::Points::default();
+        let shapes = Shape::of_kind(self.kind);
         let vertices = [0, 1].into_iter().flat_map(|i: usize| {
-            let frame = &bodies.0[self.bodies[i]].frame;
-            let vertices = self.sets[i].vertices(&frame.mesh, self.primitives[i]);
+            let frame = &bodies.bodies[self.bodies[i]].frame;
+            let vertices = shapes[i].vertices(&frame.mesh, self.primitives[i]);
             vertices
                 .into_iter()
                 .map(|vertex| frame.positions[vertex as usize])

@@ -1,22 +1,41 @@
 //! Rigid bodies in motion on curves, decided exactly.
 
+mod apart;
+mod approach;
+mod audit;
 mod body;
 mod candidate;
+mod collect;
 mod contact;
+mod crossing;
+mod encounter;
 mod error;
+mod free_step;
 mod near;
-mod search;
+mod part;
+mod placed;
+mod predicate;
+mod scene;
+mod shape;
+mod sphere;
+mod step;
+mod tree;
+mod turning;
 
+use exact_ccd::Options;
 use exact_ccd::motion::Chain;
-use exact_ccd::{Options, TimeOutOfStep};
 use rayon::prelude::*;
 
 use crate::mesh::Frame;
 use body::Body;
-use candidate::Candidate;
+use collect::{AllContacts, AnyContact, Earliest};
+use predicate::BodyPredicate;
 
+pub use audit::{BodiesAudit, BodiesViolation};
 pub use contact::BodyContact;
 pub use error::BodiesError;
+pub use free_step::FreePoses;
+pub use step::BodiesReport;
 
 /// Rigid bodies, each a mesh in coordinates of its own, and the contacts between them in steps in which each
 /// moves by a [`Chain`] of rigid motions.
@@ -27,11 +46,9 @@ pub use error::BodiesError;
 /// are not, since a body keeps its shape. Bodies that intersect at the start, or one inside the other, may
 /// be free of contact: see [`intersections`](crate::intersections) and [`enclosed`](crate::enclosed).
 ///
-/// [`Options`] have the distance at which bodies touch, and the last time that counts. No answer depends on
+/// [`Options`] have the distance at which bodies touch, and the last time that counts.
+/// [`with_can_collide`](Self::with_can_collide) restricts the pairs of bodies. No answer depends on
 /// the number of threads; whether bodies touch, and all times, do not depend on the order of the bodies.
-///
-/// Two bodies whose relative motion has a degree above 8 in the coordinates, such as more than four
-/// turns together, have no boxes of their paths: all pairs of their primitives are decided one by one.
 ///
 /// ```
 /// use exact_ccd::CONTACT;
@@ -54,7 +71,10 @@ pub use error::BodiesError;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Bodies(Vec<Body>);
+pub struct Bodies {
+    bodies: Vec<Body>,
+    can_collide: BodyPredicate,
+}
 
 impl Bodies {
     /// The bodies with these meshes, each with the positions of its vertices in the coordinates of the body.
@@ -64,12 +84,32 @@ impl Bodies {
     pub fn new(frames: impl IntoIterator<Item = Frame>) -> Result<Self, BodiesError> {
         let bodies = frames.into_iter().enumerate();
         let bodies = bodies.map(|(index, frame)| Body::new(index, frame));
-        bodies.collect::<Result<_, _>>().map(Self)
+        let bodies = bodies.collect::<Result<_, _>>()?;
+        Ok(Self {
+            bodies,
+            can_collide: BodyPredicate::default(),
+        })
+    }
+
+    /// The same bodies, restricted to pairs for which the predicate returns true: it is called with the
+    /// indices of two bodies, the lesser first, if their boxes meet.
+    ///
+    /// A [`GroupMatrix`](crate::GroupMatrix) and the group of each body make a predicate:
+    /// `move |a, b| matrix.allows(groups[a], groups[b])`.
+    #[must_use]
+    pub fn with_can_collide(
+        self,
+        can_collide: impl Fn(usize, usize) -> bool + Send + Sync + 'static,
+    ) -> Self {
+        Self {
+            can_collide: BodyPredicate::new(can_collide),
+            ..self
+        }
     }
 
     /// The meshes with the positions of their vertices.
     pub fn frames(&self) -> impl ExactSizeIterator<Item = &Frame> {
-        self.0.iter().map(|body| &body.frame)
+        self.bodies.iter().map(|body| &body.frame)
     }
 
     /// Returns true if two bodies touch at some time of the step. There is one motion for each body.
@@ -78,10 +118,9 @@ impl Bodies {
     /// [`BodiesError`], for another number of motions, or if the last time that counts is not in the step.
     pub fn collides(&self, motions: &[Chain], options: impl Into<Options>) -> Result<bool, BodiesError> {
         let options = options.into();
-        let candidates = self.candidates(motions, options)?;
-        Ok(candidates
-            .par_iter()
-            .any(|candidate| candidate.collides(self, options)))
+        let collector = AnyContact::new(self, options);
+        self.search(motions, options, &collector)?;
+        Ok(collector.is_found())
     }
 
     /// The earliest contact of the step, if there is one; of several at that time, the least in the order of
@@ -95,8 +134,10 @@ impl Bodies {
         options: impl Into<Options>,
     ) -> Result<Option<BodyContact>, BodiesError> {
         let options = options.into();
-        let candidates = self.candidates(motions, options)?;
-        Ok(search::earliest(self, &candidates, options))
+        let collector = Earliest::new(self, options);
+        self.search(motions, options, &collector)?;
+        let first = collector.candidate();
+        Ok(first.and_then(|candidate| candidate.contact(self, options)))
     }
 
     /// All contacts of the step, each with its first time, in the order of their times.
@@ -109,32 +150,13 @@ impl Bodies {
         options: impl Into<Options>,
     ) -> Result<Vec<BodyContact>, BodiesError> {
         let options = options.into();
-        let candidates = self.candidates(motions, options)?;
-        let contacts = candidates.par_iter();
+        let collector = AllContacts::new(self, options);
+        self.search(motions, options, &collector)?;
+        let contacts = collector.list().into_par_iter();
         let mut contacts: Vec<_> = contacts
-            .filter_map(|candidate| candidate.contact(self, options))
+            .filter_map(|(_, candidate)| candidate.contact(self, options))
             .collect();
         contacts.par_sort_unstable_by(BodyContact::compare);
         Ok(contacts)
-    }
-
-    /// The pairs of primitives that come near each other.
-    fn candidates(&self, motions: &[Chain], options: Options) -> Result<Vec<Candidate>, BodiesError> {
-        TimeOutOfStep::check(options.until)?;
-        if motions.len() != self.0.len() {
-            return Err(BodiesError::MotionCount {
-                motions: motions.len(),
-                bodies: self.0.len(),
-            });
-        }
-        let count = self.0.len();
-        let pairs: Vec<_> = (0..count)
-            .flat_map(|a| (a + 1..count).map(move |b| [a, b]))
-            .collect();
-        let near = pairs
-            .par_iter()
-            .map(|&pair| near::candidates(self, pair, motions, options));
-        let lists = near.collect::<Result<Vec<_>, _>>()?;
-        Ok(lists.into_iter().flatten().collect())
     }
 }

@@ -10,3 +10,5 @@ pub use motion::{Motion, MotionError};
 pub use rigid_fit::RigidFit;
 pub use step::{Step, StepError};
 pub use weld::Welding;
+
+pub(crate) use step::place;

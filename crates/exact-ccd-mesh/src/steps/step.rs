@@ -131,7 +131,7 @@ impl<'a> Step<'a> {
 }
 
 /// The position at a time on the way from a to b, rounded; a for NaN.
-fn place(a: Point, b: Point, time: f64) -> Point {
+pub(crate) fn place(a: Point, b: Point, time: f64) -> Point {
     if time >= 1.0 {
         b
     } else if time > 0.0 {

@@ -1,9 +1,12 @@
 //! Rigid bodies: contacts against all pairs in integers, and against meshes in straight motion.
 
-use exact_ccd::motion::{BodyPair, Chain, CurvedQuery, RigidMotion};
+use std::collections::BTreeSet;
+
+use exact_ccd::motion::{BodyPair, Chain, CurvedQuery, Pose, RigidMotion};
 use exact_ccd::{AnyKind, CONTACT, Impact, Kind, Options, Separation, TimeOutOfStep, with_kind};
 use exact_ccd_mesh::{
-    Bodies, BodiesError, BodyContact, CanCollide, Detector, Frame, Pair, Point, TriangleMesh,
+    Bodies, BodiesAudit, BodiesError, BodiesViolation, BodyContact, CanCollide, Detector, Frame, Pair, Point,
+    TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -31,17 +34,19 @@ fn body(random: &mut Rng, is_lattice: bool) -> Frame {
     Frame::with_edges(positions, faces.to_vec(), edges).unwrap()
 }
 
+/// Rest, a rigid motion, or a chain of three, whose degree no filter decides.
 fn motion(random: &mut Rng, is_lattice: bool) -> Chain {
-    if random.u32(..4) == 0 {
-        return Chain::default();
-    }
-    loop {
-        let quaternions = [(); 2].map(|()| [(); 4].map(|()| number(random, is_lattice)));
-        let places = [(); 2].map(|()| point(random, is_lattice));
-        if let Ok(motion) = RigidMotion::new(quaternions, &places) {
-            return motion.into();
+    let count = [0, 0, 1, 1, 1, 1, 1, 3][random.usize(..8)];
+    let motions = (0..count).map(|_| {
+        loop {
+            let quaternions = [(); 2].map(|()| [(); 4].map(|()| number(random, is_lattice)));
+            let places = [(); 2].map(|()| point(random, is_lattice));
+            if let Ok(motion) = RigidMotion::new(quaternions, &places) {
+                break motion;
+            }
         }
-    }
+    });
+    Chain::new(motions.collect::<Vec<_>>()).unwrap()
 }
 
 /// The primitives of a body that are compared: vertices, faces, edges, loose vertices, loose edges.
@@ -260,4 +265,198 @@ fn motions_and_positions_are_checked() {
         error.to_string(),
         "body 1: 1 positions, expected one for each of 2 vertices"
     );
+}
+
+/// An icosphere-like ball: a grid of a sphere, whose faces are small against it.
+fn ball(radius: f64) -> Frame {
+    let [rows, columns] = [8_u32, 10];
+    let angle = |i: u32, count: u32| std::f64::consts::TAU * f64::from(i) / f64::from(count);
+    let mut positions = vec![[0.0, 0.0, -radius], [0.0, 0.0, radius]];
+    for (i, j) in (1..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+        let (a, b) = (angle(i, 2 * rows), angle(j, columns));
+        positions.push([a.sin() * b.cos(), a.sin() * b.sin(), -a.cos()].map(|x| radius * x));
+    }
+    let at = |i: u32, j: u32| match i {
+        0 => 0,
+        i if i == rows => 1,
+        i => 2 + (i - 1) * columns + j % columns,
+    };
+    let quads = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
+    let faces = quads.flat_map(|(i, j)| {
+        let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+        [[a, b, c], [a, c, d]]
+    });
+    let faces = faces.filter(|[a, b, c]| a != b && b != c && c != a).collect();
+    Frame::new(positions, faces).unwrap()
+}
+
+/// Trees of several levels, and turns for which the step is divided: all pairs by the filters give the same.
+#[test]
+fn trees_find_all_contacts_of_turning_balls() {
+    let mut random = Rng::with_seed(4);
+    let mut touching = 0;
+    for case in 0..6 {
+        let frames = [ball(1.0), ball(0.7)];
+        let mut chain = |offset: f64, count: usize| -> Chain {
+            let motions = (0..count).map(|i| {
+                let quaternions = [(); 2].map(|()| [(); 4].map(|()| number(&mut random, false)));
+                let mut places = [(); 2].map(|()| point(&mut random, false).map(|x| 0.3 * x));
+                if i == 0 {
+                    places.iter_mut().for_each(|place| place[0] += offset);
+                }
+                RigidMotion::new(quaternions, &places).unwrap()
+            });
+            Chain::new(motions.collect::<Vec<_>>()).unwrap()
+        };
+        let motions = [chain(0.0, 1 + case % 2), chain(1.9, 1)];
+        let bodies = Bodies::new(frames.clone()).unwrap();
+        let options = CONTACT.until(if case % 2 == 0 { 1.0 } else { 0.4 });
+        let mut expected = Vec::new();
+        for (first, second) in [(0, 1), (1, 0)] {
+            let pair = BodyPair::new(motions[first].clone(), motions[second].clone());
+            let [one, other] = [first, second].map(|body| primitives(&frames[body].mesh));
+            for (kind, [i, j]) in [(AnyKind::VertexFace, [0, 1]), (AnyKind::EdgeEdge, [2, 2])] {
+                if i == j && first > second {
+                    continue;
+                }
+                for (a, of_a) in &one[i] {
+                    for (b, of_b) in &other[j] {
+                        let at = |body: usize, vertex: &u32| frames[body].positions[*vertex as usize];
+                        let of_a = of_a.iter().map(|vertex| at(first, vertex));
+                        let points: Vec<_> =
+                            of_a.chain(of_b.iter().map(|vertex| at(second, vertex))).collect();
+                        let points = [0, 1, 2, 3].map(|i: usize| points[i]);
+                        let time = if i == j {
+                            pair.query::<exact_ccd::EdgeEdge>(points)
+                                .unwrap()
+                                .first_time(options)
+                        } else {
+                            pair.query::<exact_ccd::VertexFace>(points)
+                                .unwrap()
+                                .first_time(options)
+                        };
+                        expected.extend(time.map(|time| (time, kind, [first, second], [*a, *b])));
+                    }
+                }
+            }
+        }
+        expected.sort_unstable();
+        let key = |c: &BodyContact| (c.impact.time, c.kind, c.bodies, c.primitives);
+        let earliest = bodies.collision(&motions, options).unwrap();
+        assert_eq!(earliest.as_ref().map(key), expected.first().copied(), "{case}");
+        assert_eq!(bodies.collides(&motions, options).unwrap(), !expected.is_empty());
+        let contacts = bodies.collisions(&motions, options).unwrap();
+        assert_eq!(contacts.iter().map(key).collect::<Vec<_>>(), expected, "{case}");
+        touching += usize::from(!expected.is_empty());
+    }
+    assert!(touching >= 2, "{touching}");
+}
+
+fn pose(random: &mut Rng, offset: f64) -> Pose {
+    let rotation = [(); 4].map(|()| number(random, false));
+    let mut place = point(random, false).map(|x| 0.2 * x);
+    place[0] += offset;
+    Pose::new(rotation, place).unwrap()
+}
+
+/// The count, the certified poses and their certificate, on one, two and four threads.
+#[test]
+fn free_steps_are_free_on_any_number_of_threads() {
+    let mut random = Rng::with_seed(5);
+    let mut shortened = 0;
+    for case in 0..6 {
+        let bodies = Bodies::new([ball(1.0), ball(0.7), ball(0.5)]).unwrap();
+        let mut poses = |shift: f64| [0.0, 2.6, 5.2].map(|x| pose(&mut random, x * shift));
+        let start = poses(1.0);
+        let end = poses(if case % 2 == 0 { 0.3 } else { 0.6 });
+        let end = [0, 1, 2].map(|i: usize| {
+            if i == 1 {
+                start[1]
+            } else {
+                end[i].nearer_turn(&start[i])
+            }
+        });
+        let motions = bodies.motions(&start, &end).unwrap();
+        let answer = || {
+            (
+                bodies.free_step(&start, &end, 0.9, CONTACT).unwrap(),
+                bodies.step(&start, &end, CONTACT).unwrap(),
+            )
+        };
+        let answers = [1, 2, 4].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.unwrap().install(answer)
+        });
+        assert!(answers.iter().all(|other| *other == answers[0]), "{case}");
+        let (free, report) = &answers[0];
+        let contacts = bodies.collisions(&motions, CONTACT).unwrap();
+        assert_eq!(report.colliding.total(), contacts.len());
+        assert_eq!(report.earliest, contacts.first().copied());
+        assert_eq!(free.contact, report.earliest);
+        if let Some(time) = report.time_of_impact().filter(|&time| time > 0.0) {
+            assert!(free.size > 0.0 && free.size <= time, "{case}");
+            assert_eq!(free.poses[1], start[1]);
+            let taken = bodies.motions(&start, &free.poses).unwrap();
+            assert!(!bodies.collides(&taken, CONTACT).unwrap());
+            shortened += 1;
+        }
+    }
+    assert!(shortened >= 2, "{shortened}");
+}
+
+#[test]
+fn pairs_of_bodies_that_cannot_collide_are_left_out() {
+    let bodies = Bodies::new([ball(1.0), ball(1.0), ball(1.0)]).unwrap();
+    let at = |x: f64| Pose::new([1.0, 0.0, 0.0, 0.0], [x, 0.0, 0.0]).unwrap();
+    let poses = [at(0.0), at(0.5), at(1.0)];
+    let pairs = |bodies: &Bodies| -> BTreeSet<[usize; 2]> {
+        let motions = bodies.motions(&poses, &poses).unwrap();
+        let contacts = bodies.collisions(&motions, CONTACT).unwrap().into_iter();
+        let sorted = contacts.map(|contact| {
+            let [a, b] = contact.bodies;
+            [a.min(b), a.max(b)]
+        });
+        sorted.collect()
+    };
+    // Balls that intersect do not touch; a ball in the place of another one touches it everywhere.
+    let same = [at(0.0), at(0.0), at(9.0)];
+    let motions = bodies.motions(&same, &same).unwrap();
+    assert!(bodies.collides(&motions, CONTACT).unwrap());
+    let apart = bodies.clone().with_can_collide(|a, b| [a, b] != [0, 1]);
+    assert!(!apart.collides(&motions, CONTACT).unwrap());
+    assert!(pairs(&apart).is_subset(&pairs(&bodies)));
+}
+
+/// An audit reports an intersection at the start, and the first frame after which bodies touch.
+#[test]
+fn audits_of_poses() {
+    let at = |x: f64, y: f64| Pose::new([1.0, 0.5, 0.25, 0.0], [x, y, 0.0]).unwrap();
+    let opposite = |pose: Pose| Pose::new(pose.rotation().map(|x| -2.0 * x), pose.place()).unwrap();
+    let bodies = Bodies::new([ball(1.0), ball(0.75)]).unwrap();
+    let mut audit = BodiesAudit::new(bodies.clone());
+    let frames = [
+        [at(0.0, 0.0), at(3.0, 0.0)],
+        [at(0.0, 1.0), opposite(at(3.0, 2.0))],
+        [at(2.0, 0.0), at(0.0, 1.0)],
+    ];
+    assert_eq!(audit.examine(&frames[0]), Ok(None));
+    assert_eq!(audit.examine(&frames[1]), Ok(None));
+    let Ok(Some(BodiesViolation::Contact { frame: 1, contact })) = audit.examine(&frames[2]) else {
+        panic!("the balls pass through each other");
+    };
+    let end = [frames[2][0], frames[2][1].nearer_turn(&frames[1][1])];
+    let motions = bodies.motions(&frames[1], &end).unwrap();
+    assert_eq!(bodies.collision(&motions, CONTACT), Ok(Some(contact)));
+    assert_eq!(audit.frames(), 3);
+    // Balls that intersect, and a ball inside of the other one.
+    let start = |x: f64| BodiesAudit::new(bodies.clone()).examine(&[at(0.0, 0.0), at(x, 0.125)]);
+    assert!(matches!(
+        start(0.5),
+        Ok(Some(BodiesViolation::Intersection { frame: 0, .. }))
+    ));
+    assert_eq!(start(0.0), Ok(None));
+    assert!(matches!(
+        audit.examine(&[at(0.0, 0.0)]),
+        Err(BodiesError::PoseCount { poses: 1, bodies: 2 })
+    ));
 }

@@ -1,6 +1,8 @@
 //! Repairs of generated meshes: the result is free by the crate's own search, and by brute force over all
 //! pairs.
 
+mod cases;
+mod recordings;
 mod shapes;
 
 use std::sync::Arc;

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use exact_ccd_mesh::vector::{cross, minus, unit};
 use exact_ccd_mesh::{Point, TriangleMesh};
 
 /// A mesh and its positions.
@@ -189,4 +190,42 @@ pub(crate) fn boxed(n: usize, size: f64) -> Body {
         }
     }
     Body::new(positions, faces)
+}
+
+/// A closed tube around a closed curve, with a turn of its cross-section that ends where it began.
+fn tube([m, n]: [usize; 2], radius: f64, curve: impl Fn(f64) -> Point) -> Body {
+    let along = |u: f64| {
+        let (before, after) = (curve(u - 1e-4), curve(u + 1e-4));
+        unit(minus(after, before)).expect("the curve moves on")
+    };
+    surface([m, n], [true, true], false, |u, v| {
+        let (place, along) = (curve(u), along(u));
+        // Away from the axis of z, which no curve here follows.
+        let across = unit(cross(along, [0.0, 0.0, 1.0])).expect("the curve is not vertical");
+        let up = cross(across, along);
+        let (sine, cosine) = (TAU * v).sin_cos();
+        [0, 1, 2].map(|axis: usize| place[axis] + radius * (cosine * across[axis] + sine * up[axis]))
+    })
+}
+
+/// A tube around a torus knot, which winds p times around the axis and q times around the ring.
+pub(crate) fn knot([p, q]: [f64; 2], m: usize, radius: f64) -> Body {
+    tube([m, 8], radius, |u| {
+        let ((sine, cosine), (up, out)) = ((p * TAU * u).sin_cos(), (q * TAU * u).sin_cos());
+        let distance = 1.0 + 0.4 * out;
+        [distance * cosine, distance * sine, 0.4 * up]
+    })
+}
+
+/// A box with the least corner at the origin, of `n` cells along each edge.
+pub(crate) fn bar(n: usize, size: Point) -> Body {
+    boxed(n, 1.0).mapped(|x| [0, 1, 2].map(|axis: usize| size[axis] * x[axis]))
+}
+
+/// An open tube along the axis of z.
+pub(crate) fn sleeve(m: usize, n: usize, radius: f64, height: f64) -> Body {
+    surface([m, n], [false, true], false, |u, v| {
+        let (sine, cosine) = (TAU * v).sin_cos();
+        [radius * cosine, radius * sine, height * u]
+    })
 }

@@ -4,14 +4,15 @@ use exact_ccd::motion::{BodyPair, Chain, CurvedQuery};
 use exact_ccd::{CONTACT, EdgeEdge, Kind, Options, Point, Separation, VertexEdge, VertexFace, VertexVertex};
 use fastrand::Rng;
 
-use crate::cases::{Case, Numbers};
+use crate::cases::Case;
+use crate::numbers::{Numbers, one_of};
 
 const COUNT: usize = if cfg!(debug_assertions) { 40 } else { 1000 };
 
 /// Contact and a distance, in all of the step and in a part.
 fn options(random: &mut Rng) -> [Options; 4] {
-    let d = Separation::new([0.125, 0.75, 1e-9, 1e200][random.usize(..4)]).expect("a distance");
-    let until = [0.5, 0.3, 0.0, -1.0, f64::NAN][random.usize(..5)];
+    let d = Separation::new(one_of(random, &[0.125, 0.75, 1e-9, 1e200])).expect("a distance");
+    let until = one_of(random, &[0.5, 0.3, 0.0, -1.0, f64::NAN]);
     [
         CONTACT,
         d.into(),
@@ -82,7 +83,7 @@ macro_rules! families {
             #[test]
             fn on_curves() {
                 check::<$kind>(|numbers, random| {
-                    let degree = [1, 2, 3, 8][random.usize(..4)];
+                    let degree = one_of(random, &[1, 2, 3, 8]);
                     Case::of_curves(&numbers.curves::<$kind>(random, degree))
                 });
             }
@@ -90,7 +91,7 @@ macro_rules! families {
             #[test]
             fn of_bodies() {
                 check::<$kind>(|numbers, random| {
-                    let lengths = [[1, 0], [0, 1], [1, 1], [0, 0]][random.usize(..4)];
+                    let lengths = one_of(random, &[[1, 0], [0, 1], [1, 1], [0, 0]]);
                     let chains = lengths.map(|length| numbers.chain(random, length));
                     Case::of_bodies(numbers.points::<$kind>(random), &chains[0], &chains[1])
                 });
@@ -101,7 +102,7 @@ macro_rules! families {
             fn of_chains() {
                 check::<$kind>(|numbers, random| {
                     let common = numbers.motion(random);
-                    let lengths = [[1, 0], [1, 1], [2, 0], [2, 1]][random.usize(..4)];
+                    let lengths = one_of(random, &[[1, 0], [1, 1], [2, 0], [2, 1]]);
                     let chains = lengths.map(|length| {
                         let own: Vec<_> = (0..length).map(|_| numbers.motion(random)).collect();
                         Chain::new([common.clone()].into_iter().chain(own)).expect("a short chain")
@@ -124,7 +125,7 @@ fn paths_are_in_their_boxes() {
     let mut random = Rng::with_seed(4);
     let mut bounded = 0;
     for _ in 0..300 {
-        let numbers = [Numbers::Lattice, Numbers::Uniform][random.usize(..2)];
+        let numbers = one_of(&mut random, &[Numbers::Lattice, Numbers::Uniform]);
         let chains = [1, 1].map(|length| numbers.chain(&mut random, length));
         let [first, second] = chains.clone();
         let pair = BodyPair::new(first, second);

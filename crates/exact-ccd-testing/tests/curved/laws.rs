@@ -7,7 +7,7 @@ use exact_ccd::{
 };
 use fastrand::Rng;
 
-use crate::cases::Numbers;
+use crate::numbers::{Numbers, one_of};
 
 const COUNT: usize = if cfg!(debug_assertions) { 60 } else { 1000 };
 
@@ -173,7 +173,7 @@ fn the_length_of_a_quaternion_does_not_matter<K: Kind>() {
     collisions(|numbers, random| {
         let points = numbers.points::<K>(random);
         let chains = [(); 2].map(|()| numbers.chain(random, 1));
-        let factor = [-1.0, 3.0, 0.5, -f64::from_bits(123 << 52)][random.usize(..4)];
+        let factor = one_of(random, &[-1.0, 3.0, 0.5, -f64::from_bits(123 << 52)]);
         let scaled = |chain: &Chain| {
             let motions = chain.motions().iter().map(|motion| {
                 let quaternions = motion.quaternions().map(|q| q.map(|x| factor * x));

@@ -4,5 +4,6 @@ mod cases;
 mod errors;
 mod filters;
 mod laws;
+mod numbers;
 mod oracle;
 mod places;

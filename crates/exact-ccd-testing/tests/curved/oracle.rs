@@ -4,12 +4,21 @@ use exact_ccd::motion::Chain;
 use exact_ccd::{AnyKind, EdgeEdge, Kind, Options, Separation, VertexEdge, VertexFace, VertexVertex};
 use fastrand::Rng;
 
-use crate::cases::{Case, Numbers};
+use crate::cases::Case;
+use crate::numbers::{Numbers, one_of, tangent};
 use crate::places;
 use exact_ccd_testing::definition::{self, found, moment};
 
-/// The number of queries of each family, of each kind.
-const COUNT: usize = if cfg!(debug_assertions) { 40 } else { 1000 };
+/// The number of queries, about, unless `EXACT_CCD_ORACLE_QUERIES` is another one.
+const COUNT: usize = 2_000;
+
+/// The number of queries for one of a family with a share of 1 and small integers: the sum over all families,
+/// kinds and numbers is 38.
+fn count_of_a_share() -> usize {
+    let count = std::env::var("EXACT_CCD_ORACLE_QUERIES").ok();
+    let count = count.map_or(COUNT, |count| count.parse().expect("a number of queries"));
+    count.div_ceil(38)
+}
 
 /// Compares all answers; returns true if the primitives touch.
 fn assert_defined<K: Kind>(case: &Case<K>, d: f64) -> bool {
@@ -51,11 +60,11 @@ fn check<K: Kind>(share: usize, case: impl Fn(Numbers, &mut Rng) -> Case<K>) {
             Numbers::Uniform => 4,
             Numbers::Extreme => 16,
         };
-        for i in 0..COUNT.div_ceil(share * part) {
+        for i in 0..count_of_a_share().div_ceil(share * part) {
             let case = case(numbers, &mut random);
             let is_apart = i % every == every - 1 && numbers != Numbers::Extreme;
             let d = if is_apart {
-                [0.5, 1.0][random.usize(..2)]
+                one_of(&mut random, &[0.5, 1.0])
             } else {
                 0.0
             };
@@ -78,7 +87,7 @@ macro_rules! families {
             #[test]
             fn on_curves() {
                 check::<$kind>(1, |numbers, random| {
-                    let degree = [1, 2, 2, 3][random.usize(..4)];
+                    let degree = one_of(random, &[1, 2, 2, 3]);
                     Case::of_curves(&numbers.curves::<$kind>(random, degree))
                 });
             }
@@ -107,9 +116,34 @@ macro_rules! families {
             #[test]
             fn of_chains() {
                 check::<$kind>(8, |numbers, random| {
-                    let lengths = [[2, 0], [0, 2], [2, 1]][random.usize(..3)];
+                    let lengths = one_of(random, &[[2, 0], [0, 2], [2, 1]]);
                     let chains = lengths.map(|length| numbers.chain(random, length));
                     Case::of_bodies(numbers.points::<$kind>(random), &chains[0], &chains[1])
+                });
+            }
+
+            #[test]
+            fn that_turn_about_one_axis() {
+                check::<$kind>(8, |numbers, random| {
+                    let lengths = one_of(random, &[[1, 1], [2, 0]]);
+                    let chains = lengths.map(|length| numbers.coaxial(random, length));
+                    Case::of_bodies(numbers.points::<$kind>(random), &chains[0], &chains[1])
+                });
+            }
+
+            #[test]
+            fn whose_turns_undo_each_other() {
+                check::<$kind>(4, |numbers, random| {
+                    let chains = [numbers.undone(random), Chain::default()];
+                    Case::of_bodies(numbers.points::<$kind>(random), &chains[0], &chains[1])
+                });
+            }
+
+            #[test]
+            fn that_touch_without_crossing() {
+                check::<$kind>(1, |_, random| {
+                    let (points, chain) = tangent::<$kind>(random);
+                    Case::of_bodies(points, &chain, &Chain::default())
                 });
             }
 

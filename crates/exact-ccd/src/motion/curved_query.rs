@@ -1,6 +1,7 @@
 //! Queries of curved motion, and their answers.
 
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 use core::fmt;
 
 use super::bezier::Bezier;
@@ -86,11 +87,8 @@ impl<K: Kind> CurvedQuery<K> {
         let options = options.into();
         let rounded = match self.filtered(&options) {
             CurvedDecision::Free => return None,
-            CurvedDecision::Touching {
-                times,
-                is_simple: true,
-            } => self.rounded(times),
-            CurvedDecision::Touching { .. } | CurvedDecision::Unknown => None,
+            CurvedDecision::Touching { times, before } => self.rounded(times, before),
+            CurvedDecision::Unknown => None,
         };
         match rounded {
             Some(time) => time.is_at_most(options.until).then_some(time),
@@ -139,15 +137,16 @@ impl<K: Kind> CurvedQuery<K> {
         }
     }
 
-    /// The time of the only contact between two times, if twice the precision of f64 suffices.
-    fn rounded(&self, times: [f64; 2]) -> Option<ContactTime> {
+    /// The time of the only contact between two times, given the sign of the volume at the first, if twice
+    /// the precision of f64 suffices.
+    fn rounded(&self, times: [f64; 2], before: Ordering) -> Option<ContactTime> {
         match &self.0 {
             Paths::Bezier(motion) => {
                 let control: Vec<_> = motion.control().iter().map(four::<K>).collect();
-                filter::time_on_curves::<K>(&control, times)
+                filter::time_on_curves::<K>(&control, times, before)
             }
             Paths::Bodies { points, pair } => {
-                filter::time_of_bodies::<K>(&four::<K>(points), pair.relative()?, times)
+                filter::time_of_bodies::<K>(&four::<K>(points), pair.relative()?, times, before)
             }
         }
     }

@@ -1,6 +1,7 @@
 //! `exact-ccd queries`: the contacts of the queries in files, by any method.
 
 mod answer_rows;
+mod curved;
 mod tally;
 
 use std::io::{self, IsTerminal, Write};
@@ -21,8 +22,8 @@ use crate::messages::progress::{self, during};
 use crate::options::distances;
 use crate::query_files::method::{Answer, Method};
 use crate::query_files::recognise::{kind_of, no_queries};
-use crate::query_files::rows::{self, BATCH, Samples};
-use crate::view::{ChosenQuery, QueryView};
+use crate::query_files::rows::{self, BATCH};
+use crate::view::QueryView;
 use answer_rows::AnswerRows;
 use tally::Tally;
 
@@ -40,6 +41,10 @@ use tally::Tally;
 /// in none, one more column is the ground truth, 1 for contact and 0 for none.
 /// Files whose names end in .parquet have the columns of `exact-ccd convert`
 /// instead.
+///
+/// Files whose names end in .jsonl have queries of curved motion, a JSON object
+/// on each line: Bezier curves, or rigid bodies and chains of them.
+/// docs/curved-motion.md has the format. They are answered by the exact method.
 ///
 /// Without --kind, the kind is that of the folder, such as vertex-face, of
 /// the column kind of a Parquet file, or the only one whose queries fill the rows
@@ -116,8 +121,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         check_file(file, "a query file, CSV or Parquet")
     })?;
     arguments.output.check(&arguments.files)?;
-    let kind = kind_of(arguments.kind, &arguments.files, &mut Notes::default())?;
-    method.check(kind, d)?;
+    let kind = if curved::are_curved(&arguments.files)? {
+        curved::check(arguments)?;
+        None
+    } else {
+        let kind = kind_of(arguments.kind, &arguments.files, &mut Notes::default())?;
+        method.check(kind, d)?;
+        Some(kind)
+    };
     let tally = during(bar, |progress| {
         arguments.output.stream(|output| {
             let mut run = Run {
@@ -128,9 +139,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 progress,
             };
             match kind {
-                AnyKind::VertexFace => run.answer_all::<VertexFace>(&|query| method.answer(query, d)),
-                AnyKind::EdgeEdge => run.answer_all::<EdgeEdge>(&|query| method.answer(query, d)),
-                _ => with_kind!(kind, K => run.answer_all::<K>(&|query| Ok(Answer::exact(query, d)))),
+                None => curved::answer_all(&mut run),
+                Some(AnyKind::VertexFace) => run.answer_all::<VertexFace>(&|query| method.answer(query, d)),
+                Some(AnyKind::EdgeEdge) => run.answer_all::<EdgeEdge>(&|query| method.answer(query, d)),
+                Some(kind) => {
+                    with_kind!(kind, K => run.answer_all::<K>(&|query| Ok(Answer::exact(query, d))))
+                }
             }?;
             if run.tally.queries() == 0 {
                 return Err(no_queries());
@@ -166,32 +180,45 @@ impl<W: Write> Run<'_, W> {
         let mut choice = self.arguments.view.choice();
         for file in &self.arguments.files {
             let samples = rows::open::<K>(file, rounding)?;
-            self.answer(rows::name(file), samples, decide, &mut choice)?;
+            let named = rows::name(file);
+            let see = &mut |query, sample: &Sample<K>, collides| {
+                choice.see(named, query, &sample.query, collides);
+            };
+            self.answer(
+                named,
+                samples,
+                &|sample| decide(&sample.query),
+                &|sample| sample.truth,
+                see,
+            )?;
         }
         choice.finish(self.arguments.min_distance)
     }
 
-    fn answer<K: Kind>(
+    /// Answers the queries of a file in batches. `see` takes the number of each query, the query, and true
+    /// for contact.
+    fn answer<T: Sync>(
         &mut self,
         file: &Path,
-        mut samples: Samples<K>,
-        decide: Decision<'_, K>,
-        choice: &mut ChosenQuery<K>,
+        mut queries: impl Iterator<Item = Result<T, Failure>>,
+        decide: &(impl Fn(&T) -> Result<Answer, RoundingError> + Sync),
+        truth: &impl Fn(&T) -> Option<bool>,
+        see: &mut impl FnMut(usize, &T, bool),
     ) -> Result<(), Failure> {
         let first = self.tally.queries();
         loop {
             let mut read = Ok(());
-            let or_stop = |sample: Result<_, _>| sample.map_err(|error| read = Err(error)).ok();
-            let batch: Vec<Sample<K>> = samples.by_ref().take(BATCH).map_while(or_stop).collect();
-            let answers: Vec<_> = batch.par_iter().map(|sample| decide(&sample.query)).collect();
-            for (sample, answer) in batch.iter().zip(answers) {
-                let query = self.tally.queries();
-                let answer = answer.map_err(|source| rows::failed(file, query - first, source))?;
+            let or_stop = |query: Result<_, _>| query.map_err(|error| read = Err(error)).ok();
+            let batch: Vec<T> = queries.by_ref().take(BATCH).map_while(or_stop).collect();
+            let answers: Vec<_> = batch.par_iter().map(decide).collect();
+            for (query, answer) in batch.iter().zip(answers) {
+                let number = self.tally.queries();
+                let answer = answer.map_err(|source| rows::failed(file, number - first, source))?;
                 self.output
-                    .write(query, &answer)
+                    .write(number, &answer)
                     .map_err(|source| self.arguments.output.failed(source))?;
-                self.tally.add(answer.collides, sample.truth);
-                choice.see(file, query, &sample.query, answer.collides);
+                self.tally.add(answer.collides, truth(query));
+                see(number, query, answer.collides);
             }
             (self.progress)(batch.len());
             read?;

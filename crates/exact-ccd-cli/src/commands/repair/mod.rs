@@ -34,8 +34,8 @@ use report::Report;
 /// The parts of --with are obstacles: they do not move. They may intersect each other
 /// and themselves. --pin names further parts or groups that do not move.
 ///
-/// Not every mesh can be repaired: a Klein bottle and linked bodies have no free
-/// positions. The program does not recognise them; it ends after --max-rounds.
+/// Not every mesh can be repaired. A closed surface with one side, as a Klein bottle,
+/// is refused at once; otherwise, the program ends after --max-rounds.
 ///
 /// Exit status: 0 free now, 1 not repaired, and no mesh is written without --partial,
 /// 2 error, 3 the mesh is written, but some pairs have no certificate.

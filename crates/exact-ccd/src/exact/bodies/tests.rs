@@ -121,6 +121,14 @@ fn revolute_joints_have_degree_2_each() {
     }
 }
 
+/// The longest chains, on one side or on both: the largest degrees of all motions.
+#[test]
+fn chains_of_eight_motions_have_degree_2_each_and_that_of_a_place() {
+    assert_degrees_of_bodies([8, 0], 0, [16, 32]);
+    assert_degrees_of_bodies([8, 8], 0, [32, 64]);
+    assert_degrees_of_bodies([8, 8], 3, [35, 70]);
+}
+
 #[test]
 fn edges_and_vertices_have_the_degrees_of_their_differences() {
     let mut random = Rng::with_seed(1);

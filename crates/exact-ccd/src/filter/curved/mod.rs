@@ -8,8 +8,10 @@ mod bounds;
 mod corners;
 mod counted;
 mod displacement;
+mod guess;
 mod motion;
 mod piece;
+mod place;
 mod polynomial;
 #[cfg(test)]
 mod proof;
@@ -17,7 +19,9 @@ mod relative;
 mod search;
 mod time;
 mod twice;
+mod volume;
 
+use core::cmp::Ordering;
 use core::iter::ExactSizeIterator;
 
 use corners::Corners;
@@ -50,9 +54,15 @@ pub(crate) fn decide_of_bodies<K: Tables>(
 }
 
 /// The time at which points on Bézier curves touch, given their control points in order, if they touch only
-/// where the volume of the corners vanishes between two times, where it has one root.
-pub(crate) fn time_on_curves<K: Tables>(control: &[[Point; 4]], times: [f64; 2]) -> Option<ContactTime> {
-    time::of_root::<K>(&OnCurves(control), times)
+/// where the volume of the corners vanishes between two times, where it has one root, and the sign of the
+/// volume before that.
+pub(crate) fn time_on_curves<K: Tables>(
+    control: &[[Point; 4]],
+    times: [f64; 2],
+    before: Ordering,
+) -> Option<ContactTime> {
+    let corners = Corners::along::<K>(control.iter().copied())?;
+    time::of_root::<K>(&OnCurves(control), &corners.curves, times, before)
 }
 
 /// The same of points of two bodies.
@@ -60,9 +70,11 @@ pub(crate) fn time_of_bodies<K: Tables>(
     points: &[Point; 4],
     relative: &Relative,
     times: [f64; 2],
+    before: Ordering,
 ) -> Option<ContactTime> {
+    let corners = Corners::of_bodies::<K>(points, relative)?;
     let chains = &relative.chains;
-    time::of_root::<K>(&OfBodies { points, chains }, times)
+    time::of_root::<K>(&OfBodies { points, chains }, &corners.curves, times, before)
 }
 
 fn decide<K: Tables>(corners: Option<Corners>, options: &Options) -> CurvedDecision {

@@ -1,12 +1,12 @@
-//! The motion of a body in the coordinates of another one, in coefficients.
+//! The motion of a body in the coordinates of another one, in matrices.
 
 use alloc::vec::Vec;
 
-use super::displacement::Affine;
 use super::polynomial::Polynomial;
 use crate::numbers::number::Ring;
 
-/// M, c and w, or one coefficient of each.
+/// M, c and w: as polynomials, one coefficient of each, or their values at a time. The place of v in a body's
+/// coordinates is (M v + c) / w.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion<T = f64> {
     pub(super) turn: [[T; 3]; 3],
@@ -15,14 +15,14 @@ pub(super) struct Motion<T = f64> {
 }
 
 /// One coefficient of each polynomial after the other.
-pub(super) fn motions<T: Copy>(affine: &Affine<T>) -> Vec<Motion<T>> {
+pub(super) fn motions<T: Copy>(motion: &Motion<Polynomial<T>>) -> Vec<Motion<T>> {
     let at = |polynomial: &Polynomial<T>, k: usize| polynomial[k];
-    let degrees = 0..affine.weight.len();
+    let degrees = 0..motion.weight.len();
     degrees
         .map(|k| Motion {
-            turn: affine.turn.each_ref().map(|row| row.each_ref().map(|p| at(p, k))),
-            shift: affine.shift.each_ref().map(|p| at(p, k)),
-            weight: affine.weight[k],
+            turn: motion.turn.each_ref().map(|row| row.each_ref().map(|p| at(p, k))),
+            shift: motion.shift.each_ref().map(|p| at(p, k)),
+            weight: motion.weight[k],
         })
         .collect()
 }

@@ -1,23 +1,19 @@
 //! A part of the step, and the tests of it.
 
-use core::cmp::Ordering;
-
-use arrayvec::ArrayVec;
-
 use super::corners::{Corners, Curves};
-use super::polynomial::{MOST, binomial};
 use crate::filter::coplanarity::length_bound;
 use crate::filter::gap::Gap;
 use crate::filter::hull::approach_origin;
 use crate::numbers::number::Lanes;
-use crate::numbers::roundoff::{UNDERFLOW, UNIT, certain_sign, margin};
-use crate::numbers::vector::{cross, cross_along, dot, minus};
-use crate::tables::{Point, Tables};
+use crate::numbers::roundoff::{UNDERFLOW, UNIT, margin};
+use crate::numbers::vector::{cross, dot, minus};
+use crate::tables::Point;
 
 /// A part of the step: F w lies in the hull of the control points of the corners there.
+#[derive(Clone)]
 pub(super) struct Piece<'a> {
-    corners: &'a Corners,
-    curves: Curves,
+    pub(super) corners: &'a Corners,
+    pub(super) curves: Curves,
     /// The part is from k 2⁻ⁿ to (k + 1) 2⁻ⁿ.
     index: u32,
     level: u32,
@@ -55,7 +51,7 @@ impl<'a> Piece<'a> {
     }
 
     /// The roundings of each halving: one for each degree.
-    fn roundings(&self) -> u32 {
+    pub(super) fn roundings(&self) -> u32 {
         self.level * (self.curves.points as u32 - 1)
     }
 
@@ -94,9 +90,8 @@ impl<'a> Piece<'a> {
     }
 
     /// A direction along which the primitives are farther apart than the gap in the whole part: an axis, a
-    /// diagonal of two, the normal of the planes at one end, or one of a few steps of Gilbert's iteration
-    /// (see [`approach_origin`]). That of another part is tried first.
-    pub(super) fn separating_direction<G: Gap<f64>>(&self, hint: Point, gap: G) -> Option<Point> {
+    /// diagonal of two, or the normal of the planes at one end. The direction of another part is tried first.
+    pub(super) fn plain_direction<G: Gap<f64>>(&self, hint: Point, gap: G) -> Option<Point> {
         const PLANES: [Point; 9] = [
             [1.0, 0.0, 0.0],
             [0.0, 1.0, 0.0],
@@ -114,10 +109,10 @@ impl<'a> Piece<'a> {
             .chain(PLANES)
             .find(is_beyond)
             .or_else(|| ends.map(|end| self.normal(end)).into_iter().find(is_beyond))
-            .or_else(|| self.iterated_direction(gap))
     }
 
-    fn iterated_direction<G: Gap<f64>>(&self, gap: G) -> Option<Point> {
+    /// Such a direction from a few steps of Gilbert's iteration (see [`approach_origin`]).
+    pub(super) fn iterated_direction<G: Gap<f64>>(&self, gap: G) -> Option<Point> {
         let lowest_along = |direction: Point| {
             let values = self.curves.all().map(|&point| (point, dot(direction, point)));
             values.fold(([0.0; 3], f64::INFINITY), |lowest, next| {
@@ -138,7 +133,7 @@ impl<'a> Piece<'a> {
 
     /// c₁ × c₂ of the first three corners at one end, times a positive factor: the edges of F's image there
     /// are differences of them.
-    fn normal(&self, end: usize) -> Point {
+    pub(super) fn normal(&self, end: usize) -> Point {
         let [a, b, c] = self
             .first_corners()
             .map(|corner| self.curves.corners[corner][end]);
@@ -146,123 +141,9 @@ impl<'a> Piece<'a> {
     }
 
     /// The first three corners, if there are as many; others are repeated.
-    fn first_corners(&self) -> [usize; 3] {
+    pub(super) fn first_corners(&self) -> [usize; 3] {
         let last = self.curves.count - 1;
         [0, 1.min(last), 2.min(last)]
-    }
-
-    /// Returns true if the primitives certainly touch in this part, and only where they are coplanar.
-    ///
-    /// The volume c = x₀ · (x₁ × x₂) of the first three corners equals the volume of w, e₁ and e₂ in
-    /// `exact/motion.rs`: the differences of the corners are the edges. Its signs at both ends of the part
-    /// are opposite, so that it vanishes in between. The normal has one sign on an axis, and each side the
-    /// required one, in all of the part: then `touches` holds there. A component of a cross product of two
-    /// curves is a mean of those of their control points, of each with each, with the Bernstein polynomials
-    /// as positive weights.
-    pub(super) fn is_crossed<K: Tables>(&self) -> bool {
-        if K::FEATURES.inner.is_none() {
-            return false;
-        }
-        let last = self.curves.points - 1;
-        let ends = [self.volume_sign(0), self.volume_sign(last)];
-        if !matches!(ends, [Some(start), Some(end)] if start == end.reverse() && start.is_ne()) {
-            return false;
-        }
-        let middle = self.normal(last / 2);
-        let axis = (1..3).fold(0, |best, axis| {
-            if middle[axis].abs() > middle[best].abs() {
-                axis
-            } else {
-                best
-            }
-        });
-        let Some(facing) = self.facing(axis) else {
-            return false;
-        };
-        K::SIDES.iter().all(|side| {
-            let [x, y] = side.corners.map(|corner| self.curves.corner(corner));
-            let sign = self.constant_sign(axis, x, y, 0);
-            sign == Some(if side.along { facing } else { facing.reverse() })
-        })
-    }
-
-    /// Returns true if the volume of the first three corners certainly has one root in this part, at whose
-    /// ends it has opposite signs.
-    ///
-    /// Its Bernstein coefficients of degree 3 n are means of volumes of control points, with products of
-    /// binomial coefficients as weights, which are integers below 2⁵³. With one change of sign among the
-    /// coefficients there is one root (Descartes' rule), whatever the sign of one between them that is not
-    /// certain.
-    pub(super) fn has_one_root(&self) -> bool {
-        let points = self.curves.points;
-        let [a, b, c] = self.first_corners().map(|corner| self.curves.corner(corner));
-        let weights: [f64; MOST] = core::array::from_fn(|k| binomial(points - 1, k));
-        let mut coefficients = [0.0; 3 * MOST];
-        for (j, &y) in b.iter().enumerate() {
-            for (k, &z) in c.iter().enumerate() {
-                let normal = cross(y, z);
-                for (i, &x) in a.iter().enumerate() {
-                    coefficients[i + j + k] += dot(x, normal) * (weights[i] * weights[j] * weights[k]);
-                }
-            }
-        }
-        let [x, y, z] = self.corners.magnitude;
-        let n = of_mean(self.corners.roundings + self.roundings(), points as u32);
-        let error = x * y * z * (6.0 * margin(n) * UNIT) + UNDERFLOW;
-        let degree = 3 * (points - 1);
-        let coefficients = coefficients[..=degree].iter().enumerate();
-        let signs = coefficients.map(|(m, &value)| certain_sign(value, error * binomial(degree, m)));
-        let signs: ArrayVec<Option<Ordering>, { 3 * MOST }> = signs.collect();
-        // Certain ones at the beginning and at the end, and at most one between them that is not.
-        let start = signs.iter().take_while(|&&sign| sign == signs[0]).count();
-        let end = signs
-            .iter()
-            .rev()
-            .take_while(|&&sign| sign == signs[degree])
-            .count();
-        signs[0].is_some() && signs[degree] == signs[0].map(Ordering::reverse) && start + end >= degree
-    }
-
-    /// The sign of a component of e₁ × e₂, if it is constant. An edge is a difference of corners, one more
-    /// rounding of twice the magnitude.
-    fn facing(&self, axis: usize) -> Option<Ordering> {
-        let [a, b, c] = self.first_corners().map(|corner| &self.curves.corners[corner]);
-        let mut edges = [[[0.0; 3]; MOST]; 2];
-        for k in 0..self.curves.points {
-            edges[0][k] = minus(b[k], a[k]);
-            edges[1][k] = minus(c[k], a[k]);
-        }
-        let [one, other] = [&edges[0][..self.curves.points], &edges[1][..self.curves.points]];
-        // (b − a) × (c − a) is e₁ × e₂, of a vertex and a face and of two edges.
-        self.constant_sign(axis, one, other, 1)
-    }
-
-    /// The sign of a component of the cross product of two curves, if it is constant in this part. Their
-    /// control points are sums of 2ᵏ corners, with k more roundings.
-    fn constant_sign(&self, axis: usize, x: &[Point], y: &[Point], k: u32) -> Option<Ordering> {
-        let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
-        let magnitude = self.corners.magnitude;
-        let n = of_area(self.corners.roundings + self.roundings() + k);
-        let scale = f64::from(1_u32 << (2 * k)) * (2.0 * margin(n) * UNIT);
-        let error = magnitude[next] * magnitude[last] * scale + UNDERFLOW;
-        let mut products = x
-            .iter()
-            .flat_map(|&x| y.iter().map(move |&y| cross_along(axis, x, y)));
-        let sign = certain_sign(products.next()?, error)?;
-        products
-            .all(|product| certain_sign(product, error) == Some(sign))
-            .then_some(sign)
-    }
-
-    /// The sign of the volume of the first three corners at one end, if it is certain: six terms.
-    fn volume_sign(&self, end: usize) -> Option<Ordering> {
-        let [a, b, c] = self
-            .first_corners()
-            .map(|corner| self.curves.corners[corner][end]);
-        let [x, y, z] = self.corners.magnitude;
-        let n = of_volume(self.corners.roundings + self.roundings());
-        let error = x * y * z * (6.0 * margin(n) * UNIT) + UNDERFLOW;
-        certain_sign(dot(a, cross(b, c)), error)
     }
 }
 

@@ -9,9 +9,10 @@ use super::corners::{Corners, halved};
 use super::counted::Counted;
 use super::displacement::{Displacement, Turning};
 use super::motion::{Motion, difference, motions};
-use super::piece::{ALONG, across, of_area, of_volume, weighted};
-use super::polynomial::{Coefficient, MOST};
+use super::piece::{ALONG, across, of_area, of_mean, of_volume, weighted};
+use super::polynomial::{Coefficient, MOST, binomials};
 use super::relative::Relative;
+use super::volume::{COEFFICIENTS, weighted_volumes};
 use crate::exact::Turn;
 use crate::filter::proof::{Symbol, power};
 use crate::numbers::roundoff::UNIT;
@@ -53,10 +54,13 @@ fn relative<T: Coefficient + Div<f64, Output = T>>(
             quaternions: quaternions.iter().map(|q| q.map(of[0])).collect(),
             places: places.iter().map(|p| p.map(of[1])).collect(),
         };
-        chain.iter().map(motion).collect::<Vec<_>>()
+        chain
+            .iter()
+            .map(motion)
+            .map(|motion| Displacement::of_turn(&motion))
     });
-    let displacement = Displacement::between(&first, &second);
-    motions(&displacement.expect("a motion").affine().into_bernstein())
+    let displacement = Displacement::between(first, second);
+    motions(&displacement.expect("a motion").motion().into_bernstein())
 }
 
 fn numbers<T: Copy>(motion: &Motion<T>) -> impl Iterator<Item = T> {
@@ -163,6 +167,40 @@ fn products() {
         assert_eq!(dot(direction, b).roundings, n + ALONG);
         assert!(cross(b, c).iter().all(|x| x.roundings == of_area(n)));
         assert_eq!(dot(a, cross(b, c)).roundings, of_volume(n));
+    }
+}
+
+/// The coefficients of the volume have the roundings and the magnitudes of their bound, in which half of the
+/// roundings are too few.
+#[test]
+fn volumes() {
+    let mut random = Rng::with_seed(5);
+    for points in 2..=MOST {
+        let n = 7;
+        let curves = [(); 3].map(|()| {
+            let mut number = || {
+                let mut symbol = Symbol::input(random.f64() - 0.5);
+                symbol.roundings = n;
+                symbol
+            };
+            (0..points)
+                .map(|_| [(); 3].map(|()| number()))
+                .collect::<Vec<_>>()
+        });
+        let magnitude = [0, 1, 2].map(|axis: usize| {
+            let all = curves.iter().flatten().map(|point| point[axis].permanent);
+            all.fold(0.0, f64::max)
+        });
+        let [x, y, z] = magnitude;
+        let found = weighted_volumes(curves.each_ref().map(Vec::as_slice), Symbol::exactly(0.0));
+        let degree = 3 * (points - 1);
+        let weights: [f64; COEFFICIENTS] = binomials(degree);
+        for (symbol, weight) in found.iter().zip(weights).take(degree + 1) {
+            assert!(symbol.permanent <= 6.0 * x * y * z * weight * (1.0 + 1e-9));
+        }
+        let most = found.iter().map(|symbol| symbol.roundings).max().unwrap_or(0);
+        let bound = of_mean(n, points as u32);
+        assert!(most <= bound && 2 * most > bound, "{points}: {most} {bound}");
     }
 }
 

@@ -4,9 +4,9 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use super::counted::Counted;
-use super::displacement::{Affine, Displacement, Turning};
+use super::displacement::{Displacement, Turning};
 use super::motion::{Motion, OF_OTHERS, OF_TURN, motions};
-use super::polynomial::MOST;
+use super::polynomial::{MOST, Polynomial};
 use crate::environment;
 use crate::exact::Turn;
 use crate::numbers::roundoff::LARGEST;
@@ -53,16 +53,16 @@ impl Relative {
             return None;
         }
         let chains = [first, second];
-        let counted = |chain: &Vec<Turning<f64>>| {
-            let motions = chain.iter().map(|motion| motion.map(Counted::exactly));
-            motions.collect::<Vec<_>>()
-        };
-        let displacement = Displacement::between(&counted(&chains[0]), &counted(&chains[1]))?;
-        Some(Self::of(&displacement.affine().into_bernstein(), chains))
+        let [one, other] = chains.each_ref().map(|chain| {
+            let counted = chain.iter().map(|motion| motion.map(Counted::exactly));
+            counted.map(|motion| Displacement::of_turn(&motion))
+        });
+        let displacement = Displacement::between(one, other)?;
+        Some(Self::of(&displacement.motion().into_bernstein(), chains))
     }
 
-    fn of(affine: &Affine<Counted>, chains: [Vec<Turning<f64>>; 2]) -> Self {
-        let motions = motions(affine);
+    fn of(motion: &Motion<Polynomial<Counted>>, chains: [Vec<Turning<f64>>; 2]) -> Self {
+        let motions = motions(motion);
         let coefficients = motions.iter().map(|motion| Motion {
             turn: motion.turn.map(|row| row.map(|x| x.value)),
             shift: motion.shift.map(|x| x.value),

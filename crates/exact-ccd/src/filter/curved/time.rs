@@ -5,9 +5,11 @@ use core::cmp::Ordering;
 
 use arrayvec::ArrayVec;
 
+use super::corners::Curves;
 use super::counted::Counted;
 use super::displacement::{Displacement, Turning};
-use super::motion::{difference, motions};
+use super::guess::Bracket;
+use super::motion::difference;
 use super::polynomial::MOST;
 use super::twice::{Twice, on_curve};
 use crate::numbers::double_double::{DoubleDouble, ROUNDOFF};
@@ -30,43 +32,39 @@ pub(super) trait Paths {
 }
 
 /// The time at which the volume of the first three corners changes its sign, given that it does so once
-/// between two times, and is not 0 there. `None` if the time is an f64, or so near to one that no sign is
-/// certain.
-pub(super) fn of_root<K: Tables>(paths: &impl Paths, times: [f64; 2]) -> Option<ContactTime> {
+/// between two times, and its sign before that; and given the corners in f64. `None` if the time is an f64,
+/// or so near to one that no sign is certain.
+pub(super) fn of_root<K: Tables>(
+    paths: &impl Paths,
+    curves: &Curves,
+    times: [f64; 2],
+    before: Ordering,
+) -> Option<ContactTime> {
     let largest = paths.largest();
     if largest > LARGEST {
         return None;
     }
-    let [mut low, mut high] = times;
-    let [below, above] = [low, high].map(|time| volume::<K>(paths, time));
-    let before = sign(below, largest)?;
-    if sign(above, largest)? != before.reverse() {
-        return None;
+    let mut bracket = Bracket::new(curves, times);
+    let evaluate = |bracket: &mut Bracket, time: f64| {
+        let value = volume::<K>(paths, time);
+        bracket.add(time, value.value.high, sign(value, largest)? == before);
+        Some(value.value.high)
+    };
+    // Of the root in f64, some last bits may be wrong. One step of Newton's method settles them.
+    let guess = bracket.guess(curves);
+    let value = evaluate(&mut bracket, guess)?;
+    let below = bracket.newton(curves, guess, value);
+    for time in [below, below.next_up()] {
+        if bracket.contains(time) {
+            evaluate(&mut bracket, time)?;
+        }
     }
-    let [mut below, mut above] = [below.value.high, above.value.high];
-    let mut last = None;
     for step in 0..STEPS {
-        let next = low.next_up();
-        if next >= high {
+        if let Some(low) = bracket.settled() {
             return Some(ContactTime::just_above(low));
         }
-        // Secants, with the value of an end that stays halved (Dowell and Jarratt 1971), and in turns the
-        // middle.
-        let time = match step % 4 {
-            3 => low + 0.5 * (high - low),
-            _ => low + (high - low) * (below / (below - above)),
-        };
-        let time = time.max(next).min(high.next_down());
-        let value = volume::<K>(paths, time);
-        let side = sign(value, largest)?;
-        if side == before {
-            [low, below] = [time, value.value.high];
-            above *= if last == Some(side) { 0.5 } else { 1.0 };
-        } else {
-            [high, above] = [time, value.value.high];
-            below *= if last == Some(side) { 0.5 } else { 1.0 };
-        }
-        last = Some(side);
+        let time = bracket.next(step);
+        evaluate(&mut bracket, time)?;
     }
     None
 }
@@ -122,15 +120,17 @@ pub(super) struct OfBodies<'a> {
 
 impl Paths for OfBodies<'_> {
     fn corners<K: Tables>(&self, time: [Twice; 2]) -> [[Twice; 3]; 3] {
-        let [first, second] = self.chains.each_ref().map(|chain| {
-            let at_time = chain.iter().map(|motion| motion.at(time));
-            at_time.collect::<Vec<_>>()
-        });
-        let motion = Displacement::between(&first, &second).and_then(|d| motions(&d.affine()).pop());
+        let [first, second] = self
+            .chains
+            .each_ref()
+            .map(|chain| chain.iter().map(|motion| Displacement::at(motion, time)));
+        let motion = Displacement::between(first, second).map(|displacement| displacement.motion());
         let points = self.points.map(|point| point.map(Counted::exactly));
         core::array::from_fn(|corner| {
             let (i, j) = K::CORNERS[corner];
-            motion.map_or(points[i], |motion| difference(&motion, points[i], points[j]))
+            motion
+                .as_ref()
+                .map_or(points[i], |motion| difference(motion, points[i], points[j]))
         })
     }
 

@@ -1,7 +1,7 @@
 //! Motions at a time, in twice the precision.
 
 use super::counted::Counted;
-use super::polynomial::Polynomial;
+use super::polynomial::{Function, Polynomial};
 use crate::numbers::double_double::DoubleDouble;
 
 /// A number in twice the precision.
@@ -20,4 +20,33 @@ pub(super) fn on_curve<const N: usize>(control: &[[f64; N]], [s, t]: [Twice; 2])
         }
         row[0]
     })
+}
+
+impl Function for Twice {
+    fn negated(&self) -> Self {
+        -*self
+    }
+
+    fn doubled(&self) -> Self {
+        *self * 2.0
+    }
+
+    fn sum(&self, other: &Self) -> Self {
+        *self + *other
+    }
+
+    fn difference(&self, other: &Self) -> Self {
+        *self - *other
+    }
+
+    fn product(&self, other: &Self) -> Self {
+        *self * *other
+    }
+
+    fn count(&self) -> usize {
+        1
+    }
+
+    /// A value has no degree.
+    fn elevate(&mut self, _: usize) {}
 }

@@ -1,38 +1,70 @@
-//! A search by hill climbing for the costliest query within a distance.
+//! A search by hill climbing for the costliest query within a distance, or of curved motion in contact.
 //!
-//! `cargo run --release -p exact-ccd-bench --example climb [-- STEPS [SEED [first|intervals|impact]]]`
+//! `cargo run --release -p exact-ccd-bench --example climb [-- STEPS [SEED [ANSWER]] [motions]]`;
+//! the answer is `first`, `intervals` or `impact`.
 //!
 //! A step changes a coordinate, its exponent, a whole point, or the distance, and is kept if the answer, by
-//! default the first time within the distance, costs no less. A climb that does not rise for a while begins
-//! anew. The cost is the least wall time of three attempts, so that another run may climb elsewhere.
+//! default the first time within the distance, costs no less. With `motions`, the queries are of curved
+//! motion, and the numbers of the costliest ones go to standard error. A climb that does not rise for a
+//! while begins anew. The cost is the least wall time of three attempts, so that another run may climb
+//! elsewhere.
 
-#![expect(clippy::print_stdout, reason = "this is its output")]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "this is its output")]
+
+mod climber;
+mod motions;
 
 use std::hint::black_box;
 
 use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexFace};
 use exact_ccd_bench::fastest;
+use fastrand::Rng;
+
+use climber::climb;
+use motions::{Motion, climb_motions};
 
 const ATTEMPTS: usize = 3;
-/// The number of steps without a rise after which a climb begins anew.
-const PATIENCE: usize = 150;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let mut numbers = arguments.iter().filter_map(|argument| argument.parse().ok());
     let steps = numbers.next().unwrap_or(2_000);
     let seed = numbers.next().unwrap_or(1);
-    let answer = match arguments.last().map(String::as_str) {
-        Some("intervals") => Answer::Intervals,
-        Some("impact") => Answer::Impact,
-        _ => Answer::First,
+    let has = |word: &str| arguments.iter().any(|argument| argument == word);
+    let answer = match () {
+        () if has("intervals") => Answer::Intervals,
+        () if has("impact") => Answer::Impact,
+        () => Answer::First,
     };
     println!("{steps} steps for each start, seed {seed}, {answer:?}\n");
+    if has("motions") {
+        print_motions(answer, steps, seed);
+        return;
+    }
     println!("| kind | coordinates | worst ms | mean ms of the starts | d |");
     println!("|---|---|---:|---:|---:|");
     for start in [Start::Ordinary, Start::Powers, Start::Any] {
-        climb::<VertexFace>("vf", start, answer, steps, seed);
-        climb::<EdgeEdge>("ee", start, answer, steps, seed);
+        climb_straight::<VertexFace>("vf", start, answer, steps, seed);
+        climb_straight::<EdgeEdge>("ee", start, answer, steps, seed);
+    }
+}
+
+fn print_motions(answer: Answer, steps: u64, seed: u64) {
+    println!("| kind | motion | coordinates | worst ms | mean ms of the starts |");
+    println!("|---|---|---|---:|---:|");
+    for motion in [Motion::OneBody, Motion::TwoBodies, Motion::Quadratic] {
+        for start in [Start::Ordinary, Start::Powers, Start::Any] {
+            let mut random = Rng::with_seed(seed);
+            let vf = climb_motions::<VertexFace>(motion, start, answer, steps, &mut random);
+            let ee = climb_motions::<EdgeEdge>(motion, start, answer, steps, &mut random);
+            for (kind, found) in [("vf", vf), ("ee", ee)] {
+                println!(
+                    "| {kind} | {motion:?} | {start:?} | {:.3} | {:.4} |",
+                    found.worst, found.mean
+                );
+                eprintln!("{:?}", found.at);
+            }
+        }
     }
 }
 
@@ -61,37 +93,24 @@ struct Candidate {
     d: f64,
 }
 
-fn climb<K: Kind<Points = [Point; 4]>>(kind: &str, start: Start, answer: Answer, steps: u64, seed: u64) {
-    let mut random = fastrand::Rng::with_seed(seed);
-    let (mut worst, mut at) = (0.0, 0.0);
-    let (mut begun, mut total) = (0_u32, 0.0);
-    let mut climber: Option<(f64, Candidate, usize)> = None;
-    for _ in 0..steps {
-        let (cost, candidate, rested) = match climber.take() {
-            Some((least, candidate, rested)) if rested < PATIENCE => {
-                let changed = start.change(candidate.clone(), &mut random);
-                match milliseconds::<K>(&changed, answer) {
-                    Some(cost) if cost >= least => {
-                        (cost, changed, if cost > 1.02 * least { 0 } else { rested + 1 })
-                    }
-                    _ => (least, candidate, rested + 1),
-                }
-            }
-            _ => {
-                let candidate = start.begin(&mut random);
-                let cost = milliseconds::<K>(&candidate, answer).unwrap_or_default();
-                begun += 1;
-                total += cost;
-                (cost, candidate, 0)
-            }
-        };
-        if cost > worst {
-            (worst, at) = (cost, candidate.d);
-        }
-        climber = Some((cost, candidate, rested));
-    }
-    let mean = total / f64::from(begun.max(1));
-    println!("| {kind} | {start:?} | {worst:.3} | {mean:.4} | {at:e} |");
+fn climb_straight<K: Kind<Points = [Point; 4]>>(
+    kind: &str,
+    start: Start,
+    answer: Answer,
+    steps: u64,
+    seed: u64,
+) {
+    let found = climb(
+        &mut Rng::with_seed(seed),
+        steps,
+        |random| start.begin(random),
+        |candidate, random| start.change(candidate, random),
+        |candidate| milliseconds::<K>(candidate, answer),
+    );
+    println!(
+        "| {kind} | {start:?} | {:.3} | {:.4} | {:e} |",
+        found.worst, found.mean, found.at.d
+    );
 }
 
 /// The time of an answer within the distance; none if a coordinate is not finite.
@@ -117,7 +136,7 @@ fn milliseconds<K: Kind<Points = [Point; 4]>>(candidate: &Candidate, answer: Ans
 }
 
 impl Start {
-    fn begin(self, random: &mut fastrand::Rng) -> Candidate {
+    fn begin(self, random: &mut Rng) -> Candidate {
         let mut candidate = Candidate {
             points: [[[0.0; 3]; 4]; 2],
             d: self.distance(random),
@@ -128,7 +147,7 @@ impl Start {
         candidate
     }
 
-    fn coordinate(self, random: &mut fastrand::Rng) -> f64 {
+    fn coordinate(self, random: &mut Rng) -> f64 {
         let sign = if random.bool() { 1.0 } else { -1.0 };
         sign * match self {
             Self::Ordinary => random.f64(),
@@ -138,7 +157,7 @@ impl Start {
         }
     }
 
-    fn distance(self, random: &mut fastrand::Rng) -> f64 {
+    fn distance(self, random: &mut Rng) -> f64 {
         let least = power(random.i32(-1074..=-100)).max(5e-324);
         match self {
             Self::Ordinary => least,
@@ -147,7 +166,7 @@ impl Start {
         }
     }
 
-    fn change(self, mut candidate: Candidate, random: &mut fastrand::Rng) -> Candidate {
+    fn change(self, mut candidate: Candidate, random: &mut Rng) -> Candidate {
         for _ in 0..random.usize(1..=3) {
             let (time, point, axis) = (random.usize(0..2), random.usize(0..4), random.usize(0..3));
             let (other_time, other) = (random.usize(0..2), random.usize(0..4));
