@@ -70,3 +70,89 @@ fn reduced([c0, c1, c2, c3]: &[Volume; 4], quadratic: &Quadratic) -> Option<[Int
         None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A linear function by its values at the ends of the step.
+    type Linear = [i128; 2];
+
+    fn quadratic([a, b]: Linear, [c, d]: Linear) -> Quadratic {
+        [a * c, a * d + b * c, b * d].map(Wide::from)
+    }
+
+    fn cubic(first: Linear, second: Linear, [e, f]: Linear) -> [Volume; 4] {
+        let [q0, q1, q2] = quadratic(first, second).map(Wide::widened::<6>);
+        let [e, f] = [e, f].map(Volume::from);
+        [q0 * e, q1 * e + q0 * f, q2 * e + q1 * f, q2 * f]
+    }
+
+    /// The times k / 64 before and after the zero of a linear function that is not such a time.
+    fn bracket([a, b]: Linear) -> Option<[Dyadic; 2]> {
+        let [start, end] = if a < 0 { [-a, b] } else { [a, -b] };
+        let parts = 64 * start;
+        let is_inside = start > 0 && end > 0 && parts % (start + end) != 0;
+        let low = (parts as f64 / (start + end) as f64).floor();
+        let [low, high] = [low, low + 1.0].map(|k| Dyadic::new(k / 64.0));
+        is_inside.then_some([low?, high?])
+    }
+
+    #[test]
+    fn a_quadratic_vanishes_at_the_roots_that_it_has_in_common() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let (mut common, mut other) = (0, 0);
+        while common < 2000 || other < 2000 {
+            let [l, m, n, k] = [(); 4].map(|()| [random.i128(-30..30), random.i128(-30..30)]);
+            let (Some(at_l), Some(at_m)) = (bracket(l), bracket(m)) else {
+                continue;
+            };
+            // The only root of each function in its bracket, and no common root of others.
+            let is_alone = |f: Linear, others: &[Linear]| {
+                others.iter().all(|g| f[0] * g[1] != f[1] * g[0])
+                    && others.iter().all(|&g| bracket(g) != bracket(f))
+            };
+            if !is_alone(l, &[m, n, k]) || !is_alone(m, &[l, n, k]) {
+                continue;
+            }
+            let q = quadratic(l, n);
+            assert!(
+                vanishes_at_quadratic_root(&q, &quadratic(l, m), at_l),
+                "{l:?} {m:?} {n:?}"
+            );
+            assert!(
+                vanishes_at_cubic_root(&q, &cubic(l, m, k), at_l),
+                "{l:?} {m:?} {n:?} {k:?}"
+            );
+            common += 1;
+            assert!(
+                !vanishes_at_quadratic_root(&q, &quadratic(l, m), at_m),
+                "{l:?} {m:?} {n:?}"
+            );
+            assert!(
+                !vanishes_at_cubic_root(&q, &cubic(l, m, k), at_m),
+                "{l:?} {m:?} {n:?} {k:?}"
+            );
+            assert!(
+                !vanishes_at_quadratic_root(&quadratic(k, n), &quadratic(l, m), at_l),
+                "{l:?} {k:?} {n:?}"
+            );
+            other += 1;
+        }
+    }
+
+    #[test]
+    fn multiples_have_all_roots_in_common() {
+        for (l, m) in [
+            ([-3, 8], [-5, 2]),
+            ([-1, 6], [7, 9]),
+            ([4, -7], [0, 5]),
+            ([-3, 4], [2, 0]),
+        ] {
+            let at = bracket(l).expect("a zero inside the step");
+            let q = quadratic(l, m);
+            assert!(vanishes_at_quadratic_root(&q, &q.map(|x| x + x), at));
+            assert!(vanishes_at_cubic_root(&q, &cubic(l, m, [1, 3]), at));
+        }
+    }
+}
