@@ -167,22 +167,25 @@ fn push_zeros_inside(
 
 /// The times at which a window is cut, in increasing order.
 ///
-/// Where the sign at an end of the window is not certain, the part beside that end is cut off: there, the sign of
-/// the exact coefficient counts. Otherwise, these are the ends of narrow windows around almost triple roots, or
-/// else around almost double ones; with the time of fewest digits in each, if the cubic vanishes there. An almost
-/// triple root is near the zero of c″, an almost double one near a zero of c′.
+/// These are the ends of narrow windows around almost triple roots of a cubic, or else around almost double ones;
+/// with the time of fewest digits in each, if the cubic vanishes there. An almost triple root is near the zero of
+/// c″, an almost double one near a zero of c′. If there are none, the part beside an end at which the rounded
+/// cubic has no certain sign is cut off: there, the sign of the exact coefficient counts.
 fn cuts(cubic: &[Volume; 4], window: Window, local: &Cubic<f64>) -> ArrayVec<Dyadic, 6> {
-    let [low, high] = window.ends();
-    let part = window.units() >> PART_AT_END;
-    let beside = [low.plus(part), high.plus(-part)];
-    let is_cut = |end: &usize| part > 0 && !local.is_certain_at(*end);
-    let mut cuts: ArrayVec<Dyadic, 6> = (0..2).filter(is_cut).map(|end| beside[end]).collect();
-    if !cuts.is_empty() {
-        return cuts;
-    }
+    let mut cuts = ArrayVec::new();
     push_cuts(cubic, window, &[local.inflection()], 3, &mut cuts);
     if cuts.is_empty() {
         push_cuts(cubic, window, &local.cuts(), 2, &mut cuts);
+    }
+    let part = window.units() >> PART_AT_END;
+    if cuts.is_empty() && part > 0 {
+        let [low, high] = window.ends();
+        let beside = [low.plus(part), high.plus(-part)];
+        cuts.extend(
+            (0..2)
+                .filter(|&end| !local.is_certain_at(end))
+                .map(|end| beside[end]),
+        );
     }
     cuts
 }
