@@ -314,7 +314,7 @@ mod tests {
                 if let Ok([side]) = <[usize; 1]>::try_from(
                     (0..12)
                         .filter(|&i| least[i] > d * SQRT_2)
-                        .collect::<alloc::vec::Vec<_>>(),
+                        .collect::<Vec<_>>(),
                 ) {
                     proved[side] += 1;
                 }
