@@ -1,5 +1,6 @@
 //! The share of random queries that the filters leave to integers, and the time of a decision; and the step
-//! sizes of meshes along huge directions, by the exact search and by bisection. The last queries are published data.
+//! sizes of meshes along huge directions, by the exact search and by bisection. The last queries are
+//! published data.
 //!
 //! `cargo bench -p exact-ccd-bench --bench random [-- QUERIES]`, on one thread; 100,000 queries of each row
 //! if no number is given. The seed is fixed. A direction of a search may be huge: all of a body then passes

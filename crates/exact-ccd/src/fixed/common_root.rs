@@ -10,13 +10,14 @@ use super::window::{linear_sign_at, quadratic_sign_at};
 /// A quadratic q₀ (1−t)² + q₁ (1−t) t + q₂ t².
 pub(super) type Quadratic = [LongArea; 3];
 
-/// The quadratics that decide contact and are not zero: at most one for each of three axes and a scalar product, for four sides.
+/// The quadratics that decide contact and are not zero: at most one for each of three axes and a scalar
+/// product, for four sides.
 pub(super) type Quadratics = ArrayVec<Quadratic, 16>;
 
 /// An integer of 1792 bits.
 ///
-/// [Areas](super::length::Length) are below 2²⁵¹ and volumes below 2³⁷⁸. So coefficients of [`reduced`] cubics
-/// are below 2⁶³⁰, their minors with areas below 2⁸⁸², and a resultant below 2¹⁷⁶⁵.
+/// [Areas](super::length::Length) are below 2²⁵¹ and volumes below 2³⁷⁸. So coefficients of [`reduced`]
+/// cubics are below 2⁶³⁰, their minors with areas below 2⁸⁸², and a resultant below 2¹⁷⁶⁵.
 type Integer = Wide<28>;
 
 /// Returns true if a quadratic certainly vanishes at the only root of another one in a bracket.
@@ -39,9 +40,9 @@ pub(super) fn vanishes_at_cubic_root(
 
 /// Returns true if two quadratics q and r certainly have a common root strictly inside a bracket.
 ///
-/// They have a common root exactly if their resultant (q₀ r₂ − q₂ r₀)² − (q₀ r₁ − q₁ r₀) (q₁ r₂ − q₂ r₁) is zero.
-/// If they are no multiples of each other, they have one common root: the zero of (q₀ r − r₀ q) / t, which is
-/// (q₀ r₁ − q₁ r₀) (1−t) + (q₀ r₂ − q₂ r₀) t. Otherwise, a root of q is one of r.
+/// They have a common root exactly if their resultant (q₀ r₂ − q₂ r₀)² − (q₀ r₁ − q₁ r₀) (q₁ r₂ − q₂ r₁) is
+/// zero. If they are no multiples of each other, they have one common root: the zero of (q₀ r − r₀ q) / t,
+/// which is (q₀ r₁ − q₁ r₀) (1−t) + (q₀ r₂ − q₂ r₀) t. Otherwise, a root of q is one of r.
 fn have_common_root(quadratic: &Quadratic, other: &[Integer; 3], bracket: [Dyadic; 2]) -> bool {
     let [q0, q1, q2] = quadratic.map(Wide::widened);
     let &[r0, r1, r2] = other;

@@ -1,4 +1,5 @@
-//! Contact of primitives that are coplanar at all times: the cubic is zero, and the signs of quadratics decide.
+//! Contact of primitives that are coplanar at all times: the cubic is zero, and the signs of quadratics
+//! decide.
 //!
 //! Contact is the same at all times between two successive roots of these quadratics. So the first contact
 //! after the start is at one of their roots. There, the signs of all of them are computed: a sign that is not
@@ -24,8 +25,8 @@ fn of_quadratic(quadratic: &Quadratic, moment: Moment) -> Moment {
     }
 }
 
-/// The first moment of contact after the start of primitives that are coplanar at all times and do not touch at
-/// the start; `Some(None)` if there certainly is no contact, `None` if that is unknown.
+/// The first moment of contact after the start of primitives that are coplanar at all times and do not touch
+/// at the start; `Some(None)` if there certainly is no contact, `None` if that is unknown.
 pub(super) fn first<K: Tables>(integers: &Integers<K>) -> Option<Option<Moment>> {
     let mut first = None;
     for quadratic in integers.quadratics() {

@@ -65,7 +65,8 @@ impl<K: Tables> Integers<K> {
         }
     }
 
-    /// The quadratics that are not zero and whose signs decide contact if the points are coplanar at all times.
+    /// The quadratics that are not zero and whose signs decide contact if the points are coplanar at all
+    /// times.
     pub(super) fn quadratics(&self) -> Quadratics {
         match self {
             Self::Short(lattice) => lattice.quadratics(),
@@ -82,8 +83,8 @@ impl<K: Tables> Integers<K> {
         }
     }
 
-    /// A moment, in a narrower window if that is necessary, and true if the primitives touch then; `None` if that is
-    /// not certain.
+    /// A moment, in a narrower window if that is necessary, and true if the primitives touch then; `None` if
+    /// that is not certain.
     pub(super) fn decided(
         &self,
         mut moment: Moment,
@@ -235,8 +236,8 @@ impl<K: Tables, L: Length> Lattice<K, L> {
         quadratics
     }
 
-    /// The sign of a bilinear product of two differences at a moment. Where roundings leave it open, it may be
-    /// zero because the product and the polynomial of the moment have a root in common.
+    /// The sign of a bilinear product of two differences at a moment. Where roundings leave it open, it may
+    /// be zero because the product and the polynomial of the moment have a root in common.
     #[inline(always)]
     fn sign(
         &self,

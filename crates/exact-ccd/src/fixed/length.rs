@@ -1,5 +1,5 @@
-//! Lengths and areas in integers of two widths: the short ones serve where coordinates have one size, the long
-//! ones where some are far smaller than others on their axis, as rounded zeros are.
+//! Lengths and areas in integers of two widths: the short ones serve where coordinates have one size, the
+//! long ones where some are far smaller than others on their axis, as rounded zeros are.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Shl, Shr, Sub};

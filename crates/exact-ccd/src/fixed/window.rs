@@ -182,8 +182,8 @@ pub(super) fn quadratic_sign_at<A: Area>(quadratic: [A; 3], time: Fraction) -> O
     quadratic_value(&of_quadratic(quadratic), time).sign()
 }
 
-/// The sign of the linear function with these values at the ends of the step, at a time. The sum of the weights
-/// is below 2⁶⁴: the values must be below 2⁶⁴ᵂ⁻⁶⁵.
+/// The sign of the linear function with these values at the ends of the step, at a time. The sum of the
+/// weights is below 2⁶⁴: the values must be below 2⁶⁴ᵂ⁻⁶⁵.
 pub(super) fn linear_sign_at<const W: usize>(ends: &[Wide<W>; 2], time: Fraction) -> Ordering {
     let [value] = interpolate(ends, time);
     value.sign()

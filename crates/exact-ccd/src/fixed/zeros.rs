@@ -167,10 +167,10 @@ fn push_zeros_inside(
 
 /// The times at which a window is cut, in increasing order.
 ///
-/// These are the ends of narrow windows around almost triple roots of a cubic, or else around almost double ones;
-/// with the time of fewest digits in each, if the cubic vanishes there. An almost triple root is near the zero of
-/// c″, an almost double one near a zero of c′. If there are none, the part beside an end at which the rounded
-/// cubic has no certain sign is cut off: there, the sign of the exact coefficient counts.
+/// These are the ends of narrow windows around almost triple roots of a cubic, or else around almost double
+/// ones; with the time of fewest digits in each, if the cubic vanishes there. An almost triple root is near
+/// the zero of c″, an almost double one near a zero of c′. If there are none, the part beside an end at which
+/// the rounded cubic has no certain sign is cut off: there, the sign of the exact coefficient counts.
 fn cuts(cubic: &[Volume; 4], window: Window, local: &Cubic<f64>) -> ArrayVec<Dyadic, 6> {
     let mut cuts = ArrayVec::new();
     push_cuts(cubic, window, &[local.inflection()], 3, &mut cuts);

@@ -129,8 +129,8 @@ fn scenes_along_the_axes_do_not_need_the_exact_path() {
     }
 }
 
-/// Coordinates have all bits. In the last scene, the sphere thrown through its centre, coordinates also differ in
-/// size by many bits, and many cubics have roots closer together than the narrowest window.
+/// Coordinates have all bits. In the last scene, the sphere thrown through its centre, coordinates also
+/// differ in size by many bits, and many cubics have roots closer together than the narrowest window.
 #[test]
 fn scenes_with_general_coordinates_hardly_need_the_exact_path() {
     let scenes = general_scenes(4);
