@@ -64,7 +64,7 @@
 //! # Panics
 //!
 //! No function panics on any input.
-//NOSTD
+#![no_std]
 
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
 compile_error!("the error bounds of the filters need f64 arithmetic without excess precision: enable SSE2");

@@ -3,4 +3,3 @@
 pub mod cloth;
 pub mod drape;
 pub mod flat;
-pub mod general;

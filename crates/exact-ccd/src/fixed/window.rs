@@ -14,14 +14,14 @@ use super::wide::Wide;
 use crate::numbers::cubic::Root;
 use crate::values::ContactTime;
 
-/// An integer of 576 bits.
+/// An integer of 512 bits.
 ///
-/// [Coefficients of a cubic](super::length::Length) are below 2³⁷⁸, three times one below 2³⁸⁰. The weights
+/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴. The weights
 /// of a time add up to 2⁶² if it is a [`Dyadic`], and to less than 2⁶⁴ if it is a [`Fraction`]; there are
 /// three, one for each argument of the blossom. So coefficients in a window are 2¹⁸⁶ times as large, three
-/// times that below 2⁵⁶⁸, and [without roots at the ends](super::zeros::without_ends) below 2⁵⁷¹; a value is
-/// below 2⁵⁷².
-pub(super) type Integer = Wide<9>;
+/// times that below 2⁴⁴², and [without roots at the ends](super::zeros::without_ends) below 2⁴⁴⁵; a value is
+/// below 2⁴⁴⁶.
+pub(super) type Integer = Wide<8>;
 
 /// An interval of times.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,16 +85,10 @@ impl Window {
         [floor, if is_exact { floor } else { floor.plus(1) }]
     }
 
-    /// The ends of a bracket, rounded outward.
-    pub(super) fn bracket(&self, root: &Root) -> [Dyadic; 2] {
-        let [low, _] = self.around(root.low);
-        let [_, high] = self.around(root.high);
-        [low, high]
-    }
-
     /// The time strictly inside a bracket that has the fewest digits.
     pub(super) fn shortest(&self, root: &Root) -> Option<Dyadic> {
-        let [low, high] = self.bracket(root);
+        let [low, _] = self.around(root.low);
+        let [_, high] = self.around(root.high);
         Dyadic::between(low, high)
     }
 
@@ -140,7 +134,9 @@ impl Window {
     /// The bracket has no other root, and the cubic opposite signs on both sides of it. The root stays
     /// between `before` and `after`. Before 2⁻¹⁰, the f64 between these may be no multiples of the unit.
     pub(super) fn time(&self, cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
-        let [low, high] = self.bracket(root).map(|end| Fraction::from(end).time());
+        let [low, _] = self.around(root.low);
+        let [_, high] = self.around(root.high);
+        let [low, high] = [low, high].map(|end| Fraction::from(end).time());
         let (mut before, mut after) = (low.lower(), high.upper());
         while before.next_up() < after {
             let middle = 0.5 * (before + after);
@@ -182,22 +178,15 @@ pub(super) fn quadratic_sign_at<A: Area>(quadratic: [A; 3], time: Fraction) -> O
     quadratic_value(&of_quadratic(quadratic), time).sign()
 }
 
-/// The sign of the linear function with these values at the ends of the step, at a time. The sum of the
-/// weights is below 2⁶⁴: the values must be below 2⁶⁴ᵂ⁻⁶⁵.
-pub(super) fn linear_sign_at<const W: usize>(ends: &[Wide<W>; 2], time: Fraction) -> Ordering {
-    let [value] = interpolate(ends, time);
-    value.sign()
-}
-
 /// Three times its Bernstein coefficients.
 fn of_cubic([c0, c1, c2, c3]: &[Volume; 4]) -> [Integer; 4] {
     let [c0, c1, c2, c3] = [c0, c1, c2, c3].map(|c| c.widened());
     [c0 + c0 + c0, c1, c2, c3 + c3 + c3]
 }
 
-/// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2²⁵¹, and two weights of the
-/// blossom make twice that at most 2¹²⁸ times as large, less than 2³⁸⁰; twice that in the middle of a window.
-fn of_quadratic<A: Area>(quadratic: [A; 3]) -> [Volume; 3] {
+/// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2¹⁶⁷, and two weights of the
+/// blossom make twice that at most 2¹²⁸ times as large, less than 2²⁹⁶; twice that in the middle of a window.
+fn of_quadratic<A: Area>(quadratic: [A; 3]) -> [Wide<5>; 3] {
     let [q0, q1, q2] = quadratic.map(|q| q.widened().widened());
     [q0 + q0, q1, q2 + q2]
 }
