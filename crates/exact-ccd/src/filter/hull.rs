@@ -311,9 +311,11 @@ mod tests {
                     hull.is_beyond_diagonal(Within(d))
                 };
                 assert_eq!(found, is_beyond, "{start:?} {end:?} {d}");
-                if let Ok([side]) =
-                    <[usize; 1]>::try_from((0..12).filter(|&i| least[i] > d * SQRT_2).collect::<Vec<_>>())
-                {
+                if let Ok([side]) = <[usize; 1]>::try_from(
+                    (0..12)
+                        .filter(|&i| least[i] > d * SQRT_2)
+                        .collect::<alloc::vec::Vec<_>>(),
+                ) {
                     proved[side] += 1;
                 }
             }
