@@ -2,9 +2,10 @@
 
 mod budget;
 mod figures;
+mod mesh_answer;
 mod mesh_output;
 mod recording;
-mod recording_report;
+mod recording_answer;
 mod remaining;
 mod report;
 
@@ -26,6 +27,7 @@ use crate::options::distances::{self, Distances};
 use crate::text::seconds::Seconds;
 use crate::view::View;
 use budget::Budget;
+use mesh_answer::MeshAnswer;
 use mesh_output::MeshOutput;
 use report::Report;
 
@@ -123,8 +125,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let outcome = arguments.repair(&mesh, &positions, pinned, &scene)?;
     clock.end("repair");
     let limit = arguments.max_displacement.map(Separation::get);
-    let mut report = Report::new(&scene, notes, Distances::new(distance, None));
-    report.add(&scene, &mesh, &positions, limit, &outcome);
+    let answer = MeshAnswer::new(&scene, &mesh, &positions, limit, &outcome);
+    let distances = Distances::new(distance, None);
+    let mut report = Report::new(&scene, notes, distances, answer.is_repaired(), answer);
     let after = positions_of(&outcome);
     if report.repaired {
         scene.note_nesting(after, &mut report.notes)?;
@@ -208,7 +211,7 @@ impl Arguments {
         scene: &Assembly,
         mesh: &TriangleMesh,
         ends: [&[Point]; 2],
-        report: &Report,
+        report: &Report<MeshAnswer>,
     ) -> Result<(), Failure> {
         if self.view.file().is_none() {
             return Ok(());
@@ -223,7 +226,7 @@ impl Arguments {
                 page.intersection(crossing)?;
             }
         }
-        page.finish(&report.verdict(), &report.to_string())
+        page.finish(&report.answer.verdict(), &report.to_string())
     }
 }
 

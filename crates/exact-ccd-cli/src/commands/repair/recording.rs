@@ -11,7 +11,8 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 use exact_ccd_repair::{Phase, Progress, Recording, repair_recording};
 
 use super::mesh_output::MeshOutput;
-use super::recording_report::Report;
+use super::recording_answer::RecordingAnswer;
+use super::report::Report;
 use super::{Arguments, Budget};
 use crate::assembly::Assembly;
 use crate::files::inputs::name;
@@ -46,8 +47,9 @@ impl Arguments {
         let budget = self.budget()?;
         let recording = self.repair_frames(&mesh, &frames, pinned, &scene, &budget)?;
         clock.end("repair");
-        let mut report = Report::new(&scene, notes, Distances::new(self.min_distance, None));
-        report.add(&scene, &mesh, &recording, budget.is_spent());
+        let answer = RecordingAnswer::new(&scene, &mesh, &recording, budget.is_spent());
+        let distances = Distances::new(self.min_distance, None);
+        let mut report = Report::new(&scene, notes, distances, answer.is_repaired(), answer);
         if let Some(first) = recording.frames.first() {
             scene.note_nesting(first, &mut report.notes)?;
         }
