@@ -40,8 +40,8 @@ struct BlockedFrame {
 }
 
 impl RecordingAnswer {
-    /// The answer for the frames that were repaired. `is_stopped`: the time was spent, so that no pairs are the
-    /// reason.
+    /// The answer for the frames that were repaired. `is_stopped`: the time was spent, so that no pairs are
+    /// the reason.
     pub(super) fn new(
         scene: &Assembly,
         mesh: &TriangleMesh,
