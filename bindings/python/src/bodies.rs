@@ -165,6 +165,25 @@ impl Bodies {
         Ok((counts, columns(py, report.earliest.as_slice())?))
     }
 
+    /// The pairs of bodies within the cut-off, the bounds of their distances, and a point of each body.
+    fn distances<'py>(
+        &self,
+        py: Python<'py>,
+        poses: Poses<'py>,
+        cut_off: f64,
+    ) -> PyResult<(Table<'py, i64>, Table<'py, f64>, Table<'py, f64>)> {
+        let cut_off = Separation::new(cut_off).map_err(|error| refused(format_args!("cut_off: {error}")))?;
+        let found = self.search(py, [&poses, &poses], |bodies, [poses, _]| {
+            bodies.distances(poses, cut_off)
+        })?;
+        let found = || found.iter();
+        Ok((
+            rows(py, found().map(|one| one.bodies.map(|body| body as i64)))?,
+            rows(py, found().map(|one| [one.bounds.lower, one.bounds.upper]))?,
+            rows(py, found().flat_map(|one| one.points))?,
+        ))
+    }
+
     /// The size and the poses of a certified step, and the earliest contact of the full one.
     fn free_step<'py>(
         &self,

@@ -208,3 +208,43 @@ def test_hostile_poses(name: str) -> None:
     call = getattr(Bodies([BAR, POST]), name)
     answers = sum(survive(lambda: call(positions(random, 2, 7), positions(random, 2, 7))) for _ in range(CASES))
     assert 0 < answers < CASES
+
+
+def test_distances_contain_those_of_sampled_surfaces() -> None:
+    random = np.random.default_rng(5)
+    bodies = Bodies([(CUBE, CORNERS), (CUBE, CORNERS), (CUBE, CORNERS)])
+    for _ in range(20):
+        poses = random_poses(random, 3)
+        found = bodies.distances(poses, np.finfo(float).max)
+        assert found.bodies.tolist() == [[0, 1], [0, 2], [1, 2]]
+        assert found.points.shape == (3, 2, 3)
+        assert np.all(found.lower <= found.upper) and np.all(found.upper - found.lower < 1e-10)
+        between = np.linalg.norm(found.points[:, 0] - found.points[:, 1], axis=1)
+        apart = found.lower > 0
+        assert np.all(np.abs(between - found.lower)[apart] < 1e-8)
+        # Corners are points of the surfaces, and so are at least as far apart.
+        corners = [CORNERS @ turn(pose[3:]).T + pose[:3] for pose in poses]
+        for (i, j), lower in zip(found.bodies, found.lower):
+            pairs = np.linalg.norm(corners[i][:, None] - corners[j][None], axis=2)
+            assert pairs.min() >= lower - 1e-12
+
+
+def turn(q: np.ndarray) -> np.ndarray:
+    """The matrix of a quaternion, scalar first, of any length."""
+    w, x, y, z = q / np.linalg.norm(q)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def test_a_cut_off_of_distances_is_a_number_of_at_least_zero() -> None:
+    bodies = Bodies([BAR, POST])
+    assert len(bodies.distances([REST, REST], 0.5).bodies) == 0
+    with pytest.raises(ValueError, match="cut_off"):
+        bodies.distances([REST, REST], -1.0)
+    with pytest.raises(ValueError, match="poses"):
+        bodies.distances([REST], 1.0)

@@ -67,7 +67,9 @@ pub use at_rest::{
     intersections,
 };
 pub use audit::{Audit, Violation};
-pub use bodies::{Bodies, BodiesAudit, BodiesError, BodiesReport, BodiesViolation, BodyContact, FreePoses};
+pub use bodies::{
+    Bodies, BodiesAudit, BodiesError, BodiesReport, BodiesViolation, BodyContact, BodyDistance, FreePoses,
+};
 pub use broad_phase::{
     Aabb, AllPairs, BoxPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,
 };

@@ -12,7 +12,7 @@
 
 from ._native import CrossingError, UncertifiedError, __version__
 from .audits import audit
-from .bodies import BODY_CONTACT, Bodies, BodiesReport, BodyContact, FreePoses
+from .bodies import BODY_CONTACT, Bodies, BodiesReport, BodyContact, BodyDistances, FreePoses
 from .contacts import CONTACT, PAIR, Contact
 from .detectors import Detector, Progress
 from .groups import CanCollide, Place
@@ -35,6 +35,7 @@ __all__ = [
     "Bodies",
     "BodiesReport",
     "BodyContact",
+    "BodyDistances",
     "CanCollide",
     "Change",
     "Contact",

@@ -12,7 +12,8 @@ from . import _native
 from ._arrays import Floats, booleans, floats, number, thread_count
 from ._records import by_value
 from .meshes import Mesh, MeshFile
-from .poses import Poses, poses
+from .poses import Poses
+from .poses import poses as _checked
 from .queries import POINTS, Kind
 from .steps import PairCounts
 
@@ -79,6 +80,27 @@ class BodiesReport(NamedTuple):
     colliding: PairCounts
     touching: PairCounts
     earliest: Optional[BodyContact]
+
+
+@by_value
+class BodyDistances(NamedTuple):
+    """The distances of pairs of bodies at rest, a row for each pair, in increasing order of the pairs.
+
+    Attributes
+    ----------
+    bodies : int64 array of shape (N, 2)
+        The pairs, the lesser body first.
+    lower, upper : float64 arrays of shape (N,)
+        Certified bounds of the distances of the surfaces. A lower one is 0 if the bodies may touch or pass through
+        each other. They differ by some 1e-12 of the largest coordinates.
+    points : float64 array of shape (N, 2, 3)
+        A point of each body, in the coordinates of the world, rounded: the closest ones.
+    """
+
+    bodies: NDArray[np.int64]
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    points: NDArray[np.float64]
 
 
 @by_value
@@ -186,7 +208,7 @@ class Bodies:
         return self._count
 
     def _ends(self, poses0: Poses, poses1: Poses) -> tuple[Floats, Floats]:
-        return poses("poses0", poses0, self._count), poses("poses1", poses1, self._count)
+        return _checked("poses0", poses0, self._count), _checked("poses1", poses1, self._count)
 
     def collides(self, poses0: Poses, poses1: Poses, *, until: float = 1.0) -> bool:
         """Decide if any two bodies touch in the step.
@@ -250,6 +272,34 @@ class Bodies:
         """
         (colliding, touching), contact = self._native.step(*self._ends(poses0, poses1))
         return BodiesReport(PairCounts(*colliding), PairCounts(*touching), _first(contact))
+
+    def distances(self, poses: Poses, cut_off: float) -> BodyDistances:
+        """Compute the distance of each pair of bodies that can collide.
+
+        Parameters
+        ----------
+        poses : array of shape (B, 7), or tuple of array (B, 3) and Rotation
+            The poses of all bodies at rest.
+        cut_off : float
+            Pairs that are farther apart are left out; the largest float64 for all pairs.
+
+        Returns
+        -------
+        BodyDistances
+            The bounds are certified for the rotations and places of the poses as they are.
+
+        Examples
+        --------
+        >>> from exact_ccd import Bodies, Mesh
+        >>> rod = Mesh(2, [], edges=[[0, 1]])
+        >>> bodies = Bodies([(rod, [[-1, 0, 0], [1, 0, 0]]), (rod, [[-1, 0, 0], [1, 0, 0]])])
+        >>> distances = bodies.distances([[0, 0, 0, 1, 0, 0, 0], [0, 0, 0.75, 1, 0, 0, 1]], 10.0)
+        >>> bool(distances.lower[0] <= 0.75 <= distances.upper[0])
+        True
+        """
+        array = _checked("poses", poses, self._count)
+        bodies, bounds, points = self._native.distances(array, number("cut_off", cut_off))
+        return BodyDistances(bodies, bounds[:, 0], bounds[:, 1], points.reshape(-1, 2, 3))
 
     def free_step(self, poses0: Poses, poses1: Poses, *, keep: float = 0.9) -> FreePoses:
         """Compute a step towards `poses1` that is certified to be free of contact.

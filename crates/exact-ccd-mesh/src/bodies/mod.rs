@@ -8,6 +8,7 @@ mod candidate;
 mod collect;
 mod contact;
 mod crossing;
+mod distance;
 mod encounter;
 mod error;
 mod free_step;
@@ -34,6 +35,7 @@ use predicate::BodyPredicate;
 
 pub use audit::{BodiesAudit, BodiesViolation};
 pub use contact::BodyContact;
+pub use distance::BodyDistance;
 pub use error::BodiesError;
 pub use free_step::FreePoses;
 pub use step::BodiesReport;

@@ -22,8 +22,8 @@ impl QuadraticRoot {
 
     /// Returns true if this root is before another one, if that is certain.
     ///
-    /// If both are alone in their brackets and where these overlap, and one is a root of the other's quadratic,
-    /// they are the same root.
+    /// If both are alone in their brackets, are where these overlap, and one is a root of the other's
+    /// quadratic, they are the same root.
     pub(super) fn is_before(&self, other: &Self) -> Option<bool> {
         let [[low, high], [other_low, other_high]] = [self.bracket(), other.bracket()];
         if high <= other_low || other_high <= low {
