@@ -34,6 +34,7 @@
 //! threads. It is not promised to be the same on other machines, as the answers of collision detection are.
 
 mod change;
+mod closeness;
 mod closest;
 mod contour;
 mod error;

@@ -9,8 +9,8 @@ use crate::offsets::offsets;
 use crate::problem::{Ended, Problem, moved};
 use crate::progress::Phase;
 
-/// The smoothing of the gradient: (1 + `SMOOTHING` L)⁻¹, with L the Laplacian of the graph of edges. It
-/// spreads the displacement of a vertex over about √30 edges around it. Less leaves knots tangled.
+/// The smoothing of the gradient. It spreads the displacement of a vertex over about √30 edges around it.
+/// Less leaves knots tangled.
 const SMOOTHING: f64 = 30.0;
 
 /// The smoothing of the displacement from the given positions. Each round takes the mean of both.
@@ -28,8 +28,8 @@ pub(crate) fn loosen(problem: &mut Problem<'_>) -> Result<Ended, RepairError> {
     let Problem {
         mesh, given, size, ..
     } = *problem;
-    let smoothing = problem.unknowns.smoothing(mesh, SMOOTHING)?;
-    let fairing = problem.unknowns.smoothing(mesh, FAIRING)?;
+    let smoothing = problem.smoothing(SMOOTHING)?;
+    let fairing = problem.smoothing(FAIRING)?;
     let wings = Wings::new(mesh);
     let still = |_: u32| [0.0; 3];
     let mut offset = OFFSET * size.diagonal;

@@ -131,7 +131,7 @@ fn next(
     options: &RepairOptions<'_>,
 ) -> Result<Result<Vec<Point>, Vec<Pair>>, RepairError> {
     let mut problem = Problem::new(mesh, given, options)?;
-    let smoothing = problem.unknowns.smoothing(mesh, SMOOTHING)?;
+    let smoothing = problem.smoothing(SMOOTHING)?;
     let away: Vec<Point> = before.iter().zip(last).map(|(&a, &b)| minus(a, b)).collect();
     let faded = problem.unknowns.solve(&smoothing, &away, |_| [0.0; 3]);
     let target = moved(given, &faded, FADING);

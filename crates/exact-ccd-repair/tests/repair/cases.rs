@@ -231,3 +231,29 @@ fn generated_cases_are_repaired_and_proved() {
     }
     assert!(20 * failed.len() <= cases.len(), "not repaired: {failed:?}");
 }
+
+#[test]
+fn knots_and_rings_keep_their_shape() {
+    let rings = |place: Point| joined([torus(32, 12, 1.0, 0.3), torus(32, 12, 1.0, 0.3).moved(place)]);
+    let bodies = [
+        ("a trefoil", knot([2.0, 3.0], 96, 0.46)),
+        ("another trefoil", knot([3.0, 2.0], 96, 0.42)),
+        ("rings", rings([0.1, 0.2, 0.5])),
+        ("rings beside each other", rings([2.4, 0.1, 0.05])),
+    ];
+    for (name, body) in bodies {
+        let options = RepairOptions::default();
+        let outcome = repair(&body.mesh, &body.positions, &options).expect("the positions fit");
+        let Outcome::Repaired(repaired) = outcome else {
+            panic!("{name} has free positions");
+        };
+        let change = repaired.change;
+        assert_eq!(change.folds, 0, "{name}: {change:?}");
+        let are_short = change.p95_stretch < 1.05 && change.max_stretch < 1.25;
+        assert!(are_short && change.p5_stretch > 0.95, "{name}: {change:?}");
+        assert!(
+            change.worst_aspect < 2.0 * change.worst_aspect_before,
+            "{name}: {change:?}"
+        );
+    }
+}
