@@ -78,6 +78,12 @@ impl<'a> Problem<'a> {
         Ok(intersections(self.mesh, x, &Bvh, &self.crossing)?)
     }
 
+    /// The edges and faces with a common point.
+    pub(crate) fn touching(&self, x: &[Point]) -> Result<Vec<Intersection>, RepairError> {
+        let options = self.crossing.clone().with_meeting(Meeting::Touching);
+        Ok(intersections(self.mesh, x, &Bvh, &options)?)
+    }
+
     /// The pairs within a distance.
     pub(crate) fn contacts(
         &mut self,

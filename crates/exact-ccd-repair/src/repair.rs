@@ -6,6 +6,7 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 
 use crate::change::Change;
 use crate::error::RepairError;
+use crate::linked::linked;
 use crate::loosen::loosen;
 use crate::one_sided::one_sided_surface;
 use crate::options::RepairOptions;
@@ -71,6 +72,18 @@ pub fn repair(
             crossings,
             contacts,
             reason: Reason::OneSided { face },
+        }));
+    }
+    let is_pinned = |vertex: u32| problem.unknowns.is_pinned(vertex as usize);
+    if let Some(mesh) = surfaces
+        && let touching = problem.touching(positions)?
+        && let Some((edge, face)) = linked(mesh, is_pinned, &crossings, &touching)
+    {
+        return Ok(Outcome::Unrepaired(Unrepaired {
+            positions: positions.to_vec(),
+            crossings,
+            contacts,
+            reason: Reason::Linked { edge, face },
         }));
     }
     problem.size.check()?;
