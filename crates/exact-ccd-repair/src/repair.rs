@@ -64,9 +64,7 @@ pub fn repair(
     if crossings.is_empty() && contacts.is_empty() {
         return Ok(repaired(&problem, positions.to_vec()));
     }
-    // A surface may pass through itself where pairs are left out.
-    let surfaces = Some(mesh).filter(|_| options.can_collide.is_all());
-    if let Some(face) = surfaces.and_then(|mesh| one_sided_surface(mesh)) {
+    if let Some(face) = one_sided_surface(mesh, &options.can_collide) {
         return Ok(Outcome::Unrepaired(Unrepaired {
             positions: positions.to_vec(),
             crossings,
@@ -75,9 +73,8 @@ pub fn repair(
         }));
     }
     let is_pinned = |vertex: u32| problem.unknowns.is_pinned(vertex as usize);
-    if let Some(mesh) = surfaces
-        && let touching = problem.touching(positions)?
-        && let Some((edge, face)) = linked(mesh, is_pinned, &crossings, &touching)
+    if options.can_collide.is_all()
+        && let Some((edge, face)) = linked(mesh, is_pinned, &crossings, &problem.touching(positions)?)
     {
         return Ok(Outcome::Unrepaired(Unrepaired {
             positions: positions.to_vec(),
