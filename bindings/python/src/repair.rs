@@ -129,6 +129,8 @@ fn name(reason: Reason) -> &'static str {
     match reason {
         Reason::Pinned => "pinned",
         Reason::OneSided { .. } => "one-sided",
+        Reason::Linked { .. } => "linked",
+        Reason::Stalled => "stalled",
         Reason::Rounds(_) => "rounds",
         Reason::Rounding => "rounding",
         Reason::Stopped(_) => "stopped",

@@ -37,7 +37,7 @@ pub struct Change {
     /// The largest area of a face.
     pub max_area: f64,
     /// The number of pairs of faces beside an edge that are turned over against each other, with an angle
-    /// above 90° between their normals, and were not before.
+    /// above 90° between their normals, and were not before. A right angle that grows by a degree is none.
     pub folds: usize,
     /// The worst aspect of a face before: the longest side divided by the height on it. 1.15 is the best.
     pub worst_aspect_before: f64,
@@ -73,7 +73,7 @@ impl Change {
         let faces = mesh.faces();
         let area = |&face: &[u32; 3]| double_area(face, after) / double_area(face, before);
         let areas = Sorted::new(faces.iter().map(area).filter(|area| area.is_finite()));
-        let is_new_fold = |pair: &Neighbours| pair.is_fold(mesh, after) && !pair.is_fold(mesh, before);
+        let is_new_fold = |pair: &Neighbours| pair.is_new_fold(mesh, [before, after]);
         let worst = |x: &[Point]| faces.iter().map(|&face| aspect(face, x)).fold(0.0, f64::max);
         Self {
             moved: before.iter().zip(after).filter(|(a, b)| a != b).count(),

@@ -3,8 +3,25 @@
 use exact_ccd_mesh::vector::{cross, dot, minus, unit};
 use exact_ccd_mesh::{Intersection, Point, TriangleMesh};
 
+use crate::rods::{Pierced, Rods};
+
+/// The surroundings of each edge.
+pub(crate) struct Surroundings {
+    wings: Wings,
+    rods: Rods,
+}
+
+impl Surroundings {
+    pub(crate) fn new(mesh: &TriangleMesh) -> Self {
+        Self {
+            wings: Wings::new(mesh),
+            rods: Rods::new(mesh),
+        }
+    }
+}
+
 /// The faces beside each edge.
-pub(crate) struct Wings {
+struct Wings {
     /// The first wing of each edge in `wings`, and the number of all wings.
     first: Vec<u32>,
     /// A face, and its corner that is not on the edge.
@@ -12,7 +29,7 @@ pub(crate) struct Wings {
 }
 
 impl Wings {
-    pub(crate) fn new(mesh: &TriangleMesh) -> Self {
+    fn new(mesh: &TriangleMesh) -> Self {
         let mut of_edges = Vec::with_capacity(3 * mesh.faces().len());
         for (face, &[a, b, c]) in (0..).zip(mesh.faces()) {
             for [from, to, opposite] in [[a, b, c], [b, c, a], [c, a, b]] {
@@ -27,6 +44,11 @@ impl Wings {
             first: (0..=mesh.edges().len() as u32).map(first_of).collect(),
             wings: of_edges.into_iter().map(|(_, wing)| wing).collect(),
         }
+    }
+
+    /// Returns true if an edge has no face.
+    fn is_rod(&self, edge: u32) -> bool {
+        self.of(edge).is_empty()
     }
 
     /// The faces beside an edge, each with its corner that is not on the edge.
@@ -54,10 +76,10 @@ const LEAST_ANGLE: f64 = 1e-9;
 /// pierced face by m − (N · m / N · E) E, and each of these parts of the contour becomes longer by −R times
 /// this. So the contour becomes shorter fastest along Σ R − (E · R / E · N) N, the sum over the faces beside
 /// the edge. The second term frees an edge along the normal of the face; the authors take it twice, and so
-/// does this function. An edge of no face has no contour, and does not move.
+/// does this function. An edge of no face has no contour: see [`Pierced::displacement`].
 pub(crate) fn contour_gradient(
     mesh: &TriangleMesh,
-    wings: &Wings,
+    Surroundings { wings, rods }: &Surroundings,
     x: &[Point],
     intersections: &[Intersection],
 ) -> Vec<Point> {
@@ -66,24 +88,32 @@ pub(crate) fn contour_gradient(
         let [a, b, c] = mesh.faces()[face as usize].map(at);
         unit(cross(minus(b, a), minus(c, a)))
     };
+    // From 0 at the first end of the edge to 1.
+    let place_of = |pair: &Intersection| {
+        let ([a, b], [corner, ..]) = pair.vertices(mesh)?;
+        let pierced = normal(pair.face)?;
+        let place = dot(minus(at(corner), at(a)), pierced) / dot(minus(at(b), at(a)), pierced);
+        Some(if place.is_finite() {
+            place.clamp(0.0, 1.0)
+        } else {
+            0.5
+        })
+    };
+    let on_rods = Pierced::new(mesh, rods, x, intersections, place_of);
     let mut sum = vec![[0.0; 3]; x.len()];
     for pair in intersections {
         let Some(([a, b], corners)) = pair.vertices(mesh) else {
             continue;
         };
         let edge = minus(at(b), at(a));
-        let (Some(along), Some(pierced)) = (unit(edge), normal(pair.face)) else {
+        let (Some(along), Some(pierced), Some(place)) = (unit(edge), normal(pair.face), place_of(pair))
+        else {
             continue;
         };
         let slope = dot(along, pierced);
         let slope = slope.abs().max(LEAST_SLOPE).copysign(slope);
-        let place = dot(minus(at(corners[0]), at(a)), pierced) / dot(edge, pierced);
-        let place = if place.is_finite() {
-            place.clamp(0.0, 1.0)
-        } else {
-            0.5
-        };
-        let mut displacement = [0.0; 3];
+        let rod = || on_rods.displacement(pair.edge, place, pierced, LEAST_SLOPE);
+        let mut displacement = wings.is_rod(pair.edge).then(rod).flatten().unwrap_or_default();
         for &(wing, corner) in wings.of(pair.edge) {
             let Some(line) = normal(wing).map(|normal| cross(normal, pierced)) else {
                 continue;
@@ -164,7 +194,7 @@ mod tests {
             3,
             "the common edge and another side of each small face"
         );
-        let gradient = contour_gradient(&mesh, &Wings::new(&mesh), &X, &found);
+        let gradient = contour_gradient(&mesh, &Surroundings::new(&mesh), &X, &found);
         let moved: Vec<Point> = X
             .iter()
             .zip(&gradient)
@@ -177,7 +207,7 @@ mod tests {
     #[test]
     fn the_sum_of_all_displacements_is_zero() {
         let (mesh, found) = pierced(&X);
-        let gradient = contour_gradient(&mesh, &Wings::new(&mesh), &X, &found);
+        let gradient = contour_gradient(&mesh, &Surroundings::new(&mesh), &X, &found);
         for axis in 0..3 {
             let sum: f64 = gradient.iter().map(|d| d[axis]).sum();
             assert!(sum.abs() < 1e-12, "{sum}");

@@ -31,17 +31,29 @@ pub(crate) fn neighbours(mesh: &TriangleMesh) -> Vec<Neighbours> {
 }
 
 impl Neighbours {
-    /// Returns true if the angle between the normals is above 90°.
-    pub(crate) fn is_fold(&self, mesh: &TriangleMesh, x: &[Point]) -> bool {
+    /// Returns true if the normals are at an angle above 90° in positions `after`, and were not in positions
+    /// `before`, in which the angle was less by more than about a degree. So faces at a right angle may be
+    /// moved.
+    pub(crate) fn is_new_fold(&self, mesh: &TriangleMesh, [before, after]: [&[Point]; 2]) -> bool {
+        let [before, after] = [before, after].map(|x| self.cosine(mesh, x));
+        after < 0.0 && before >= 0.0 && before - after > RIGHT
+    }
+
+    /// The cosine of the angle between the normals; 0 without a normal.
+    fn cosine(&self, mesh: &TriangleMesh, x: &[Point]) -> f64 {
         let [first, second] = self.faces.map(|face| normal(mesh.faces()[face as usize], x));
-        let product = dot(first, second);
-        if self.is_oriented {
-            product < 0.0
+        let lengths = (dot(first, first) * dot(second, second)).sqrt();
+        let product = if lengths > 0.0 {
+            dot(first, second) / lengths
         } else {
-            product > 0.0
-        }
+            0.0
+        };
+        if self.is_oriented { product } else { -product }
     }
 }
+
+/// The sine of one degree.
+const RIGHT: f64 = 0.017;
 
 /// The normal of a face, of twice its area as length.
 fn normal(corners: [u32; 3], x: &[Point]) -> Point {
@@ -75,11 +87,19 @@ mod tests {
             let mesh = TriangleMesh::new(4, faces.to_vec()).expect("the indices are in range");
             let pairs = neighbours(&mesh);
             assert_eq!((pairs.len(), pairs[0].is_oriented), (1, is_oriented));
-            let is_fold = |angle: f64| {
-                let x = [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], tip(angle)];
-                pairs[0].is_fold(&mesh, &x)
-            };
-            assert_eq!([0.0, 1.5, 1.7, 3.0].map(is_fold), [false, false, true, true]);
+            let at = |angle: f64| [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], tip(angle)];
+            let is_new_fold =
+                |before: f64, after: f64| pairs[0].is_new_fold(&mesh, [&at(before), &at(after)]);
+            assert_eq!(
+                [0.0, 1.5, 1.7, 3.0].map(|after| is_new_fold(0.0, after)),
+                [false, false, true, true]
+            );
+            let right = std::f64::consts::FRAC_PI_2;
+            assert!(
+                !is_new_fold(right - 0.001, right + 0.001),
+                "a right angle that was moved"
+            );
+            assert!(!is_new_fold(1.7, 3.0), "a fold before");
         }
     }
 

@@ -34,10 +34,12 @@
 //! threads. It is not promised to be the same on other machines, as the answers of collision detection are.
 
 mod change;
+mod closeness;
 mod closest;
 mod contour;
 mod error;
 mod faces;
+mod linked;
 mod loosen;
 mod near;
 mod offsets;
@@ -49,6 +51,7 @@ mod progress;
 mod recording;
 mod repair;
 mod restore;
+mod rods;
 mod separate;
 mod shape;
 mod single;

@@ -3,14 +3,15 @@
 use exact_ccd_mesh::vector::minus;
 use exact_ccd_mesh::{Point, Separation};
 
-use crate::contour::{Wings, contour_gradient};
+use crate::contour::{Surroundings, contour_gradient};
 use crate::error::RepairError;
 use crate::offsets::offsets;
+use crate::outcome::Reason;
 use crate::problem::{Ended, Problem, moved};
 use crate::progress::Phase;
 
-/// The smoothing of the gradient: (1 + `SMOOTHING` L)⁻¹, with L the Laplacian of the graph of edges. It
-/// spreads the displacement of a vertex over about √30 edges around it. Less leaves knots tangled.
+/// The smoothing of the gradient. It spreads the displacement of a vertex over about √30 edges around it.
+/// Less leaves knots tangled.
 const SMOOTHING: f64 = 30.0;
 
 /// The smoothing of the displacement from the given positions. Each round takes the mean of both.
@@ -23,19 +24,24 @@ const PACE: f64 = 0.25;
 /// apart.
 const OFFSET: f64 = 1e-7;
 
+/// The number of rounds without fewer crossings than before at which the phase is given up. Knots that come
+/// loose have had up to 80.
+const PATIENCE: usize = 400;
+
 /// Positions without intersections and contact.
 pub(crate) fn loosen(problem: &mut Problem<'_>) -> Result<Ended, RepairError> {
     let Problem {
         mesh, given, size, ..
     } = *problem;
-    let smoothing = problem.unknowns.smoothing(mesh, SMOOTHING)?;
-    let fairing = problem.unknowns.smoothing(mesh, FAIRING)?;
-    let wings = Wings::new(mesh);
+    let smoothing = problem.smoothing(SMOOTHING)?;
+    let fairing = problem.smoothing(FAIRING)?;
+    let surroundings = Surroundings::new(mesh);
     let still = |_: u32| [0.0; 3];
     let mut offset = OFFSET * size.diagonal;
     let start = moved(given, &offsets(mesh, &problem.unknowns, given), offset);
     let mut x = start.clone();
     let mut best = (usize::MAX, x.clone());
+    let mut best_round = 0;
     for round in 0.. {
         let crossings = problem.crossings(&x)?;
         if crossings.is_empty() && !problem.has_contacts(&x, Separation::default())? {
@@ -43,9 +49,13 @@ pub(crate) fn loosen(problem: &mut Problem<'_>) -> Result<Ended, RepairError> {
         }
         if crossings.len() < best.0 {
             best = (crossings.len(), x.clone());
+            best_round = round;
         }
         if let Some(reason) = problem.ends(Phase::Loosen, round, crossings.len()) {
             return Ok(Err((best.1, reason)));
+        }
+        if round - best_round >= PATIENCE {
+            return Ok(Err((best.1, Reason::Stalled)));
         }
         let unknowns = &problem.unknowns;
         if crossings.is_empty() {
@@ -54,7 +64,11 @@ pub(crate) fn loosen(problem: &mut Problem<'_>) -> Result<Ended, RepairError> {
             x = moved(&x, &offsets(mesh, unknowns, &x), offset);
             continue;
         }
-        let gradient = unknowns.solve(&smoothing, &contour_gradient(mesh, &wings, &x, &crossings), still);
+        let gradient = unknowns.solve(
+            &smoothing,
+            &contour_gradient(mesh, &surroundings, &x, &crossings),
+            still,
+        );
         let most = gradient
             .iter()
             .flatten()

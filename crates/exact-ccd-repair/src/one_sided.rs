@@ -1,6 +1,6 @@
 //! Closed surfaces with one side only, which have no free positions.
 
-use exact_ccd_mesh::TriangleMesh;
+use exact_ccd_mesh::{CanCollide, TriangleMesh};
 
 /// A face of a closed surface that cannot be oriented, the first one, if there is such a surface.
 ///
@@ -11,8 +11,8 @@ use exact_ccd_mesh::TriangleMesh;
 /// sphere (Alexander duality), which has no torsion. So the surface does not embed, even if several of its
 /// parts meet in a vertex. Positions in which the mesh is free would be an embedding: see
 /// [`Meeting`](exact_ccd_mesh::Meeting); faces without an area get one by a small displacement, after which
-/// the mesh is still free.
-pub(crate) fn one_sided_surface(mesh: &TriangleMesh) -> Option<u32> {
+/// the mesh is still free. A surface of which some pairs may intersect is passed over.
+pub(crate) fn one_sided_surface(mesh: &TriangleMesh, can_collide: &CanCollide) -> Option<u32> {
     let faces = mesh.faces();
     let mut sides = Vec::with_capacity(3 * faces.len());
     for (face, &[a, b, c]) in (0..).zip(faces) {
@@ -44,7 +44,9 @@ pub(crate) fn one_sided_surface(mesh: &TriangleMesh) -> Option<u32> {
         }
         kept[start as usize] = Some(true);
         let (mut reached, mut all_closed, mut is_oriented) = (vec![start], true, true);
+        let mut vertices = Vec::new();
         while let Some(face) = reached.pop() {
+            vertices.extend(faces[face as usize]);
             all_closed &= is_closed[face as usize];
             for &(other, is_opposite) in &neighbours[face as usize] {
                 let wanted = kept[face as usize].map(|kept| kept == is_opposite);
@@ -57,8 +59,21 @@ pub(crate) fn one_sided_surface(mesh: &TriangleMesh) -> Option<u32> {
                 }
             }
         }
-        all_closed && !is_oriented
+        all_closed && !is_oriented && are_examined(vertices, can_collide)
     })
+}
+
+/// Returns true if all pairs of a surface can collide: a predicate that allows two vertices allows the
+/// primitives with these vertices, too.
+fn are_examined(mut vertices: Vec<u32>, can_collide: &CanCollide) -> bool {
+    vertices.sort_unstable();
+    vertices.dedup();
+    let others = |(place, &a): (usize, &u32)| {
+        vertices[place + 1..]
+            .iter()
+            .all(|&b| can_collide.allows(&[a], &[b]))
+    };
+    can_collide.is_all() || vertices.iter().enumerate().all(others)
 }
 
 #[cfg(test)]
@@ -67,7 +82,7 @@ mod tests {
 
     fn found(faces: &[[u32; 3]]) -> Option<u32> {
         let mesh = TriangleMesh::new(12, faces.to_vec()).expect("the indices are in range");
-        one_sided_surface(&mesh)
+        one_sided_surface(&mesh, &CanCollide::all())
     }
 
     const TETRAHEDRON: [[u32; 3]; 4] = [[6, 7, 8], [6, 7, 9], [7, 8, 9], [6, 8, 9]];
@@ -94,6 +109,11 @@ mod tests {
             found(&[&TETRAHEDRON[..], &PROJECTIVE_PLANE[..]].concat()),
             Some(4)
         );
+        let mesh = TriangleMesh::new(12, PROJECTIVE_PLANE.to_vec()).expect("the indices are in range");
+        for (obstacle, expected) in [(11, Some(0)), (5, None)] {
+            let is_free = CanCollide::any_vertices(move |a, b| a.max(b) < obstacle);
+            assert_eq!(one_sided_surface(&mesh, &is_free), expected);
+        }
         // With a hole, it is a Möbius strip.
         assert_eq!(found(&PROJECTIVE_PLANE[1..]), None);
         // A face with two equal corners, and a side with three faces.

@@ -64,6 +64,17 @@ pub enum Reason {
         /// The first face of the surface.
         face: u32,
     },
+    /// A loop of pinned edges passes an odd number of times through a surface whose border is pinned: no
+    /// positions of the vertices that can move are free. This is proved, and nothing is moved.
+    Linked {
+        /// An edge of the loop.
+        edge: u32,
+        /// A face of the surface through which the loop passes.
+        face: u32,
+    },
+    /// The number of crossings has not become less in 400 rounds. The mesh may have free positions far away,
+    /// or none at all; its faces alone do not exclude them.
+    Stalled,
     /// A phase has had as many rounds as the options allow. The mesh may have no free positions near, or none
     /// at all.
     Rounds(Phase),
@@ -82,6 +93,20 @@ impl fmt::Display for Reason {
                     f,
                     "the surface with face {face} is closed and has only one side, as a Klein bottle: it has no \
                      positions without intersections"
+                );
+            }
+            Self::Linked { edge, face } => {
+                return write!(
+                    f,
+                    "a loop of edges that do not move, with edge {edge}, passes through the surface with face \
+                     {face}, whose border does not move: no positions of the other vertices are free"
+                );
+            }
+            Self::Stalled => {
+                return write!(
+                    f,
+                    "the number of crossings has stopped falling: free positions are far away, or there are \
+                     none; the faces alone do not exclude them"
                 );
             }
             Self::Rounding => return write!(f, "rounding to f32 makes pairs touch again"),

@@ -7,12 +7,13 @@ use exact_ccd_mesh::{
     TriangleMesh, check_positions, intersections,
 };
 
+use crate::closeness::closeness;
 use crate::error::RepairError;
 use crate::options::RepairOptions;
 use crate::outcome::Reason;
 use crate::progress::{Phase, Progress};
 use crate::size::Size;
-use crate::system::Unknowns;
+use crate::system::{System, Unknowns};
 
 /// A mesh to repair.
 pub(crate) struct Problem<'a> {
@@ -21,10 +22,15 @@ pub(crate) struct Problem<'a> {
     pub(crate) given: &'a [Point],
     pub(crate) options: &'a RepairOptions<'a>,
     pub(crate) size: Size,
+    /// The closeness of the ends of each edge, as given.
+    pub(crate) closeness: Vec<f64>,
     pub(crate) unknowns: Unknowns,
     pub(crate) detector: Detector,
     crossing: IntersectionOptions,
 }
+
+/// Edges shorter than this part of the mean length count more in a smoothing.
+const SHORT: f64 = 0.5;
 
 /// The end of a phase: positions that are free in its sense, or the last positions and the reason.
 pub(crate) type Ended = Result<Vec<Point>, (Vec<Point>, Reason)>;
@@ -43,21 +49,39 @@ impl<'a> Problem<'a> {
             *place.ok_or(RepairError::Pinned { vertex, vertex_count })? = true;
         }
         let crossing = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let size = Size::new(mesh, given);
         Ok(Self {
             mesh,
             given,
             options,
-            size: Size::new(mesh, given),
+            size,
+            closeness: closeness(mesh, given, size.mean_edge),
             unknowns: Unknowns::new(&is_pinned),
             detector: Detector::new(mesh.clone()).with_can_collide(options.can_collide.clone()),
             crossing: crossing.with_can_collide(options.can_collide.clone()),
         })
     }
 
+    /// The smoothing (1 + `weight` L)⁻¹ of displacements, with L the Laplacian of the graph of edges. An edge
+    /// counts once, and one shorter than a part of the mean counts by its closeness: the ends of a short edge
+    /// move alike, so that thin triangles do not turn over.
+    pub(crate) fn smoothing(&self, weight: f64) -> Result<System, RepairError> {
+        let weight = |closeness: &f64| weight * (SHORT * closeness).max(1.0);
+        let weights = self.closeness.iter().map(weight);
+        self.unknowns
+            .system(1.0, self.mesh.edges().iter().copied().zip(weights))
+    }
+
     /// The edges that pass through faces. With no such pair and no [contact](Self::contacts), the mesh is
     /// free: see [`Meeting`].
     pub(crate) fn crossings(&self, x: &[Point]) -> Result<Vec<Intersection>, RepairError> {
         Ok(intersections(self.mesh, x, &Bvh, &self.crossing)?)
+    }
+
+    /// The edges and faces with a common point.
+    pub(crate) fn touching(&self, x: &[Point]) -> Result<Vec<Intersection>, RepairError> {
+        let options = self.crossing.clone().with_meeting(Meeting::Touching);
+        Ok(intersections(self.mesh, x, &Bvh, &options)?)
     }
 
     /// The pairs within a distance.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use exact_ccd_mesh::vector::minus;
-use exact_ccd_mesh::{FreeStepOptions, Intersection, Options, Pair, Point, TriangleMesh};
+use exact_ccd_mesh::{FreeStepOptions, FreeSteps, Intersection, Options, Pair, Point, TriangleMesh};
 
 use crate::change::Change;
 use crate::error::RepairError;
@@ -59,8 +59,18 @@ const NEAR: f64 = 0.1;
 /// frame.
 const KEPT: f64 = 2.0;
 
-/// The parts of the way that are tried if pinned vertices touch others on all of it.
-const LESS: [f64; 3] = [0.5, 0.1, 0.0];
+/// The attempts to reach a frame without contact between pinned vertices and others: in how many steps, and
+/// the part of the way that the others go in each. In shorter steps, near pairs are known better.
+const ATTEMPTS: [(u32, f64); 8] = [
+    (1, 1.0),
+    (1, 0.5),
+    (1, 0.1),
+    (1, 0.0),
+    (4, 0.1),
+    (4, 0.0),
+    (16, 0.02),
+    (16, 0.0),
+];
 
 /// The number of attempts to come nearer to a frame.
 const ROUNDS: usize = 4;
@@ -130,28 +140,77 @@ fn next(
     before: &[Point],
     options: &RepairOptions<'_>,
 ) -> Result<Result<Vec<Point>, Vec<Pair>>, RepairError> {
-    let mut problem = Problem::new(mesh, given, options)?;
-    let smoothing = problem.unknowns.smoothing(mesh, SMOOTHING)?;
+    let problem = Problem::new(mesh, given, options)?;
+    let smoothing = problem.smoothing(SMOOTHING)?;
     let away: Vec<Point> = before.iter().zip(last).map(|(&a, &b)| minus(a, b)).collect();
     let faded = problem.unknowns.solve(&smoothing, &away, |_| [0.0; 3]);
     let target = moved(given, &faded, FADING);
-    let step_options = FreeStepOptions::default()
-        .with_keep(KEEP)
-        .with_min_distance(options.min_distance);
-    let towards = |problem: &mut Problem<'_>, x: &[Point], part: f64| {
-        let end = |(vertex, (&target, &x)): (usize, (&Point, &Point))| {
-            let away = minus(target, x);
-            if problem.unknowns.is_pinned(vertex) {
-                minus(given[vertex], x)
+    let mut way = Way {
+        problem,
+        before,
+        target,
+        options: FreeStepOptions::default()
+            .with_keep(KEEP)
+            .with_min_distance(options.min_distance),
+    };
+    let mut blocked = Vec::new();
+    for (parts, follows) in ATTEMPTS {
+        let mut x = before.to_vec();
+        for part in 1..=parts {
+            let place = f64::from(part) / f64::from(parts);
+            let step = way.towards(&x, place, follows)?;
+            if !step.blocked.is_empty() {
+                blocked = step.blocked;
+                break;
+            }
+            x = step.positions;
+            if part == parts && (parts == 1 || way.is_free_to(&x)?) {
+                return way.nearer(x).map(Ok);
+            }
+        }
+    }
+    Ok(Err(blocked))
+}
+
+/// The way from one frame to the next.
+struct Way<'a> {
+    problem: Problem<'a>,
+    /// The repaired positions of the frame before.
+    before: &'a [Point],
+    /// The wanted positions.
+    target: Vec<Point>,
+    options: FreeStepOptions<'a>,
+}
+
+impl Way<'_> {
+    /// A certified step from positions `x`, in which pinned vertices go to their places at the part `place` of
+    /// the way between the frames, and the others towards their targets: by the part `follows` of the way
+    /// that is left.
+    fn towards(&mut self, x: &[Point], place: f64, follows: f64) -> Result<FreeSteps, RepairError> {
+        let problem = &mut self.problem;
+        let (given, before) = (problem.given, self.before);
+        // At the end of the way, the bits are the given ones.
+        let pinned = |vertex: usize| {
+            if place >= 1.0 {
+                given[vertex]
             } else {
-                away.map(|c| part * c)
+                [0, 1, 2].map(|axis: usize| {
+                    before[vertex][axis] + place * (given[vertex][axis] - before[vertex][axis])
+                })
             }
         };
-        let mut displacements: Vec<Point> = target.iter().zip(x).enumerate().map(end).collect();
+        let end = |(vertex, (&target, &x)): (usize, (&Point, &Point))| {
+            if problem.unknowns.is_pinned(vertex) {
+                minus(pinned(vertex), x)
+            } else {
+                minus(target, x).map(|c| follows * c)
+            }
+        };
+        let mut displacements: Vec<Point> = self.target.iter().zip(x).enumerate().map(end).collect();
         let parts = displacements.as_flattened().iter();
         let most = parts.fold(0.0_f64, |most, part| most.max(part.abs()));
         let edge = problem.size.mean_edge;
-        let distance = options.min_distance.get() + NEAR * edge + 2.0 * most.min(edge);
+        let distance = problem.options.min_distance.get() + NEAR * edge + 2.0 * most.min(edge);
         slide(
             problem,
             &near_pairs(problem, x, distance)?,
@@ -159,33 +218,28 @@ fn next(
             &mut displacements,
         );
         let mut end = moved(x, &displacements, 1.0);
-        for &vertex in &options.pinned {
-            end[vertex as usize] = given[vertex as usize];
+        for &vertex in &problem.options.pinned {
+            end[vertex as usize] = pinned(vertex as usize);
         }
-        Ok::<_, RepairError>(
-            problem
-                .detector
-                .free_steps(x, &end, &options.pinned, &step_options)?,
-        )
-    };
-    let mut step = towards(&mut problem, before, 1.0)?;
-    for part in LESS {
-        if step.blocked.is_empty() {
-            break;
+        let fixed = &problem.options.pinned;
+        Ok(problem.detector.free_steps(x, &end, fixed, &self.options)?)
+    }
+
+    /// Returns true if the straight motion from the frame before is free.
+    fn is_free_to(&mut self, x: &[Point]) -> Result<bool, RepairError> {
+        let within = Options::within(self.problem.options.min_distance);
+        Ok(!self.problem.detector.collides(self.before, x, within)?)
+    }
+
+    /// Positions nearer to the target, to which the straight motion from the frame before is free, too.
+    fn nearer(mut self, mut x: Vec<Point>) -> Result<Vec<Point>, RepairError> {
+        for _ in 0..ROUNDS {
+            let step = self.towards(&x, 1.0, 1.0)?;
+            if !step.blocked.is_empty() || !self.is_free_to(&step.positions)? {
+                break;
+            }
+            x = step.positions;
         }
-        step = towards(&mut problem, before, part)?;
+        Ok(x)
     }
-    if !step.blocked.is_empty() {
-        return Ok(Err(step.blocked));
-    }
-    let mut reached = step.positions;
-    for _ in 0..ROUNDS {
-        let step = towards(&mut problem, &reached, 1.0)?;
-        let within = Options::within(options.min_distance);
-        if !step.blocked.is_empty() || problem.detector.collides(before, &step.positions, within)? {
-            break;
-        }
-        reached = step.positions;
-    }
-    Ok(Ok(reached))
 }

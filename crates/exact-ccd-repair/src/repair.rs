@@ -6,6 +6,7 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 
 use crate::change::Change;
 use crate::error::RepairError;
+use crate::linked::linked;
 use crate::loosen::loosen;
 use crate::one_sided::one_sided_surface;
 use crate::options::RepairOptions;
@@ -63,14 +64,23 @@ pub fn repair(
     if crossings.is_empty() && contacts.is_empty() {
         return Ok(repaired(&problem, positions.to_vec()));
     }
-    // A surface may pass through itself where pairs are left out.
-    let surfaces = Some(mesh).filter(|_| options.can_collide.is_all());
-    if let Some(face) = surfaces.and_then(|mesh| one_sided_surface(mesh)) {
+    if let Some(face) = one_sided_surface(mesh, &options.can_collide) {
         return Ok(Outcome::Unrepaired(Unrepaired {
             positions: positions.to_vec(),
             crossings,
             contacts,
             reason: Reason::OneSided { face },
+        }));
+    }
+    let is_pinned = |vertex: u32| problem.unknowns.is_pinned(vertex as usize);
+    if options.can_collide.is_all()
+        && let Some((edge, face)) = linked(mesh, is_pinned, &crossings, &problem.touching(positions)?)
+    {
+        return Ok(Outcome::Unrepaired(Unrepaired {
+            positions: positions.to_vec(),
+            crossings,
+            contacts,
+            reason: Reason::Linked { edge, face },
         }));
     }
     problem.size.check()?;

@@ -21,7 +21,7 @@ const SMOOTHING: f64 = 2.0;
 pub(crate) fn separate(problem: &mut Problem<'_>, mut x: Vec<Point>) -> Result<Ended, RepairError> {
     let min_distance = problem.options.min_distance;
     let wanted = BEYOND * min_distance.get();
-    let smoothing = problem.unknowns.smoothing(problem.mesh, SMOOTHING)?;
+    let smoothing = problem.smoothing(SMOOTHING)?;
     let step_options = FreeStepOptions::default().with_keep(KEEP);
     for round in 0.. {
         if !problem.has_contacts(&x, min_distance)? {

@@ -1,11 +1,10 @@
 //! The given shape, and the energy of the deviation from it.
 
-use exact_ccd_mesh::vector::{dot, minus};
+use exact_ccd_mesh::vector::minus;
 use exact_ccd_mesh::{Point, TriangleMesh};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::error::RepairError;
-use crate::size::Size;
 use crate::system::{System, Unknowns};
 
 /// The given positions s, and the energy
@@ -13,58 +12,48 @@ use crate::system::{System, Unknowns};
 /// E(x) = α Σ |xᵢ − sᵢ|² + Σ wᵢⱼ |(xᵢ − xⱼ) − R (sᵢ − sⱼ)|²,
 ///
 /// the second sum over edges. R is the mean of the rotations at the ends of the edge, each the best fit to
-/// the edges of its vertex (as rigid as possible, Sorkine and Alexa 2007), and w the mean length of edges
-/// divided by the length of the edge, so that short edges keep their lengths. The minimum of E is s. The
-/// attraction α is relative to an edge of mean length.
+/// the edges of its vertex (as rigid as possible, Sorkine and Alexa 2007), and w the square of the
+/// [closeness](crate::closeness) of the ends, so that an edge of any length is stretched by the same factor
+/// for the same energy. The minimum of E is s.
 pub(crate) struct Shape<'a> {
     mesh: &'a TriangleMesh,
     given: &'a [Point],
     weights: Vec<f64>,
-    attraction: f64,
     system: System,
 }
 
-/// The largest weight of an edge, and the inverse of the least one.
-const MOST_WEIGHT: f64 = 100.0;
+/// The attraction α of E.
+const ATTRACTION: f64 = 0.01;
+
+/// The weight of the displacement in a step. It lets a step change little where nothing is deformed within a
+/// few edges: a dent is smoothed in a few steps, and the whole moves towards s in many.
+const INERTIA: f64 = 0.29;
 
 impl<'a> Shape<'a> {
     pub(crate) fn new(
         mesh: &'a TriangleMesh,
         unknowns: &Unknowns,
         given: &'a [Point],
-        size: &Size,
-        attraction: f64,
+        closeness: &[f64],
     ) -> Result<Self, RepairError> {
-        let weight = |&[a, b]: &[u32; 2]| {
-            let edge = minus(given[a as usize], given[b as usize]);
-            // An edge of length 0 has the largest weight.
-            (size.mean_edge / dot(edge, edge).sqrt()).clamp(1.0 / MOST_WEIGHT, MOST_WEIGHT)
-        };
-        let weights: Vec<f64> = mesh.edges().iter().map(weight).collect();
+        let weights: Vec<f64> = closeness.iter().map(|closeness| closeness * closeness).collect();
+        let edges = mesh.edges().iter().copied().zip(weights.iter().copied());
         Ok(Self {
             mesh,
             given,
-            system: factorised(mesh, unknowns, &weights, attraction)?,
-            attraction,
+            system: unknowns.system(ATTRACTION + INERTIA, edges)?,
             weights,
         })
     }
 
-    /// Replaces the attraction.
-    pub(crate) fn set_attraction(&mut self, unknowns: &Unknowns, attraction: f64) -> Result<(), RepairError> {
-        self.attraction = attraction;
-        self.system = factorised(self.mesh, unknowns, &self.weights, attraction)?;
-        Ok(())
-    }
-
-    /// The positions after a step of the descent of E: its minimum with the rotations that fit `x`.
+    /// The positions y after a step of the descent of E from `x`: the minimum of E(y) + β Σ |yᵢ − xᵢ|² with
+    /// the rotations that fit `x`, and β the inertia.
     pub(crate) fn nearer(&self, unknowns: &Unknowns, x: &[Point]) -> Vec<Point> {
         let rotations = self.rotations(x);
-        let mut right: Vec<Point> = self
-            .given
-            .iter()
-            .map(|place| place.map(|c| self.attraction * c))
-            .collect();
+        let towards = |(given, x): (&Point, &Point)| {
+            [0, 1, 2].map(|axis: usize| ATTRACTION * given[axis] + INERTIA * x[axis])
+        };
+        let mut right: Vec<Point> = self.given.iter().zip(x).map(towards).collect();
         for ([a, b], weight) in self.edges() {
             let edge = Vector3::from(minus(self.given[a], self.given[b]));
             let turned = (rotations[a] + rotations[b]) * edge * (0.5 * weight);
@@ -107,17 +96,6 @@ impl<'a> Shape<'a> {
             .map(|edge| edge.map(|vertex| vertex as usize));
         edges.zip(self.weights.iter().copied())
     }
-}
-
-/// The system of the energy, with given rotations.
-fn factorised(
-    mesh: &TriangleMesh,
-    unknowns: &Unknowns,
-    weights: &[f64],
-    attraction: f64,
-) -> Result<System, RepairError> {
-    let edges = mesh.edges().iter().copied().zip(weights.iter().copied());
-    unknowns.system(attraction, edges)
 }
 
 /// The angle and the number of rounds at which the fit of a rotation ends.

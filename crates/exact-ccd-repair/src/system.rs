@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use exact_ccd_mesh::{Point, TriangleMesh};
+use exact_ccd_mesh::Point;
 use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
 use faer::sparse::{SparseColMat, Triplet};
@@ -43,14 +43,8 @@ impl Unknowns {
         self.of_vertex[vertex].is_none()
     }
 
-    /// The system I + `weight` L, with L the Laplacian of the graph of edges. Pinned vertices have the value
-    /// 0.
-    pub(crate) fn smoothing(&self, mesh: &TriangleMesh, weight: f64) -> Result<System, RepairError> {
-        self.system(1.0, mesh.edges().iter().map(|&edge| (edge, weight)))
-    }
-
     /// The system of the quadratic form `mass` Σ |xᵢ|² + Σ k |xᵢ − xⱼ|², the second sum over all edges of the
-    /// mesh and their k.
+    /// mesh and their k. Pinned vertices have the value 0, unless [`solve`](Self::solve) has another one.
     pub(crate) fn system(
         &self,
         mass: f64,

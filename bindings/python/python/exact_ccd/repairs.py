@@ -17,7 +17,7 @@ from .meshes import Mesh
 Phase = Literal["loosen", "separate", "return", "follow"]
 """The phase of a repair, see ``docs/repair.md``."""
 
-RepairReason = Literal["pinned", "one-sided", "rounds", "rounding", "stopped", "other"]
+RepairReason = Literal["pinned", "one-sided", "linked", "stalled", "rounds", "rounding", "stopped", "other"]
 """The reason why a repair has not succeeded, see :class:`Repair`."""
 
 _MOST_ROUNDS = 2**32 - 1
@@ -96,8 +96,9 @@ class Repair(NamedTuple):
     reason : str or None
         The reason why it is not repaired: "pinned", if pinned vertices alone intersect or are too near;
         "one-sided", if a closed surface has one side only, as a Klein bottle, and so has no free positions;
-        "rounds", after the limit of rounds; "rounding", if rounding to float32 makes pairs touch again;
-        "stopped", after `seconds` or by `stop`.
+        "linked", if a loop of pinned edges passes an odd number of times through a surface with a pinned border;
+        "stalled", if the number of crossings has not become less in 400 rounds; "rounds", after the limit of
+        rounds; "rounding", if rounding to float32 makes pairs touch again; "stopped", after `seconds` or by `stop`.
     message : str or None
         The reason in a sentence.
     crossings : uint32 array of shape (M, 2)

@@ -176,6 +176,90 @@ fn touching() -> impl Iterator<Item = Case> {
     cases.into_iter().map(|(name, body)| free(name.to_owned(), body))
 }
 
+/// Rods through faces.
+fn rods() -> impl Iterator<Item = Case> {
+    let rod = |from: Point, to: Point, count: usize| -> Vec<Point> {
+        let place = |i: usize| {
+            let t = i as f64 / count as f64;
+            [0, 1, 2].map(|axis: usize| from[axis] + t * (to[axis] - from[axis]))
+        };
+        (0..=count).map(place).collect()
+    };
+    let cases = [
+        (
+            "a rod through a sheet",
+            grid(6, 1.0).with_rod(&rod([0.43, 0.52, -0.2], [0.47, 0.49, 0.5], 4)),
+        ),
+        (
+            "a rod of one edge through a sheet",
+            grid(6, 1.0).with_rod(&rod([0.43, 0.52, -0.2], [0.47, 0.49, 0.5], 1)),
+        ),
+        (
+            "a rod that ends in a ball",
+            sphere(5, 0.5).with_rod(&rod([0.1, 0.05, 0.3], [0.2, 0.1, 1.5], 6)),
+        ),
+        (
+            "a rod through a ball",
+            sphere(5, 0.5).with_rod(&rod([0.31, 0.05, -0.7], [0.33, 0.1, 1.1], 6)),
+        ),
+        (
+            "two rods in a sheet",
+            grid(6, 1.0)
+                .with_rod(&rod([0.2, 0.3, -0.1], [0.25, 0.32, 0.6], 3))
+                .with_rod(&rod([0.7, 0.6, -0.5], [0.72, 0.62, 0.15], 3)),
+        ),
+    ];
+    cases.into_iter().map(|(name, body)| free(name.to_owned(), body))
+}
+
+/// Bodies in others, and through them.
+fn nested() -> impl Iterator<Item = Case> {
+    let inner = |radius: f64, place: Point| joined([sphere(6, 1.0), sphere(4, radius).moved(place)]);
+    let cases = [
+        ("a ball in a ball, and through it", inner(0.3, [0.75, 0.1, 0.05])),
+        ("a ball half in a ball", inner(0.3, [0.98, 0.1, 0.05])),
+        (
+            "a box in a box, with a common corner",
+            joined([boxed(3, 1.0), boxed(2, 0.4)]),
+        ),
+        (
+            "a box in a box, with a common side",
+            joined([boxed(3, 1.0), boxed(2, 0.4).moved([0.3, 0.2, 0.0])]),
+        ),
+        (
+            "a ring linked with another one",
+            joined([
+                torus(24, 8, 1.0, 0.3),
+                torus(24, 8, 1.0, 0.3).tilted(1.4).moved([0.45, 0.1, 0.05]),
+            ]),
+        ),
+    ];
+    cases.into_iter().map(|(name, body)| free(name.to_owned(), body))
+}
+
+/// Flat faces that coincide with others, not with the same cells.
+fn coincident() -> impl Iterator<Item = Case> {
+    let cases = [
+        (
+            "a sheet in a finer sheet",
+            joined([grid(4, 1.0), grid(5, 0.6).moved([0.2, 0.1, 0.0])]),
+        ),
+        (
+            "a sheet in the side of a box",
+            joined([boxed(3, 1.0), grid(4, 1.0)]),
+        ),
+        (
+            "boxes on each other",
+            joined([boxed(2, 1.0), boxed(3, 1.0).moved([0.0, 0.0, 1.0])]),
+        ),
+        (
+            "a box exported twice with other cells",
+            joined([boxed(2, 1.0), boxed(3, 1.0)]),
+        ),
+    ];
+    cases.into_iter().map(|(name, body)| free(name.to_owned(), body))
+}
+
 /// The checker accepts the certificate that positions are free at rest.
 fn is_proved(body: &Body, x: &[Point]) -> bool {
     let mut maker = Maker::new(CONTACT.separation);
@@ -204,8 +288,11 @@ fn generated_cases_are_repaired_and_proved() {
         .chain(letters())
         .chain(bolts())
         .chain(touching())
+        .chain(rods())
+        .chain(nested())
+        .chain(coincident())
         .collect();
-    assert_eq!(cases.len(), 40);
+    assert_eq!(cases.len(), 54);
     let is_free_before = |(name, body, _): &Case| {
         is_free(&body.mesh, &body.positions, CONTACT.separation).then(|| name.clone())
     };
@@ -230,4 +317,30 @@ fn generated_cases_are_repaired_and_proved() {
         assert!(is_proved(body, x), "{name}");
     }
     assert!(20 * failed.len() <= cases.len(), "not repaired: {failed:?}");
+}
+
+#[test]
+fn knots_and_rings_keep_their_shape() {
+    let rings = |place: Point| joined([torus(32, 12, 1.0, 0.3), torus(32, 12, 1.0, 0.3).moved(place)]);
+    let bodies = [
+        ("a trefoil", knot([2.0, 3.0], 96, 0.46)),
+        ("another trefoil", knot([3.0, 2.0], 96, 0.42)),
+        ("rings", rings([0.1, 0.2, 0.5])),
+        ("rings beside each other", rings([2.4, 0.1, 0.05])),
+    ];
+    for (name, body) in bodies {
+        let options = RepairOptions::default();
+        let outcome = repair(&body.mesh, &body.positions, &options).expect("the positions fit");
+        let Outcome::Repaired(repaired) = outcome else {
+            panic!("{name} has free positions");
+        };
+        let change = repaired.change;
+        assert_eq!(change.folds, 0, "{name}: {change:?}");
+        let are_short = change.p95_stretch < 1.05 && change.max_stretch < 1.25;
+        assert!(are_short && change.p5_stretch > 0.95, "{name}: {change:?}");
+        assert!(
+            change.worst_aspect < 2.0 * change.worst_aspect_before,
+            "{name}: {change:?}"
+        );
+    }
 }

@@ -261,6 +261,43 @@ fn a_surface_that_does_not_embed_is_not_repaired() {
 }
 
 #[test]
+fn a_pinned_loop_through_a_sheet_with_a_pinned_border_is_not_repaired() {
+    let sheet = grid(6, 1.0);
+    let count = sheet.positions.len();
+    let is_inner = |&[x, y, _]: &Point| x.min(y) > 0.0 && x.max(y) < 1.0;
+    // The ring passes through the sheet once, and around its border.
+    let linked = joined([
+        sheet,
+        torus(12, 3, 0.6, 0.05).tilted(1.5).moved([1.0, 0.45, 0.03]),
+    ]);
+    let rests = |vertex: usize| vertex >= count || !is_inner(&linked.positions[vertex]);
+    let pinned: Vec<u32> = (0..linked.positions.len())
+        .filter(|&vertex| rests(vertex))
+        .map(|v| v as u32)
+        .collect();
+    let options = RepairOptions::default();
+    let result = unrepaired(&linked, &options.clone().with_pinned(pinned));
+    assert!(
+        matches!(result.reason, Reason::Linked { .. }),
+        "{:?}",
+        result.reason
+    );
+    assert_eq!(result.positions, linked.positions);
+    let ring = (count as u32..linked.positions.len() as u32).collect();
+    let result = repaired(&linked, &options.with_pinned(ring));
+    assert!(is_free(&linked.mesh, &result.positions, CONTACT.separation));
+}
+
+#[test]
+fn a_mesh_that_does_not_come_loose_ends_early() {
+    // With a hole, a Klein bottle has free positions, but none near these.
+    let body = klein_bottle(24, 12).with_hole();
+    let result = unrepaired(&body, &RepairOptions::default().with_max_rounds(100_000));
+    assert_eq!(result.reason, Reason::Stalled);
+    assert!(!result.crossings.is_empty());
+}
+
+#[test]
 fn an_unrepaired_mesh_is_in_its_best_state() {
     let body = twisted_strip(80, 6, 2.0, 0.5);
     let fewest = std::sync::Mutex::new(usize::MAX);

@@ -17,7 +17,7 @@ fn sinking_cloth() -> (Body, usize, Vec<Vec<Point>>) {
     let body = joined([bar, grid(12, 1.5).moved([-0.77, -0.73, 0.0])]);
     let frame = |frame: usize| {
         let height = 0.25 + 0.1 * (std::f64::consts::TAU * (frame as f64 - 1.5) / FRAMES as f64).cos();
-        let (sine, cosine) = (0.015 * frame as f64).sin_cos();
+        let (sine, cosine) = (0.03 * frame as f64).sin_cos();
         let place = |(vertex, &[x, y, z]): (usize, &Point)| {
             if vertex < count {
                 [cosine * x - sine * y, sine * x + cosine * y, z]

@@ -26,6 +26,25 @@ impl Body {
         self.mapped(|x| [0, 1, 2].map(|axis: usize| x[axis] + by[axis]))
     }
 
+    /// A rod through these points, in one mesh with this body.
+    pub(crate) fn with_rod(self, points: &[Point]) -> Self {
+        let first = self.positions.len() as u32;
+        let rod = (first + 1..first + points.len() as u32).map(|vertex| [vertex - 1, vertex]);
+        let edges: Vec<[u32; 2]> = self.mesh.loose_edges().iter().copied().chain(rod).collect();
+        let positions = [&self.positions, points].concat();
+        let mesh = TriangleMesh::with_edges(positions.len(), self.mesh.faces().to_vec(), &edges);
+        Self {
+            mesh: Arc::new(mesh.expect("the indices are in range")),
+            positions,
+        }
+    }
+
+    /// Without its first face.
+    pub(crate) fn with_hole(self) -> Self {
+        let faces = self.mesh.faces()[1..].to_vec();
+        Self::new(self.positions, faces)
+    }
+
     /// Turned about the first axis.
     pub(crate) fn tilted(self, angle: f64) -> Self {
         let (sine, cosine) = angle.sin_cos();

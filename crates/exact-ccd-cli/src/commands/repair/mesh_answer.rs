@@ -90,6 +90,11 @@ fn reason(scene: &Assembly, mesh: &TriangleMesh, reason: Reason) -> String {
              without intersections",
             scene.face_name(mesh, face)
         ),
+        Reason::Linked { face, .. } => format!(
+            "a loop of edges that do not move passes through the surface with {}, whose border does not move: no \
+             positions of the other vertices are free",
+            scene.face_name(mesh, face)
+        ),
         reason => reason.to_string(),
     }
 }
