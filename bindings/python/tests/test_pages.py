@@ -44,6 +44,23 @@ def test_the_page_of_an_audit(tmp_path) -> None:
     assert "frame 0: edge" in contacts_of(file)
 
 
+def test_named_groups_are_the_bodies_of_a_page(tmp_path) -> None:
+    file = tmp_path / "step.html"
+    x0, x1 = two_triangles(1.0), two_triangles(-1.0)
+    named = {"groups": [1, 1, 1, 0, 0, 0], "names": ["leaf", "floor"]}
+    Detector(Mesh(6, FACES, **named)).step(x0, x1, view=file)
+    text = contacts_of(file)
+    assert '{"name":"floor","kind":"","vertices":{"start":0,"end":3}}' in text
+    assert '{"name":"leaf","kind":"","vertices":{"start":3,"end":6}}' in text
+    # The ids of the contact are those in its bodies, as in the line above it.
+    assert "leaf: vertex 0 and floor: face 0" in text
+    assert '{"kind":"vertex","id":0,"vertices":[3],"labels":[0]}' in text
+    # A body whose vertices are not consecutive: the bodies of the page are the connected parts.
+    mixed = {"groups": [1, 0, 1, 0, 0, 0], "names": ["leaf", "floor"]}
+    Detector(Mesh(6, FACES, **mixed)).step(x0, x1, view=file)
+    assert '"name":"leaf"' not in contacts_of(file)
+
+
 def test_pages_of_files_and_errors(tmp_path) -> None:
     np.savez(tmp_path / "recording.npz", positions=frames(3, 1, -3), faces=FACES)
     audit(tmp_path / "recording.npz", view=tmp_path / "page.html")

@@ -132,7 +132,14 @@ class HalfSpaces:
 
 @final
 class Page:
-    def __new__(cls, title: str, mesh: Mesh, positions: _Floats) -> Page: ...
+    def __new__(
+        cls,
+        title: str,
+        mesh: Mesh,
+        positions: _Floats,
+        bodies: list[tuple[str, int, int]],
+        ids: Optional[tuple[NDArray[np.int64], NDArray[np.int64]]],
+    ) -> Page: ...
     def add_frame(self, label: str, positions: _Floats) -> None: ...
     def html(self, summary: list[str]) -> bytes: ...
 
