@@ -320,7 +320,7 @@ def _body(index: int, given: Any) -> tuple[Mesh, Floats]:
     """The mesh and the positions of a body."""
     if hasattr(given, "vertices") and hasattr(given, "faces"):
         array = floats(f"vertices of body {index}", given.vertices, (None, 3))
-        # The edges of a mesh of trimesh are those of its faces.
+        # The edges of a mesh of trimesh belong to its faces.
         edges = given.edges if isinstance(given, MeshFile) else None
         return Mesh(len(array), given.faces, edges), array
     if not isinstance(given, (tuple, list)) or len(given) != 2:
