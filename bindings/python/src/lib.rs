@@ -24,6 +24,7 @@ mod queries;
 #[cfg(feature = "repair")]
 mod repair;
 mod search;
+mod turns;
 
 use pyo3::prelude::*;
 
@@ -56,4 +57,6 @@ mod _native {
     #[cfg(feature = "repair")]
     #[pymodule_export]
     use crate::repair::repair;
+    #[pymodule_export]
+    use crate::turns::turns;
 }

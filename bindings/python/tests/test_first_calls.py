@@ -80,3 +80,31 @@ def test_meshes_of_trimesh() -> None:
         from_trimesh(scene)
     with pytest.raises(TypeError, match="expected a trimesh.Scene or a trimesh.Trimesh, not an object of type int"):
         from_trimesh(3)
+
+
+def turned(degrees: float) -> np.ndarray:
+    """A rod that is turned about the z axis, and a triangle that rests below it."""
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return np.array([[-c, -s, 1], [c, s, 1], [0, 0, 0], [8, 0, 0], [0, 8, 0]])
+
+
+def test_a_part_that_turns_is_a_warning() -> None:
+    named = {"groups": [0, 0, 1, 1, 1], "names": ["arm", "floor"]}
+    for rules, body in (({}, "the part with vertex 0"), (named, "arm")):
+        mesh = Mesh(5, [[2, 3, 4]], edges=[[0, 1]], **rules)
+        for name in ("collision", "free_step", "step"):
+            detector = Detector(mesh)
+            with pytest.warns(UserWarning, match=f"^{body} turns by 171.0° in the step as a rigid body") as caught:
+                getattr(detector, name)(turned(0), turned(171))
+            assert len(caught) == 1 and caught[0].filename == __file__
+        frames = [turned(0), turned(5), turned(171), turned(172)]
+        with pytest.warns(UserWarning, match=f"^{body} turns by 166.0° from frame 1 to frame 2") as caught:
+            assert audit(frames, [[2, 3, 4]], edges=[[0, 1]], **rules).is_free
+        assert len(caught) == 1 and caught[0].filename == __file__
+
+
+def test_small_turns_are_no_warning(recwarn: pytest.WarningsRecorder) -> None:
+    mesh = Mesh(5, [[2, 3, 4]], edges=[[0, 1]])
+    Detector(mesh).free_step(turned(0), turned(4))
+    assert audit([turned(0), turned(4)], mesh.faces, edges=mesh.loose_edges).is_free
+    assert not recwarn.list

@@ -17,6 +17,7 @@ from .contacts import Contact, first, pairs, table
 from .meshes import Mesh
 from .pages import Page, line
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
+from .turns import Turns
 
 Progress = Callable[[int], object]
 """A function that is called with the number of steps done since its last call, as ``tqdm.update``."""
@@ -52,7 +53,7 @@ class Searcher:
         inner = None if inner_distance is None else number("inner_distance", inner_distance)
         self._settings = Settings(distance, inner, thread_count(threads), bool(start_check))
         self._native = _native.Detector(mesh._native, *self._settings)
-        self._is_start_known = False
+        self._is_warned = False
 
     @property
     def mesh(self) -> Mesh:
@@ -152,7 +153,8 @@ class Detector(Searcher):
     A contact is between a vertex and a face, between two edges, or between points and rods. An edge that
     pierces a face at rest, away from the boundary of the face, is none of these: a step from such a start may
     be free of contact, and `free_step` may return the size 1. With `start_check`, such a start is an error; without, the
-    first step of a detector that `collision`, `free_step` or `step` finds free is a warning if it has such a start.
+    first step of a detector that `collision`, `free_step` or `step` finds free is a warning if it has such a start. So it is
+    if a part of the mesh turns in it by more than 10°, as it shrinks on the way: see :class:`Bodies`.
     `intersections` finds such edges, and :func:`audit` begins with them.
     ``docs/pairs.md`` lists all pairs that are never in contact.
 
@@ -184,12 +186,15 @@ class Detector(Searcher):
     def _ends(self, x0: ArrayLike, x1: ArrayLike) -> tuple[Positions, Positions]:
         return self._world("x0", x0), self._world("x1", x1)
 
-    def _warn_once_of_crossing(self, x0: ArrayLike) -> None:
-        """Warn if the first step that is free of contact begins where an edge passes through a face."""
-        if self._is_start_known or self._settings.start_check:
+    def _warn_once(self, x0: ArrayLike, x1: ArrayLike) -> None:
+        """Warn of facts that the first step without contact does not say: a pierced start, and parts that turn."""
+        if self._is_warned:
             return
-        self._is_start_known = True
-        found = self._crossings(x0)
+        self._is_warned = True
+        turns = Turns(self._mesh)
+        turns.add(x0, x1, "in the step")
+        turns.warn(stacklevel=3)
+        found = [] if self._settings.start_check else self._crossings(x0)
         if len(found):
             edge, face = found[0].tolist()
             first, second = self._mesh.place("edge", edge), self._mesh.place("face", face)
@@ -229,10 +234,14 @@ class Detector(Searcher):
         Contact or None
             None if the step is free.
         """
-        contact = first(self._native.collision(*self._ends(x0, x1), number("until", until)), self._mesh)
+        contact = self._earliest(x0, x1, until)
         if contact is None:
-            self._warn_once_of_crossing(x0)
+            self._warn_once(x0, x1)
         return contact
+
+    def _earliest(self, x0: ArrayLike, x1: ArrayLike, until: float = 1.0) -> Optional[Contact]:
+        """The earliest contact, without a warning."""
+        return first(self._native.collision(*self._ends(x0, x1), number("until", until)), self._mesh)
 
     def collisions(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> NDArray[np.void]:
         """Find all contacts of the step.
@@ -339,7 +348,7 @@ class Detector(Searcher):
         """
         size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep))
         if not len(contact[1][0]):
-            self._warn_once_of_crossing(x0)
+            self._warn_once(x0, x1)
         return FreeStep(size.item(), end[0], first(contact, self._mesh), PairCounts(*touching[0].tolist()))
 
     def free_steps(
@@ -429,7 +438,7 @@ class Detector(Searcher):
         candidates, colliding, touching = (PairCounts(*count[0].tolist()) for count in counts)
         report = StepReport(candidates, colliding, touching, first(contact, self._mesh))
         if report.earliest is None:
-            self._warn_once_of_crossing(x0)
+            self._warn_once(x0, x1)
         if view is not None:
             page = Page("Step", self._mesh)
             page.add_frame("t = 0", start[0])
