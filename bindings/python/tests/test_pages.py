@@ -39,7 +39,8 @@ def test_the_page_of_an_audit(tmp_path) -> None:
     assert "step 1: contact at t = 0.25: vertex 3 and face 0" in text and '"time":0.25' in text
     assert "frame 2" in text and "frame 3" not in text
     audit(frames(3, 1), FACES, view=file)
-    assert "free of contact" in contacts_of(file)
+    text = contacts_of(file)
+    assert "free of contact" in text and "examined: 2 frames, and the straight motion between them" in text
     audit(frames(-1, 1), FACES, view=file)
     assert "frame 0: edge" in contacts_of(file)
 

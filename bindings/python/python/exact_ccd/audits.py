@@ -169,7 +169,7 @@ def _write(page: Page, file: FilePath, detector: Detector, report: AuditReport) 
     lines = [f"frames examined: {report.frames}"]
     violation = report.violation
     if violation is None:
-        lines.insert(0, "free of contact")
+        lines = ["free of contact", f"examined: {report.frames} frames, and the straight motion between them, at all times"]
     elif violation.contact is not None:
         page.add_contacts(detector._native, every=False)
         place = "frame" if report.frames == 1 else "step"

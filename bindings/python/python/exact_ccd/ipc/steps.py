@@ -225,4 +225,7 @@ def _new(mesh: AnyMesh, distance: float, has_rule: bool) -> tuple[Detector, _Rul
     else:
         every = primitives(mesh)
         own = Mesh(mesh.num_vertices, every.faces, every.edges, can_collide=rule if has_rule else None)
-    return Detector(own, min_distance=distance), rule
+    detector = Detector(own, min_distance=distance)
+    # As in ipctk, without warnings.
+    detector._is_warned = True
+    return detector, rule
