@@ -14,7 +14,7 @@ import { type Marked, type Moving, Marks } from "./marks";
 import { MovingMesh } from "./mesh";
 import { namesOf } from "./names";
 import { geometryOf, type Plane, Planes } from "./planes";
-import { contactPose, overview } from "./pose";
+import { commonLine, contactPose, overview } from "./pose";
 import { View } from "./view";
 
 type Ends = [Float32Array<ArrayBuffer>, Float32Array<ArrayBuffer>];
@@ -154,11 +154,12 @@ export class Stage {
       if (isHalfSpace) return [...now({ start, end }), ...now(around), ...(closest ?? [])];
       return page.query !== null && this.showsPaths ? [...now({ start, end }), ...start, ...end] : now({ start, end });
     });
+    const line = commonLine(primitives.flatMap(({ start, end }) => start.map((vertex, i) => mix(vertex, end[i], time))));
     const place = closest === null ? this.middle : mix(closest[0], closest[1], 0.5);
     const fraction = page.query === null && !isHalfSpace ? AMONG_OTHERS : ALONE;
     // A half space is seen from its outer side, and a mesh from outside.
     const inside = isHalfSpace && normal !== null ? subtract(place, normal) : this.middle;
-    this.view.go(contactPose(place, normal, at, inside, this.radius, this.up, fraction), atOnce);
+    this.view.go(contactPose(place, normal, at, inside, this.radius, this.up, fraction, line), atOnce);
   }
 
   /** Draws a changed state. */
