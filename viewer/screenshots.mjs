@@ -94,7 +94,7 @@ async function web(file, scheme, prepare) {
 const example = (/** @type {string} */ number) => async (/** @type {import("playwright-core").Page} */ page) => {
   await page.locator("#presets").selectOption(number);
 };
-if (existsSync(WEB_PAGE)) await web(join(ROOT, "docs/web/query.png"), "light", example("1"));
+if (existsSync(WEB_PAGE)) await web(join(ROOT, "docs/web/query.png"), "light", example("0"));
 else console.error(`${WEB_PAGE} is missing, see scripts/build-web: docs/web/query.png stays as it is`);
 
 await browser.close();

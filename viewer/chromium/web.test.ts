@@ -151,7 +151,7 @@ describe(`the page with the kernel in it (scripts/build-web makes ${WEB_PAGE})`,
   });
 
   it("follows the mouse", async () => {
-    await page.locator("#presets").selectOption("0");
+    await page.locator("#presets").selectOption("1");
     await shows("#exact", "t = 0.39999999999999997");
     await drawn(page);
     const handles = await page.evaluate(() => window.exactCcdHandles());
@@ -172,7 +172,7 @@ describe(`the page with the kernel in it (scripts/build-web makes ${WEB_PAGE})`,
   });
 
   it.each(PRESETS.map(({ name, entry }, i) => [name, i, entry] as const))("has an example: %s", async (name, i, { kind, coordinates, distance }) => {
-    await page.locator("#presets").selectOption("1");
+    await page.locator("#presets").selectOption("0");
     await shows("#difference", "Missed");
     await page.locator("#presets").selectOption(String(i));
     const file = KINDS.find(([known]) => known === kind)?.[1] ?? "";

@@ -42,7 +42,7 @@ export function timeText(page: Page, { frame, time, parameters }: Contact): stri
 
 function restText({ frames }: Page, frame: number): string {
   const { number, label } = frames[frame];
-  return `frame ${number}: ${label}`;
+  return label === `frame ${number}` ? label : `frame ${number}: ${label}`;
 }
 
 function stepText(page: Page, frame: number): string {
@@ -55,7 +55,7 @@ export function momentText(page: Page, { frame, t }: Moment): string {
   if (page.frames.length === 1) return page.frames[0].label;
   if (page.frames.length === 2) return `t = ${short(frame + t)}`;
   const at = page.frames[frame + t];
-  return at === undefined ? `${stepText(page, frame)}t = ${short(t)}` : `frame ${at.number}: ${at.label}`;
+  return at === undefined ? `${stepText(page, frame)}t = ${short(t)}` : restText(page, frame + t);
 }
 
 /** The ids of a contact, by which the list is searched: its primitives and vertices. */

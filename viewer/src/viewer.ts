@@ -24,7 +24,7 @@ const FEW_FACES = 60_000;
 const NUMBERED = /^body-\d+$/;
 
 /** The opacity of a mesh with contacts, so that they are visible inside of it. */
-const CLEAR = 0.4;
+const CLEAR = 0.7;
 
 /** The steps of the camera by keys: an angle in radians, a fraction of the distance, a factor. */
 const [TURN, SHIFT, NEARER] = [Math.PI / 24, 0.06, 1.15];

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { edgesOf } from "../src/scene/mesh";
-import { ANGLE, contactPose, magnified, moved, overview, turned } from "../src/scene/pose";
+import { ANGLE, commonLine, contactPose, magnified, moved, overview, turned } from "../src/scene/pose";
 import { type Point } from "../src/page";
 import { axesOf, foot, squareOf } from "../src/scene/planes";
 import { cross, dot, length, subtract, unit } from "../src/vector";
@@ -28,6 +28,18 @@ describe("the camera on a contact", () => {
     expect(height).toBeCloseTo(2, 10);
   });
 
+  it("sees primitives on one line from the side", () => {
+    // Two edges along the x axis, that fall onto each other.
+    const edges: Point[] = [[-1, 0, 0], [1, 0, 0], [-0.5, 0, 0], [1.5, 0, 0]];
+    const line = commonLine(edges);
+    expect(line.map(Math.abs)).toEqual([1, 0, 0]);
+    expect(commonLine(corners)).toEqual([0, 0, 0]);
+    expect(commonLine([point])).toEqual([0, 0, 0]);
+    for (const center of [[-9, 0, -9], [9, 0, -9], [0, 9, 0]] as Point[]) {
+      const { position } = contactPose([0, 0, 0], [0, 0, 1], edges, center, 2, UP, 0.75, line);
+      expect(Math.abs(dot(unit(position, UP), line))).toBeLessThan(0.75);
+    }
+  });
   it("has a distance for primitives without extent", () => {
     const { position } = contactPose(point, [0, 0, 1], [point], [0, 0, 0], 5, UP, 0.5);
     expect(length(subtract(position, point))).toBeGreaterThan(0);

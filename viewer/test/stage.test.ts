@@ -6,7 +6,7 @@ import { Incidence } from "../src/incidence";
 import { type Point } from "../src/page";
 import { type Label, type Labels } from "../src/scene/labels";
 import { type Pose } from "../src/scene/pose";
-import { Stage } from "../src/scene/stage";
+import { dotSize, Stage } from "../src/scene/stage";
 import { type Shown } from "../src/source";
 import { INITIAL, type State } from "../src/state";
 import { pageOf } from "./examples";
@@ -111,5 +111,13 @@ describe("the direction upwards", () => {
     expect(view.pose).toEqual({ target: [1, 2, 3], position: [4, 5, 6] });
     stage.turnUp();
     expect(view.up).toEqual([1, 0, 0]);
+  });
+});
+
+describe("dots at contacts", () => {
+  it("are smaller where there are many, and never vanish", () => {
+    expect([1, 200].map(dotSize)).toEqual([7, 7]);
+    expect(dotSize(800)).toBe(3.5);
+    expect(dotSize(1e6)).toBe(2.5);
   });
 });

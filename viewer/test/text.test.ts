@@ -46,6 +46,15 @@ describe("texts", () => {
     expect(timeText(page([0, 4, 5]), rest)).toBe("frame 5: 5 s");
     expect(timeText(page([0, 1]), { ...rest, frame: 0 })).toBe("t = 0");
   });
+  it("of a frame do not repeat its number", () => {
+    const rest: Contact = { ...contact, frame: 0, time: 0, parameters: null };
+    const one = page([3]);
+    const numbered = { ...one, frames: one.frames.map((frame) => ({ ...frame, label: "frame 3" })) };
+    expect(timeText(numbered, rest)).toBe("frame 3");
+    const two = page([3, 4, 5]);
+    const frames = two.frames.map((frame) => ({ ...frame, label: `frame ${frame.number}` }));
+    expect(momentText({ ...two, frames }, { frame: 1, t: 0 })).toBe("frame 4");
+  });
   it("in the scene are the ids of the file, as in the list", () => {
     const [vertex, face] = contact.primitives;
     expect(vertexName(page([0, 1]), vertex, 0)).toBe("7");

@@ -11,12 +11,19 @@ execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${firs
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME "${first}" "${prefix}")
 
-# The first block of C is the program.
+# The first block of C is the program, the second one the contact of a mesh.
 file(READ "${SOURCE}/../../docs/c.md" page)
 if(NOT page MATCHES "```c\n([^`]*)```")
     message(FATAL_ERROR "docs/c.md has no program in C")
 endif()
-file(WRITE "${work}/program.c" "${CMAKE_MATCH_1}")
+set(program "${CMAKE_MATCH_1}")
+file(WRITE "${work}/program.c" "${program}")
+string(FIND "${page}" "${program}" start)
+string(SUBSTRING "${page}" ${start} -1 after)
+if(NOT after MATCHES "```c\n([^`]*)```")
+    message(FATAL_ERROR "docs/c.md has no second program in C")
+endif()
+file(WRITE "${work}/contact.c" "${CMAKE_MATCH_1}")
 function(check_output output)
     if(NOT output STREQUAL "within 0 from t = 0.5 on\nwithin 0.25 from t = 0.375 on\n")
         message(FATAL_ERROR "the program of docs/c.md prints ${output}")
@@ -46,11 +53,16 @@ if(PKG_CONFIG)
                         COMMAND_ERROR_IS_FATAL ANY)
         execute_process(COMMAND "${work}/${kind}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
         check_output("${output}")
+        execute_process(COMMAND "${CC}" -Wall -Werror "${work}/contact.c" -o "${work}/contact" ${options}
+                        COMMAND_ERROR_IS_FATAL ANY)
+        execute_process(COMMAND "${work}/contact" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+        if(NOT output STREQUAL "vertex 3 and face 0 at t = 0.5\n")
+            message(FATAL_ERROR "the second program of docs/c.md prints ${output}")
+        endif()
     endforeach()
 
     # The first commands after the program, which find the library by themselves. Unlike the folder, the link to it
     # has no space in its name: the shell would split it.
-    string(REGEX REPLACE "^.*```c\n[^`]*```" "" after "${page}")
     file(RELATIVE_PATH subfolder "${prefix}" "${libraries}")
     if(CMAKE_HOST_UNIX AND subfolder STREQUAL "lib")
         if(NOT after MATCHES "```sh\n([^`]*)```")

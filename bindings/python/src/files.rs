@@ -1,12 +1,13 @@
 //! Mesh files.
 
 use std::ffi::CString;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_files::{Format, FrameOrder, MeshFile, ParseError, Polygons, ReadError};
 use exact_ccd_mesh::Frame;
 use numpy::{PyArray1, PyReadonlyArray2};
-use pyo3::exceptions::{PyOSError, PyUserWarning};
+use pyo3::exceptions::{PyFileNotFoundError, PyOSError, PyPermissionError, PyUserWarning};
 use pyo3::prelude::*;
 
 use crate::error::refused;
@@ -33,7 +34,15 @@ fn arrays<'py>(py: Python<'py>, name: &Path, file: MeshFile) -> PyResult<Arrays<
 
 fn unread(error: &ReadError) -> PyErr {
     match error {
-        ReadError::Io { .. } => PyOSError::new_err(error.to_string()),
+        ReadError::Io { source, .. } => match source.kind() {
+            ErrorKind::NotFound => PyFileNotFoundError::new_err(error.to_string()),
+            ErrorKind::PermissionDenied => PyPermissionError::new_err(error.to_string()),
+            _ => PyOSError::new_err(error.to_string()),
+        },
+        // A file that is missing has no format either.
+        ReadError::Extension { path } if !path.exists() => {
+            PyFileNotFoundError::new_err(format!("{}: there is no such file", path.display()))
+        }
         _ => refused(error),
     }
 }

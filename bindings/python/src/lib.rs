@@ -20,11 +20,11 @@ mod overlaps;
 mod page;
 mod pool;
 mod positions;
-#[cfg(feature = "program")]
-mod program;
 mod queries;
+#[cfg(feature = "repair")]
 mod repair;
 mod search;
+mod turns;
 
 use pyo3::prelude::*;
 
@@ -52,11 +52,11 @@ mod _native {
     use crate::overlaps::overlaps;
     #[pymodule_export]
     use crate::page::Page;
-    #[cfg(feature = "program")]
-    #[pymodule_export]
-    use crate::program::main;
     #[pymodule_export]
     use crate::queries::{collides, impact, intervals, time_and_count, time_of_impact};
+    #[cfg(feature = "repair")]
     #[pymodule_export]
     use crate::repair::repair;
+    #[pymodule_export]
+    use crate::turns::turns;
 }

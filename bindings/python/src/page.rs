@@ -3,6 +3,7 @@
 use std::mem;
 
 use exact_ccd_mesh::{Aabb, Contact, Intersection, TriangleMesh};
+use exact_ccd_view::Body;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -31,12 +32,29 @@ impl Page {
 
 #[pymethods]
 impl Page {
-    /// A page without frames; the positions are in the middle of the picture.
+    /// A page without frames; the positions are in the middle of the picture. Bodies have a name, a first
+    /// vertex, and an end; the ids in them are of each vertex and of each face, negative for none.
     #[new]
-    fn new(title: String, mesh: &Mesh, positions: PyReadonlyArray2<'_, f64>) -> PyResult<Self> {
+    #[pyo3(signature = (title, mesh, positions, bodies, ids))]
+    fn new(
+        title: String,
+        mesh: &Mesh,
+        positions: PyReadonlyArray2<'_, f64>,
+        bodies: Vec<(String, u32, u32)>,
+        ids: Option<(Vec<i64>, Vec<i64>)>,
+    ) -> PyResult<Self> {
         let bounds: Aabb = points(&positions)?.iter().copied().collect();
         let mesh = TriangleMesh::clone(mesh.mesh());
-        Ok(Self(exact_ccd_view::Page::new(title, mesh, &bounds)))
+        let bodies = bodies
+            .into_iter()
+            .map(|(name, start, end)| Body::new(name, "", start..end));
+        let page = exact_ccd_view::Page::new(title, mesh, &bounds).with_bodies(bodies);
+        let Some((vertices, faces)) = ids else {
+            return Ok(Self(page));
+        };
+        let id = |id: i64| u32::try_from(id).ok();
+        let vertices = vertices.into_iter().filter_map(id).collect();
+        Ok(Self(page.with_ids(vertices, faces.into_iter().map(id).collect())))
     }
 
     /// Adds the next frame.

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import exact_ccd
-from exact_ccd import Bodies, Detector, Mesh, MeshFile, nearest_poses
+from exact_ccd import Bodies, Detector, Mesh, MeshFile, Place, nearest_poses
 from hostile import CASES, positions, survive
 
 ROD = Mesh(2, [], edges=[[0, 1]])
@@ -49,6 +49,21 @@ def test_a_bar_swings_into_a_post() -> None:
     report = bodies.step(start, end)
     assert report.earliest == contact and report.colliding == (0, 1, 0, 0) and report.touching == (0, 0, 0, 0)
     assert bodies.collision(start, start) is None and len(bodies.collisions(start, start)) == 0
+
+
+def test_contacts_have_the_names_of_bodies() -> None:
+    start, end = [REST, REST], [TURNED, REST]
+    places = (Place("bar", "edge", 0), Place("post", "edge", 0))
+    bodies = Bodies([BAR, POST], names=["bar", "post"])
+    assert bodies.names == ("bar", "post")
+    assert bodies.collision(start, end).places == places
+    assert bodies.step(start, end).earliest.places == places
+    assert bodies.free_step(start, end).contact.places == places
+    assert Bodies([BAR, POST]).collision(start, end).places == (None, None)
+    with pytest.raises(ValueError, match="there are 1 names for 2 bodies, expected one for each"):
+        Bodies([BAR, POST], names=["bar"])
+    with pytest.raises(TypeError, match="name 1 is of type int, expected a str"):
+        Bodies([BAR, POST], names=["bar", 2])
 
 
 def test_a_certified_step() -> None:

@@ -10,6 +10,7 @@ from numpy.testing import assert_array_equal
 
 from exact_ccd import Detector, Mesh, Place, Worlds, audit, ipc
 from exact_ccd._records import same
+from exact_ccd.groups import numbers_in
 from test_audits import frames
 from test_meshes import FACES, soup, two_triangles
 
@@ -112,6 +113,10 @@ def test_places_are_those_in_a_mesh_of_the_body_alone() -> None:
                 else:
                     assert place is None or place.body != name
                     joints += place is None
+        for kind, rows in (("face", mesh.faces), ("edge", mesh.edges)):
+            places = [named.place(kind, index) for index in range(len(rows))]
+            ids = [-1 if place is None else place.id for place in places]
+            assert_array_equal(numbers_in(groups, rows), ids)
         assert all(named.place("vertex", vertex) == (name, "vertex", local[vertex]) for vertex in own)
     assert found > 100 and joints > 0
 

@@ -180,3 +180,62 @@ def test_refused() -> None:
     for keep in (0.0, 1.5, math.nan):
         with pytest.raises(ValueError, match="conservative_rescaling"):
             ipc.compute_collision_free_stepsize(mesh, x0, x1, conservative_rescaling=keep)
+
+
+FACE = [np.array(corner, float) for corner in ([0, 0, 0], [1, 0, 0], [0, 1, 0])]
+
+
+@pytest.mark.parametrize("name", ["AdditiveCCD", "TightInclusionCCD"])
+def test_narrow_phases_of_the_same_names(name: str) -> None:
+    """Contact at 0.2 of a pair that approaches at constant speed, at three distances."""
+    ours, theirs = getattr(ipc, name)(), getattr(ipctk, name)()
+    assert ours.conservative_rescaling == theirs.conservative_rescaling
+    for height in (1.0, 1e-2, 1e-4):
+        start, end = np.array([0.25, 0.25, height]), np.array([0.25, 0.25, -4 * height])
+        rod = FACE[0] + [-1, 0.25, 0], FACE[0] + [1, 0.25, 0]
+        for method, points in [
+            ("point_triangle_ccd", (start, *FACE, end, *FACE)),
+            ("point_point_ccd", (start, FACE[0] + [0.25, 0.25, 0], end, FACE[0] + [0.25, 0.25, 0])),
+            ("point_edge_ccd", (start, *rod, end, *rod)),
+            ("edge_edge_ccd", (start - FACE[2], start + FACE[2], *FACE[:2], end - FACE[2], end + FACE[2], *FACE[:2])),
+        ]:
+            mine, other = getattr(ours, method)(*points), getattr(theirs, method)(*points)
+            assert mine[0] is other[0] is True
+            # ipctk stops there or before; its own tolerance is 1e-6 of the motion.
+            assert other[1] <= mine[1] * (1 + 1e-9), (method, height)
+            assert mine[1] - other[1] < (1e-2 if name == "TightInclusionCCD" and height < 1e-3 else 1e-4), (method, height)
+    apart = np.array([0.25, 0.25, 0.5])
+    assert ours.point_triangle_ccd(apart, *FACE, apart, *FACE) == (False, math.inf)
+    names = ("p_t0", "t0_t0", "t1_t0", "t2_t0", "p_t1", "t0_t1", "t1_t1", "t2_t1")
+    within = ours.point_triangle_ccd(**dict(zip(names, (apart, *FACE) * 2)), min_distance=0.5)
+    assert within == (True, 0.0)
+
+
+def test_the_factor_of_a_narrow_phase_of_this_module() -> None:
+    mesh = ipctk.CollisionMesh(np.vstack([*FACE, [[0.25, 0.25, 1.0]]]), ipctk.edges([[0, 1, 2]]), [[0, 1, 2]])
+    x0 = np.vstack([*FACE, [[0.25, 0.25, 1.0]]])
+    x1 = x0 - [0, 0, 5] * (np.arange(4) == 3)[:, None]
+    size = ipc.compute_collision_free_stepsize
+    assert size(mesh, x0, x1) == size(mesh, x0, x1, narrow_phase_ccd=ipc.TightInclusionCCD()) == 0.18
+    quarter = size(mesh, x0, x1, narrow_phase_ccd=ipc.AdditiveCCD(conservative_rescaling=0.25))
+    assert quarter == size(mesh, x0, x1, conservative_rescaling=0.25) and abs(quarter - 0.05) < 1e-16
+    # The default of ipctk comes nearer.
+    assert 0.1999 < ipctk.compute_collision_free_stepsize(mesh, x0, x1) < 0.2
+
+
+def test_potentials_of_ipctk_take_the_candidates() -> None:
+    found, dhat = 0, 0.8
+    for mesh, x, _ in meshes(20):
+        if mesh.num_codim_vertices:
+            # ipctk asks the rule with other numbers of these vertices.
+            continue
+        candidates = ipc.Candidates()
+        candidates.build(mesh, x, inflation_radius=dhat / 2)
+        ours, theirs = ipctk.NormalCollisions(), ipctk.NormalCollisions()
+        ours.build(candidates.to_ipctk(mesh), mesh, x, dhat)
+        theirs.build(mesh, x, dhat)
+        barrier = ipctk.BarrierPotential(dhat, 1.0)
+        energies = [barrier(collisions, mesh, x) for collisions in (ours, theirs)]
+        assert len(ours) == len(theirs) and np.allclose(*energies, rtol=1e-12, atol=0.0)
+        found += len(ours) > 0
+    assert found > 5

@@ -39,9 +39,27 @@ def test_the_page_of_an_audit(tmp_path) -> None:
     assert "step 1: contact at t = 0.25: vertex 3 and face 0" in text and '"time":0.25' in text
     assert "frame 2" in text and "frame 3" not in text
     audit(frames(3, 1), FACES, view=file)
-    assert "free of contact" in contacts_of(file)
+    text = contacts_of(file)
+    assert "free of contact" in text and "examined: 2 frames, and the straight motion between them" in text
     audit(frames(-1, 1), FACES, view=file)
     assert "frame 0: edge" in contacts_of(file)
+
+
+def test_named_groups_are_the_bodies_of_a_page(tmp_path) -> None:
+    file = tmp_path / "step.html"
+    x0, x1 = two_triangles(1.0), two_triangles(-1.0)
+    named = {"groups": [1, 1, 1, 0, 0, 0], "names": ["leaf", "floor"]}
+    Detector(Mesh(6, FACES, **named)).step(x0, x1, view=file)
+    text = contacts_of(file)
+    assert '{"name":"floor","kind":"","vertices":{"start":0,"end":3}}' in text
+    assert '{"name":"leaf","kind":"","vertices":{"start":3,"end":6}}' in text
+    # The ids of the contact are those in its bodies, as in the line above it.
+    assert "leaf: vertex 0 and floor: face 0" in text
+    assert '{"kind":"vertex","id":0,"vertices":[3],"labels":[0]}' in text
+    # A body whose vertices are not consecutive: the bodies of the page are the connected parts.
+    mixed = {"groups": [1, 0, 1, 0, 0, 0], "names": ["leaf", "floor"]}
+    Detector(Mesh(6, FACES, **mixed)).step(x0, x1, view=file)
+    assert '"name":"leaf"' not in contacts_of(file)
 
 
 def test_pages_of_files_and_errors(tmp_path) -> None:

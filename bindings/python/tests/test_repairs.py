@@ -11,8 +11,10 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import exact_ccd
-from exact_ccd import Detector, Mesh, Repair, RepairProgress, repair
+from exact_ccd import Detector, Mesh, Repair, RepairProgress, _native, repair
 from hostile import CASES, integers, positions, survive
+
+pytestmark = pytest.mark.skipif(not hasattr(_native, "repair"), reason="the package is built without the feature repair")
 
 FACES = [[0, 1, 2], [3, 4, 5]]
 X = np.array([[0, 0, 0], [8, 0, 0], [0, 8, 0], [2, 2, -0.5], [2, 1, 4], [1, 2, 4]])

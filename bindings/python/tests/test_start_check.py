@@ -47,6 +47,26 @@ def test_the_pairs_that_cannot_collide() -> None:
     assert 5 in only.edges[error.value.edge]
 
 
+def test_a_pierced_start_without_the_check_is_a_warning_once(recwarn: pytest.WarningsRecorder) -> None:
+    named = {"groups": [0, 0, 0, 1, 1, 1], "names": ["floor", "leaf"]}
+    for name in ("collision", "free_step", "step"):
+        for mesh, words in [
+            (Mesh(6, FACES), "edge 3 passes through face 0"),
+            (Mesh(6, FACES, **named), "leaf: edge 0 passes through floor: face 0"),
+        ]:
+            detector = Detector(mesh)
+            with pytest.warns(UserWarning, match=f"{words} at the start of the step.*start_check=True") as caught:
+                getattr(detector, name)(PIERCED, PIERCED)
+            # The caller's line, not one of the package.
+            assert caught[0].filename == __file__
+            getattr(detector, name)(PIERCED, PIERCED)
+    # No warning: of a free start, of a step with contact, nor if the start is left out by the groups.
+    Detector(Mesh(6, FACES)).collision(FREE, FREE)
+    Detector(Mesh(6, FACES)).collision(PIERCED, FREE)
+    Detector(Mesh(6, FACES, groups=[0] * 6)).free_step(PIERCED, PIERCED)
+    assert not recwarn.list
+
+
 def test_touching_is_no_crossing() -> None:
     detector = Detector(Mesh(6, FACES), start_check=True)
     assert detector.free_step(two_triangles(0.0), FREE).size == 0.0

@@ -1,6 +1,6 @@
 //! The `exact-ccd` program as a function: reads files, calls the libraries and reports.
 //!
-//! The program itself and the Python package call it.
+//! The programs `exact-ccd` and `exact-ccd-full` call it.
 
 mod assembly;
 mod commands;
@@ -35,29 +35,18 @@ struct Program {
     command: Command,
 }
 
-/// Runs the program with these arguments. The first one is its name.
+/// Runs the program with these arguments, in a process of its own. The first one is its name.
 ///
 /// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error, 3 if there is
-/// no certificate. The help text and errors in the arguments end the process.
-///
-/// It handles no signals, because they belong to the process that calls it.
+/// no certificate. The help text and errors in the arguments end the process. Ctrl-C ends a simulation after
+/// the last complete time step, with the status 130.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    run_program(arguments.into_iter().collect(), false)
-}
-
-/// Runs the program as [`main`], in a process of its own: Ctrl-C ends a simulation after the last complete
-/// time step, with the status 130.
-pub fn main_of_process(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    run_program(arguments.into_iter().collect(), true)
-}
-
-fn run_program(arguments: Vec<OsString>, is_process: bool) -> ExitCode {
-    let command = is_process.then_some(arguments.as_slice());
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
     let matches = left_out::commands(Program::command()).get_matches_from(&arguments);
     let included = left_out::check(&matches);
     let ended = included.and_then(|()| {
         let program = Program::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-        run(&program, command)
+        run(&program, &arguments)
     });
     ended.unwrap_or_else(|failure| {
         // An error of standard error itself cannot be reported.
@@ -66,14 +55,13 @@ fn run_program(arguments: Vec<OsString>, is_process: bool) -> ExitCode {
     })
 }
 
-/// Runs a command on threads of its own, which end with it: a process may run several, one after the other
-/// or at the same time.
-fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
+/// Runs a command on threads of its own. `line` is the command line.
+fn run(program: &Program, line: &[OsString]) -> Result<ExitCode, Failure> {
     // 0 stands for the number of cores.
     let threads = program.threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.into())
         .build()
         .map_err(|error| Failure::new(format_args!("cannot start the threads: {error}")))?;
-    pool.install(|| program.command.run(Program::command, command))
+    pool.install(|| program.command.run(Program::command, line))
 }

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    exact_ccd_cli::main_of_process(std::env::args_os())
+    exact_ccd_cli::main(std::env::args_os())
 }

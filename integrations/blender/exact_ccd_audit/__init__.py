@@ -10,6 +10,7 @@ from bpy.props import FloatProperty
 from exact_ccd import Violation, audit
 
 from . import scene as scenes
+from .words import primitives
 
 
 class ExactCcdAudit(bpy.types.Operator):
@@ -33,7 +34,7 @@ class ExactCcdAudit(bpy.types.Operator):
         scene, objects = context.scene, scenes.bodies(context.scene)
         before = scene.frame_current
         scene.frame_set(scene.frame_start)
-        faces = scenes.evaluated(objects)[1]
+        _, faces, counts = scenes.evaluated(objects)
         try:
             report = audit(scenes.frames(scene, objects), faces, min_distance=self.min_distance)
         except ValueError as error:
@@ -45,24 +46,30 @@ class ExactCcdAudit(bpy.types.Operator):
             scene.frame_set(before)
             self.report({"INFO"}, f"free of contact: {report.frames} frames")
             return {"FINISHED"}
-        self.show(scene, objects, faces, report.violation)
+        names = [item.name for item in objects]
+        self.show(scene, objects, faces, report.violation, primitives(report.violation, names, faces, counts))
         return {"FINISHED"}
 
     def show(
-        self, scene: bpy.types.Scene, objects: list[bpy.types.Object], faces: np.ndarray, violation: Violation
+        self,
+        scene: bpy.types.Scene,
+        objects: list[bpy.types.Object],
+        faces: np.ndarray,
+        violation: Violation,
+        words: str,
     ) -> None:
-        """Goes to the frame of a violation and selects its vertices."""
+        """Goes to the frame of a violation, reports it in words, and selects its vertices."""
         frame = scene.frame_start + violation.frame
         contact = violation.contact
         if contact is None:
             scene.frame_set(frame)
-            self.report({"WARNING"}, f"the meshes intersect at frame {frame}")
+            self.report({"WARNING"}, f"intersection at frame {frame}: {words}")
             _, face = violation.intersection
             vertices = faces[face].tolist()
         else:
             part, whole = math.modf(frame + contact.time)
             scene.frame_set(int(whole), subframe=part)
-            self.report({"WARNING"}, f"contact at frame {whole + part:.6g} ({contact.kind})")
+            self.report({"WARNING"}, f"contact at frame {whole + part:.6g}: {words}")
             vertices = contact.vertices.tolist()
         # Modifiers that add vertices change the numbers: then nothing is selected.
         if scenes.evaluated(objects)[2] == [len(item.data.vertices) for item in objects]:

@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineS
 import { PARTS } from "../colours";
 import { type Parts } from "../parts";
 import { Balls } from "./balls";
-import { BETWEEN, patched, uniforms } from "./moving";
+import { IN_FRONT, patched, uniforms } from "./moving";
 import { Rods, THIN } from "./rods";
 import { Surface } from "./surface";
 
@@ -43,7 +43,7 @@ export class MovingMesh {
   private readonly points = new Balls(SMALL, 1, this.uniforms);
   private readonly wires = new LineSegments(
     new BufferGeometry(),
-    patched(new LineBasicMaterial({ transparent: true, depthWrite: false }), this.uniforms, BETWEEN),
+    patched(new LineBasicMaterial({ transparent: true, depthWrite: false }), this.uniforms, IN_FRONT),
   );
   private hidden: ReadonlySet<number> = new Set();
   private isShown = false;

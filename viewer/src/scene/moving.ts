@@ -29,6 +29,16 @@ export const BETWEEN: Patch = {
   vertex: { "#include <begin_vertex>": "vec3 transformed = mix(position, next, stepTime);" },
 };
 
+/** The same vertex, nearer to the camera by 0.3 of the width of a pixel there: an edge is in front of its own faces. */
+export const IN_FRONT: Patch = {
+  ...BETWEEN,
+  vertex: {
+    ...BETWEEN.vertex,
+    "#include <project_vertex>":
+      "#include <project_vertex>\n  gl_Position = projectionMatrix * vec4(mvPosition.xyz * (1.0 - 0.3 * pixel), 1.0);",
+  },
+};
+
 /** The material with a patch of its program. */
 export function patched<M extends Material>(material: M, shared: Uniforms, { declarations, vertex, fragment = {} }: Patch): M {
   material.onBeforeCompile = (shader) => {

@@ -37,7 +37,8 @@ const DIRECTIONS = 12;
  *
  * The camera looks along the contact plane, from somewhat above it, so that the gap between the primitives can be
  * seen as it closes. It is on the outer side of the mesh, and away from the axis around which it turns, as far as
- * this leaves a choice. A ball around `vertices` fills a fraction of the height.
+ * this leaves a choice. A ball around `vertices` fills a fraction of the height. A `line` along which the primitives lie is
+ * not seen end-on.
  */
 export function contactPose(
   point: Point,
@@ -47,6 +48,7 @@ export function contactPose(
   radius: number,
   up: Point,
   fraction: number,
+  line: Point = [0, 0, 0],
 ): Pose {
   const outwards = unit(add(unit(subtract(point, center), up), times(ABOVE, up)), up);
   const n = unit(normal ?? outwards, up);
@@ -60,11 +62,22 @@ export function contactPose(
       return add(times(Math.cos(ELEVATION), along), times(side * Math.sin(ELEVATION), n));
     }),
   );
-  const best = towards.reduce((a, b) => (value(b) > value(a) ? b : a));
+  const seen = (towards: Point): number => value(towards) - 4 * Math.max(Math.abs(dot(towards, line)) - 0.4, 0);
+  const best = towards.reduce((a, b) => (seen(b) > seen(a) ? b : a));
   const extent = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))));
   // Points alone have no extent.
   const size = extent > 1e-9 * radius ? Math.max(extent, 1e-4 * radius) : 0.15 * radius;
   return { target: point, position: add(point, times(distanceFor(size, fraction), best)) };
+}
+
+/** The direction of a line that all points lie along, nearly; zero if there is none. */
+export function commonLine(points: Point[]): Point {
+  const [first] = points;
+  if (first === undefined) return [0, 0, 0];
+  const far = points.reduce((a, b) => (length(subtract(b, first)) > length(subtract(a, first)) ? b : a));
+  const along = unit(subtract(far, first), [0, 0, 0]);
+  const off = points.map((point) => length(cross(subtract(point, first), along)));
+  return Math.max(...off) < 0.05 * length(subtract(far, first)) ? along : [0, 0, 0];
 }
 
 /** The least angle between the view and the direction upwards, in radians. */

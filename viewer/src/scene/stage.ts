@@ -14,7 +14,7 @@ import { type Marked, type Moving, Marks } from "./marks";
 import { MovingMesh } from "./mesh";
 import { namesOf } from "./names";
 import { geometryOf, type Plane, Planes } from "./planes";
-import { contactPose, overview } from "./pose";
+import { commonLine, contactPose, overview } from "./pose";
 import { View } from "./view";
 
 type Ends = [Float32Array<ArrayBuffer>, Float32Array<ArrayBuffer>];
@@ -28,6 +28,12 @@ interface Pair {
 
 /** The fraction of the height that the primitives of a contact fill, among others or alone. */
 const [AMONG_OTHERS, ALONE] = [0.4, 0.75];
+
+/** The size of the dots at contacts in pixels, and the number of contacts that have it. */
+const [DOT, FEW] = [7, 200];
+
+/** The size of the dots at so many contacts: many are smaller, so that the surface is visible between them. */
+export const dotSize = (count: number): number => Math.max(2.5, DOT * Math.min(1, Math.sqrt(FEW / count)));
 
 export class Stage {
   readonly view: View;
@@ -57,7 +63,7 @@ export class Stage {
     this.view = new View(canvas, (width, height) => labels.place(this.view.camera, width, height), this.mesh.uniforms);
     this.view.add(this.mesh.group);
     this.view.add(this.planes.group);
-    const material = new PointsMaterial({ vertexColors: true, size: 7, sizeAttenuation: false, map: disc(), alphaTest: 0.4 });
+    const material = new PointsMaterial({ vertexColors: true, size: DOT, sizeAttenuation: false, map: disc(), alphaTest: 0.4 });
     this.places = new Points(new BufferGeometry(), material);
     this.places.frustumCulled = false;
     this.view.addMark(this.places);
@@ -87,6 +93,7 @@ export class Stage {
     this.places.visible = page.contacts.length > 1;
     this.places.geometry.dispose();
     this.places.geometry = placesOf(shown);
+    this.places.material.size = dotSize(page.contacts.length);
   }
 
   /** Positions at both ends of the step, which are the space of the view. */
@@ -147,11 +154,12 @@ export class Stage {
       if (isHalfSpace) return [...now({ start, end }), ...now(around), ...(closest ?? [])];
       return page.query !== null && this.showsPaths ? [...now({ start, end }), ...start, ...end] : now({ start, end });
     });
+    const line = commonLine(primitives.flatMap(({ start, end }) => start.map((vertex, i) => mix(vertex, end[i], time))));
     const place = closest === null ? this.middle : mix(closest[0], closest[1], 0.5);
     const fraction = page.query === null && !isHalfSpace ? AMONG_OTHERS : ALONE;
     // A half space is seen from its outer side, and a mesh from outside.
     const inside = isHalfSpace && normal !== null ? subtract(place, normal) : this.middle;
-    this.view.go(contactPose(place, normal, at, inside, this.radius, this.up, fraction), atOnce);
+    this.view.go(contactPose(place, normal, at, inside, this.radius, this.up, fraction, line), atOnce);
   }
 
   /** Draws a changed state. */

@@ -33,7 +33,8 @@ export class Surface {
         transparent: true,
         depthWrite: false,
         polygonOffset: true,
-        polygonOffsetFactor: offset,
+        // Not by the slope: a steep surface would be shifted behind another one that it is close to.
+        polygonOffsetFactor: 0,
         polygonOffsetUnits: offset,
       });
       const patch = { ...BETWEEN, fragment: { "#include <color_fragment>": BACK_SIDES } };

@@ -19,9 +19,14 @@ export function compare(exact: number | null, { contact, time }: Verdict): Diffe
   const late = time - exact;
   if (late === 0) return { level: "same", text: "The root finder agrees, to the last bit." };
   const size = Number(Math.abs(late).toPrecision(2));
-  if (Math.abs(late) < ROUNDING) return { level: "same", text: `The root finder agrees, up to rounding: ${late < 0 ? "−" : "+"}${size}.` };
+  if (Math.abs(late) < ROUNDING) return { level: "same", text: roundingText(late, size) };
   if (late < 0) return { level: "early", text: `The root finder is early by ${size}: it stops motion that is free.` };
   return { level: "wrong", text: `The root finder is late by ${size}: the primitives have touched before.` };
+}
+
+function roundingText(late: number, size: number): string {
+  const down = late > 0 ? " The exact time is rounded down, so that nothing touches before it." : "";
+  return `The root finder agrees, up to rounding: ${late < 0 ? "−" : "+"}${size}.${down}`;
 }
 
 const MARKS: Record<Difference["level"], string> = { same: "✓", early: "!", wrong: "✗" };

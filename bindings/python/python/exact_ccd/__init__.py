@@ -17,9 +17,11 @@ from .contacts import CONTACT, PAIR, Contact
 from .detectors import Detector, Progress
 from .groups import CanCollide, Place
 from .meshes import Mesh, MeshFile, read_mesh
+from .notebooks import NotebookPage
 from .poses import NearestPoses, nearest_poses
 from .queries import IMPACT, Intervals, Kind, Queries
 from .repairs import Change, Repair, RepairProgress, repair
+from .scenes import PlacedMesh, from_trimesh
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
 from .violations import AuditReport, Violation
@@ -51,8 +53,10 @@ __all__ = [
     "Mesh",
     "MeshFile",
     "NearestPoses",
+    "NotebookPage",
     "PairCounts",
     "Place",
+    "PlacedMesh",
     "Progress",
     "Queries",
     "Repair",
@@ -66,6 +70,7 @@ __all__ = [
     "__version__",
     "answer_table",
     "audit",
+    "from_trimesh",
     "nearest_poses",
     "read_mesh",
     "repair",

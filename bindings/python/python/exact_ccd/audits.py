@@ -18,6 +18,7 @@ from .half_spaces import HalfSpaces
 from .detectors import Detector, Progress
 from .meshes import Mesh
 from .pages import Page, line
+from .turns import Turns
 from .violations import AuditReport, Violation, examine
 from .welding import PerVertex, Weld, per_vertex, remaining, style_of
 
@@ -98,6 +99,12 @@ def audit(
     UncertifiedError
         If some pairs have no proof. No certificate is written.
 
+    Warns
+    -----
+    UserWarning
+        For each connected part that turns by more than 10° between two frames as a rigid body: its vertices move in
+        straight lines, on which it shrinks. :class:`Bodies` turn exactly.
+
     Examples
     --------
     A vertex moves through a triangle in the second step.
@@ -122,7 +129,11 @@ def audit(
         if page is not None:
             page.add_frame(next(titles), frame)
 
-    examined = examine(detector, positions, progress=progress, half_spaces=planes, examined=show, parts=parts)
+    turns = Turns(mesh)
+    examined = examine(
+        detector, positions, progress=progress, half_spaces=planes, examined=show, parts=parts, turns=turns
+    )
+    turns.warn(stacklevel=2)
     report = AuditReport(*examined, kept)
     if page is not None and view is not None:
         _write(page, view, detector, report)
@@ -158,7 +169,7 @@ def _write(page: Page, file: FilePath, detector: Detector, report: AuditReport) 
     lines = [f"frames examined: {report.frames}"]
     violation = report.violation
     if violation is None:
-        lines.insert(0, "free of contact")
+        lines = ["free of contact", f"examined: {report.frames} frames, and the straight motion between them, at all times"]
     elif violation.contact is not None:
         page.add_contacts(detector._native, every=False)
         place = "frame" if report.frames == 1 else "step"

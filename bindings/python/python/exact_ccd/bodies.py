@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any, NamedTuple, Optional, Union
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple, Optional, Protocol, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from ._arrays import Floats, booleans, floats, number, thread_count
 from ._records import by_value
+from .contacts import Places, primitives
+from .groups import Place, strings
 from .meshes import Mesh, MeshFile
 from .poses import Poses
 from .poses import poses as _checked
@@ -28,7 +30,7 @@ BODY_CONTACT = np.dtype(
         ("normal", np.float64, (3,)),
     ]
 )
-"""The fields of a contact of two bodies: all fields of :class:`BodyContact`."""
+"""The fields of a contact of two bodies: all fields of :class:`BodyContact` except `places`."""
 
 
 Columns = tuple[NDArray[np.uint8], NDArray[np.int64], NDArray[np.uint32], Floats]
@@ -53,6 +55,8 @@ class BodyContact(NamedTuple):
         The parameters of the contact, see :meth:`Queries.impact`.
     normal : float64 array of shape (3,)
         The unit normal in the world, from the second primitive to the first; NaN if there is none.
+    places : tuple of two Place or None
+        The names of both bodies with their primitives, if bodies have names.
     """
 
     kind: Kind
@@ -62,6 +66,7 @@ class BodyContact(NamedTuple):
     u: float
     v: float
     normal: NDArray[np.float64]
+    places: Places = (None, None)
 
 
 class BodiesReport(NamedTuple):
@@ -124,6 +129,20 @@ class FreePoses(NamedTuple):
     contact: Optional[BodyContact]
 
 
+class Shape(Protocol):
+    """A mesh with its positions: a :class:`MeshFile`, or a mesh of trimesh."""
+
+    @property
+    def vertices(self) -> ArrayLike:
+        """The positions (V, 3)."""
+        ...
+
+    @property
+    def faces(self) -> ArrayLike:
+        """The vertices of each face (F, 3)."""
+        ...
+
+
 class Bodies:
     """Finds contact between rigid bodies, exactly on their curved paths.
 
@@ -137,11 +156,13 @@ class Bodies:
 
     Parameters
     ----------
-    meshes : iterable of tuples or MeshFile
+    meshes : iterable of tuples, MeshFile or trimesh.Trimesh
         For each body, its mesh, a :class:`Mesh` or its faces, and the positions (V, 3) in its own coordinates; or
-        a file of :func:`read_mesh`. Groups and rules of the meshes have no part in it.
+        a file of :func:`read_mesh`, or another object with `vertices` and `faces`. Groups and rules of the meshes have no part in it.
     can_collide : bool array of shape (B, B), optional
         A symmetric matrix: the pairs of bodies that can collide. By default all can. A body never collides with itself.
+    names : sequence of str, optional
+        A name for each body: contacts have them, see :attr:`BodyContact.places`.
     min_distance : float
         Bodies that come within this distance of each other count as touching.
     threads : int, optional
@@ -153,7 +174,7 @@ class Bodies:
         If an argument has another type.
     ValueError
         If the positions of a body do not fit its mesh, or are not finite: the message has the index of the body. If
-        the matrix is not symmetric, or the distance negative or not finite.
+        the matrix is not symmetric, or the distance negative or not finite. If there is not one name for each body.
 
     See Also
     --------
@@ -172,12 +193,13 @@ class Bodies:
 
     >>> from exact_ccd import Bodies, Mesh
     >>> rod = Mesh(2, [], edges=[[0, 1]])
-    >>> bodies = Bodies([(rod, [[1, 0, 0], [4, 0, 0]]), (rod, [[2, 2, -1], [2, 2, 1]])])
+    >>> parts = [(rod, [[1, 0, 0], [4, 0, 0]]), (rod, [[2, 2, -1], [2, 2, 1]])]
+    >>> bodies = Bodies(parts, names=["bar", "post"])
     >>> start = [[0, 0, 0, 1, 0, 0, 0]] * 2
     >>> end = [[0, 0, 0, 1, 0, 0, 1], [0, 0, 0, 1, 0, 0, 0]]
     >>> contact = bodies.collision(start, end)
-    >>> contact.bodies.tolist(), contact.time
-    ([0, 1], 0.41421356237309503)
+    >>> str(contact.places[0]), str(contact.places[1]), contact.time
+    ('bar: edge 0', 'post: edge 0', 0.41421356237309503)
     >>> step = bodies.free_step(start, end)
     >>> bodies.collides(start, step.poses)
     False
@@ -185,9 +207,10 @@ class Bodies:
 
     def __init__(
         self,
-        meshes: Iterable[Union[tuple[Union[Mesh, ArrayLike], ArrayLike], MeshFile]],
+        meshes: Iterable[Union[tuple[Union[Mesh, ArrayLike], ArrayLike], Shape]],
         *,
         can_collide: Optional[ArrayLike] = None,
+        names: Optional[Sequence[str]] = None,
         min_distance: float = 0.0,
         threads: Optional[int] = None,
     ) -> None:
@@ -196,6 +219,9 @@ class Bodies:
         if matrix is not None and len(matrix) != len(bodies):
             raise ValueError(f"can_collide has the shape {matrix.shape}, expected (B, B), for {len(bodies)} bodies")
         self._count = len(bodies)
+        self._names = None if names is None else strings(names)
+        if self._names is not None and len(self._names) != len(bodies):
+            raise ValueError(f"there are {len(self._names)} names for {len(bodies)} bodies, expected one for each")
         self._native = _native.Bodies(
             [(mesh._native, positions) for mesh, positions in bodies],
             matrix,
@@ -206,6 +232,11 @@ class Bodies:
     def __len__(self) -> int:
         """The number of bodies."""
         return self._count
+
+    @property
+    def names(self) -> Optional[tuple[str, ...]]:
+        """The name of each body, if they have names."""
+        return self._names
 
     def _ends(self, poses0: Poses, poses1: Poses) -> tuple[Floats, Floats]:
         return _checked("poses0", poses0, self._count), _checked("poses1", poses1, self._count)
@@ -240,7 +271,7 @@ class Bodies:
         BodyContact or None
             None if the step is free.
         """
-        return _first(self._native.collision(*self._ends(poses0, poses1), number("until", until)))
+        return self._first(self._native.collision(*self._ends(poses0, poses1), number("until", until)))
 
     def collisions(self, poses0: Poses, poses1: Poses, *, until: float = 1.0) -> NDArray[np.void]:
         """Find all contacts of the step.
@@ -271,7 +302,7 @@ class Bodies:
             The numbers of pairs, and the earliest contact.
         """
         (colliding, touching), contact = self._native.step(*self._ends(poses0, poses1))
-        return BodiesReport(PairCounts(*colliding), PairCounts(*touching), _first(contact))
+        return BodiesReport(PairCounts(*colliding), PairCounts(*touching), self._first(contact))
 
     def distances(self, poses: Poses, cut_off: float) -> BodyDistances:
         """Compute the distance of each pair of bodies that can collide.
@@ -318,13 +349,30 @@ class Bodies:
             smaller sizes are tried.
         """
         size, end, contact = self._native.free_step(*self._ends(poses0, poses1), number("keep", keep))
-        return FreePoses(size, end, _first(contact))
+        return FreePoses(size, end, self._first(contact))
+
+    def _first(self, columns: Columns) -> Optional[BodyContact]:
+        """The only contact in the columns, if there is one."""
+        for row in _table(columns):
+            contact = BodyContact(*(row[name] if row[name].ndim else row[name].item() for name in BODY_CONTACT.names or ()))
+            return contact if self._names is None else contact._replace(places=_places(self._names, contact))
+        return None
+
+
+def _places(names: tuple[str, ...], contact: BodyContact) -> Places:
+    """The primitives of a contact by the names of their bodies."""
+    ids = zip(contact.bodies.tolist(), primitives(contact.kind), contact.primitives.tolist())
+    first, second = (Place(names[body], kind, index) for body, kind, index in ids)
+    return first, second
 
 
 def _body(index: int, given: Any) -> tuple[Mesh, Floats]:
     """The mesh and the positions of a body."""
-    if isinstance(given, MeshFile):
-        return Mesh(len(given.vertices), given.faces, given.edges), floats("vertices", given.vertices, (None, 3))
+    if hasattr(given, "vertices") and hasattr(given, "faces"):
+        array = floats(f"vertices of body {index}", given.vertices, (None, 3))
+        # The edges of a mesh of trimesh belong to its faces.
+        edges = given.edges if isinstance(given, MeshFile) else None
+        return Mesh(len(array), given.faces, edges), array
     if not isinstance(given, (tuple, list)) or len(given) != 2:
         raise TypeError(f"body {index} is of type {type(given).__name__}, expected a tuple of a mesh and its positions")
     mesh, positions = given
@@ -341,10 +389,3 @@ def _table(columns: Columns) -> NDArray[np.void]:
     contacts["time"], contacts["u"], contacts["v"] = impacts[:, :3].T
     contacts["normal"] = impacts[:, 3:]
     return contacts
-
-
-def _first(columns: Columns) -> Optional[BodyContact]:
-    """The only contact in the columns, if there is one."""
-    for row in _table(columns):
-        return BodyContact(*(row[name] if row[name].ndim else row[name].item() for name in BODY_CONTACT.names or ()))
-    return None

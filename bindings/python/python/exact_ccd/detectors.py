@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from os import PathLike
 from typing import Any, NamedTuple, Optional, Union
@@ -16,6 +17,7 @@ from .contacts import Contact, first, pairs, table
 from .meshes import Mesh
 from .pages import Page, line
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
+from .turns import Turns
 
 Progress = Callable[[int], object]
 """A function that is called with the number of steps done since its last call, as ``tqdm.update``."""
@@ -36,21 +38,22 @@ class Searcher:
 
     def __init__(
         self,
-        mesh: Mesh,
+        mesh: Union[Mesh, ArrayLike],
+        faces: Optional[ArrayLike] = None,
         *,
         min_distance: Union[float, ArrayLike] = 0.0,
         inner_distance: Optional[float] = None,
         threads: Optional[int] = None,
         start_check: bool = False,
     ) -> None:
-        if not isinstance(mesh, Mesh):
-            raise TypeError(f"mesh is of type {type(mesh).__name__}, expected an exact_ccd.Mesh")
+        mesh = _mesh_of(type(self).__name__, mesh, faces)
         self._mesh = mesh
         given = distances(min_distance, mesh.vertex_count)
         distance: Union[float, Floats] = frozen(given) if given.ndim else float(given)
         inner = None if inner_distance is None else number("inner_distance", inner_distance)
         self._settings = Settings(distance, inner, thread_count(threads), bool(start_check))
         self._native = _native.Detector(mesh._native, *self._settings)
+        self._is_warned = False
 
     @property
     def mesh(self) -> Mesh:
@@ -78,6 +81,20 @@ class Searcher:
         return _searcher, (type(self), self._mesh, self._settings._asdict())
 
 
+def _mesh_of(kind: str, mesh: Union[Mesh, ArrayLike], faces: Optional[ArrayLike]) -> Mesh:
+    """The mesh, which may be given by its vertices and faces."""
+    if isinstance(mesh, Mesh):
+        if faces is not None:
+            raise TypeError(f"the mesh has its own faces; all arguments of {kind} after it are given by name")
+        return mesh
+    if faces is None:
+        raise TypeError(
+            f"mesh is of type {type(mesh).__name__}, expected an exact_ccd.Mesh, or the vertices and the faces: "
+            f"{kind}(vertices, faces); from_trimesh has the mesh of a trimesh object"
+        )
+    return Mesh(mesh, faces)
+
+
 def _searcher(kind: type[Searcher], mesh: Mesh, settings: dict[str, Any]) -> Searcher:
     return kind(mesh, **settings)
 
@@ -93,8 +110,10 @@ class Detector(Searcher):
 
     Parameters
     ----------
-    mesh : Mesh
-        The mesh, with the pairs that can collide.
+    mesh : Mesh, or array of shape (V, 3)
+        The mesh, with the pairs that can collide; or the vertices, with `faces`.
+    faces : int array of shape (F, 3), optional
+        The faces of a mesh that is given by its vertices.
     min_distance : float or array of shape (V,)
         Primitives that come within this distance of each other count as touching, in all that follows; in
         the unit of the coordinates, taken exactly. Or a thickness for each vertex: a primitive has the
@@ -133,7 +152,9 @@ class Detector(Searcher):
 
     A contact is between a vertex and a face, between two edges, or between points and rods. An edge that
     pierces a face at rest, away from the boundary of the face, is none of these: a step from such a start may
-    be free of contact, and `free_step` may return the size 1. With `start_check`, such a start is an error.
+    be free of contact, and `free_step` may return the size 1. With `start_check`, such a start is an error; without, the
+    first step of a detector that `collision`, `free_step` or `step` finds free is a warning if it has such a start. So it is
+    if a part of the mesh turns in it by more than 10°, as it shrinks on the way: see :class:`Bodies`.
     `intersections` finds such edges, and :func:`audit` begins with them.
     ``docs/pairs.md`` lists all pairs that are never in contact.
 
@@ -165,6 +186,24 @@ class Detector(Searcher):
     def _ends(self, x0: ArrayLike, x1: ArrayLike) -> tuple[Positions, Positions]:
         return self._world("x0", x0), self._world("x1", x1)
 
+    def _warn_once(self, x0: ArrayLike, x1: ArrayLike) -> None:
+        """Warn of facts that the first step without contact does not say: a pierced start, and parts that turn."""
+        if self._is_warned:
+            return
+        self._is_warned = True
+        turns = Turns(self._mesh)
+        turns.add(x0, x1, "in the step")
+        turns.warn(stacklevel=3)
+        found = [] if self._settings.start_check else self._crossings(x0)
+        if len(found):
+            edge, face = found[0].tolist()
+            first, second = self._mesh.place("edge", edge), self._mesh.place("face", face)
+            warnings.warn(
+                f"{first or f'edge {edge}'} passes through {second or f'face {face}'} at the start of the step, which is no contact of the step; "
+                "Detector(..., start_check=True) refuses such a start. This is said once for each detector",
+                stacklevel=3,
+            )
+
     def collides(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> bool:
         """Decide if any two primitives touch in the step; ends soon after the first contact found.
 
@@ -195,6 +234,13 @@ class Detector(Searcher):
         Contact or None
             None if the step is free.
         """
+        contact = self._earliest(x0, x1, until)
+        if contact is None:
+            self._warn_once(x0, x1)
+        return contact
+
+    def _earliest(self, x0: ArrayLike, x1: ArrayLike, until: float = 1.0) -> Optional[Contact]:
+        """The earliest contact, without a warning."""
         return first(self._native.collision(*self._ends(x0, x1), number("until", until)), self._mesh)
 
     def collisions(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> NDArray[np.void]:
@@ -301,6 +347,8 @@ class Detector(Searcher):
             the size is reduced by units in its last place until it is, or is 0.
         """
         size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep))
+        if not len(contact[1][0]):
+            self._warn_once(x0, x1)
         return FreeStep(size.item(), end[0], first(contact, self._mesh), PairCounts(*touching[0].tolist()))
 
     def free_steps(
@@ -389,6 +437,8 @@ class Detector(Searcher):
         counts, contact = self._native.step(start, end, progress)
         candidates, colliding, touching = (PairCounts(*count[0].tolist()) for count in counts)
         report = StepReport(candidates, colliding, touching, first(contact, self._mesh))
+        if report.earliest is None:
+            self._warn_once(x0, x1)
         if view is not None:
             page = Page("Step", self._mesh)
             page.add_frame("t = 0", start[0])

@@ -64,16 +64,22 @@ def matrix_of(can_collide: Optional[CanCollide], groups: Optional[Indices]) -> O
     return frozen(booleans("can_collide", can_collide))
 
 
+def strings(names: Sequence[str]) -> tuple[str, ...]:
+    """The names, each of which is checked."""
+    given = (names,) if isinstance(names, str) else tuple(names)
+    for number, name in enumerate(given):
+        if not isinstance(name, str):
+            raise TypeError(f"name {number} is of type {type(name).__name__}, expected a str")
+    return given
+
+
 def names_of(names: Optional[Sequence[str]], groups: Optional[Indices]) -> Optional[tuple[str, ...]]:
     """The name of each group."""
     if names is None:
         return None
     if groups is None:
         raise TypeError("names are for groups, but groups is missing: give the number of the group of each vertex")
-    given = (names,) if isinstance(names, str) else tuple(names)
-    for number, name in enumerate(given):
-        if not isinstance(name, str):
-            raise TypeError(f"name {number} is of type {type(name).__name__}, expected a str")
+    given = strings(names)
     if groups.size and groups.max() >= len(given):
         vertex = int(np.argmax(groups >= len(given)))
         raise ValueError(f"vertex {vertex} is in group {groups[vertex]}, but there are only {len(given)} names")
@@ -91,3 +97,15 @@ def place_of(
         return None
     before = (groups[rows[:index]] == own[0]).all(axis=1)
     return Place(names[int(own[0])], kind, int(np.count_nonzero(before)))
+
+
+def numbers_in(groups: Indices, rows: Indices) -> NDArray[np.int64]:
+    """The index of each row of vertices among the rows of its group; -1 if its vertices are of several groups."""
+    of_rows = groups[rows]
+    (within,) = np.nonzero((of_rows == of_rows[:, :1]).all(axis=1))
+    order = within[np.argsort(of_rows[within, 0], kind="stable")]
+    own = of_rows[order, 0]
+    starts = np.searchsorted(own, own)
+    numbers = np.full(len(rows), -1, np.int64)
+    numbers[order] = np.arange(len(order)) - starts
+    return numbers

@@ -34,6 +34,12 @@ class MeshFile(NamedTuple):
     faces: NDArray[np.uint32]
     edges: NDArray[np.uint32]
 
+    def __repr__(self) -> str:
+        return (
+            f"<exact_ccd.MeshFile: {len(self.vertices)} vertices, {len(self.faces)} faces, "
+            f"{len(self.edges)} loose edges>"
+        )
+
 
 class Mesh:
     """The connectivity of a triangle mesh, with rods and points, and the pairs that can collide.

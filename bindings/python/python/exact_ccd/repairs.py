@@ -22,6 +22,11 @@ RepairReason = Literal["pinned", "one-sided", "linked", "stalled", "rounds", "ro
 
 _MOST_ROUNDS = 2**32 - 1
 
+_MISSING = (
+    "this build of exact_ccd has no repair; in a checkout, "
+    "pip install ./bindings/python --config-settings build-args='--features repair' builds it with repair"
+)
+
 
 class RepairProgress(NamedTuple):
     """The state of a repair between two rounds.
@@ -177,6 +182,8 @@ def repair(
         If there is not one position for each vertex, or one is not finite; if a pinned vertex is not one of the
         mesh; if a distance or the seconds are negative or no number. With float32, if a coordinate is beyond its
         range, or if a pinned position is not exactly a float32.
+    ImportError
+        If the package is built without repair: the message has the command line that adds it.
 
     Notes
     -----
@@ -196,6 +203,8 @@ def repair(
     >>> bool((result.positions[:3] == x[:3]).all()), bool(result.positions[3, 2] > 0)
     (True, True)
     """
+    if not hasattr(_native, "repair"):
+        raise ImportError(_MISSING)
     given = mesh if isinstance(mesh, Mesh) else Mesh(len(floats("positions", positions, (None, 3))), mesh)
     x = _arrays.positions("positions", positions, (given.vertex_count, 3))
     held = np.empty(0, np.uint32) if pinned is None else indices("pinned", pinned, (None,))

@@ -15,6 +15,7 @@ from .contacts import Contact
 from .detectors import Detector, Progress
 from .groups import Place
 from .half_spaces import HalfSpaces
+from .turns import Turns
 
 
 class Violation(NamedTuple):
@@ -76,11 +77,12 @@ def examine(
     half_spaces: Optional[HalfSpaces] = None,
     examined: Optional[Callable[[Any], None]] = None,
     parts: Optional[list[bytes]] = None,
+    turns: Optional[Turns] = None,
 ) -> tuple[int, Optional[Violation]]:
     """The number of the last frame examined, plus 1, and the first violation in frames from `first` on.
 
     Frame 0 is examined at rest; with groups or a rule, every frame. `examined` is called with each frame that is
-    examined. The certificates of steps are added to `parts`: the parts of all frames from 0 on, put together, are
+    examined, and each step is added to `turns`. The certificates of steps are added to `parts`: the parts of all frames from 0 on, put together, are
     one certificate.
     """
     last: Optional[NDArray[np.float64]] = None
@@ -95,6 +97,8 @@ def examine(
         except UncertifiedError as error:
             error.args = (f"frame {number}: {error}",)
             raise
+        if turns is not None and last is not None:
+            turns.add(last, frame, f"from frame {number - 1} to frame {number}")
         done = number + 1
         if examined is not None:
             examined(frame)
@@ -118,7 +122,7 @@ def _examine(
     if last is None and number > 0:
         return None
     if last is not None:
-        contact = detector.collision(last, frame)
+        contact = detector._earliest(last, frame)
         if contact is not None:
             return Violation(number - 1, contact, None, None, contact.places)
     # A rule or groups can leave out the contact by which an edge comes to pass through a face.
@@ -130,7 +134,7 @@ def _examine(
             places = mesh.place("edge", edge), mesh.place("face", face)
             return Violation(number, None, (edge, face), None, places)
     if last is None:
-        contact = detector.collision(frame, frame)
+        contact = detector._earliest(frame, frame)
         if contact is not None:
             return Violation(0, contact, None, None, contact.places)
     touching = None if half_spaces is None else half_spaces.touching(frame)

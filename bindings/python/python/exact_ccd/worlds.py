@@ -79,8 +79,10 @@ class Worlds(Searcher):
 
     Parameters
     ----------
-    mesh : Mesh
-        The mesh of every world.
+    mesh : Mesh, or array of shape (V, 3)
+        The mesh of every world; or the vertices, with `faces`.
+    faces : int array of shape (F, 3), optional
+        The faces of a mesh that is given by its vertices.
     min_distance, inner_distance, threads, start_check : see Detector
         As for :class:`Detector`.
 

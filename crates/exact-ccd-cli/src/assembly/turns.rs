@@ -5,13 +5,6 @@ use exact_ccd_mesh::{Point, RigidFit};
 use super::Assembly;
 use crate::messages::notes::Notes;
 
-/// The greatest residual of a rigid body, relative to its size.
-const RIGID: f64 = 1e-3;
-/// The least angle of a note.
-const ANGLE: f64 = 10.0;
-/// The least shrinkage that a note reports, relative to the size of the body.
-const SHRINKAGE: f64 = 1e-3;
-
 /// The connected components of a motion, and the step in which each body shrinks most.
 pub(crate) struct Turns {
     /// The vertices of each component that moves and has an edge.
@@ -53,7 +46,6 @@ impl Turns {
             let Some(fit) = RigidFit::new(&at(x0), &at(x1)) else {
                 continue;
             };
-            let is_turn = fit.residual < RIGID && fit.angle.to_degrees() > ANGLE && fit.shrinkage > SHRINKAGE;
             let vertex = component[0];
             let body = scene.names.body(vertex);
             if self.worst.len() <= body {
@@ -61,7 +53,7 @@ impl Turns {
             }
             let worst = &mut self.worst[body];
             let is_worse = |worst: &Turn| fit.shrinkage * fit.size > worst.fit.shrinkage * worst.fit.size;
-            if is_turn && worst.as_ref().is_none_or(is_worse) {
+            if fit.is_turn() && worst.as_ref().is_none_or(is_worse) {
                 *worst = Some(Turn { frame, vertex, fit });
             }
         }
@@ -73,8 +65,7 @@ impl Turns {
             let name = scene.component_name(*vertex);
             let (first, second) = (scene.frame_name(*frame), scene.frame_name(frame + 1));
             let (angle, percent) = (fit.angle.to_degrees(), 100.0 * fit.shrinkage);
-            // A part of the angle loses 1 − cos(angle / (2 n)) in each of n steps.
-            let steps = (fit.angle / (2.0 * (1.0 - SHRINKAGE).acos())).ceil();
+            let steps = fit.steps();
             notes.note(format!(
                 "{name} turns by {angle:.1}° from frame {frame} ({first}) to frame {} ({second}) as a rigid body, but \
                  vertices move in straight lines: halfway, they are up to {percent:.1} % of its size too near to the \

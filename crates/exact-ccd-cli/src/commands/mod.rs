@@ -52,8 +52,7 @@ pub(crate) enum Command {
 }
 
 impl Command {
-    /// Runs the command. `program` has all commands and options; `line` is the command line of a process of
-    /// its own.
+    /// Runs the command. `program` has all commands and options; `line` is the command line.
     #[cfg_attr(
         not(feature = "full"),
         expect(
@@ -61,11 +60,7 @@ impl Command {
             reason = "only some commands need the program and its command line"
         )
     )]
-    pub(crate) fn run(
-        &self,
-        program: fn() -> clap::Command,
-        line: Option<&[OsString]>,
-    ) -> Result<ExitCode, Failure> {
+    pub(crate) fn run(&self, program: fn() -> clap::Command, line: &[OsString]) -> Result<ExitCode, Failure> {
         match self {
             Self::Step(arguments) => step::run(arguments),
             Self::Audit(arguments) => audit::run(arguments),

@@ -10,6 +10,13 @@ use crate::vector::{cross, dot, minus};
 /// rotation open, such as the turn of a rod about its axis, and changes other fits by about this share.
 const PREFERENCE: f64 = 1e-9;
 
+/// The greatest residual of a rigid body, relative to its size.
+const RIGID: f64 = 1e-3;
+/// The least angle of a turn, in degrees.
+const ANGLE: f64 = 10.0;
+/// The least shrinkage of a turn, relative to the size of the body.
+const SHRINKAGE: f64 = 1e-3;
+
 /// The rotation and translation that bring points nearest to others, in the mean square: B. K. P. Horn,
 /// *Closed-form solution of absolute orientation using unit quaternions*, 1987. In floating point, rounded.
 ///
@@ -89,6 +96,20 @@ impl RigidFit {
             shrinkage: from.iter().map(from_axis).fold(0.0, f64::max) * lost,
             size: size * unit,
         })
+    }
+
+    /// Returns true if the points turn as a rigid body so far that their straight motion deserves a note: by
+    /// more than 10°, with a shrinkage above 0.1 % of the size.
+    #[must_use]
+    pub fn is_turn(&self) -> bool {
+        self.residual < RIGID && self.angle.to_degrees() > ANGLE && self.shrinkage > SHRINKAGE
+    }
+
+    /// The number of steps, in place of one, that keep the shrinkage below 0.1 % of the size.
+    #[must_use]
+    pub fn steps(&self) -> f64 {
+        // A part of the angle loses 1 − cos(angle / (2 n)) in each of n steps.
+        (self.angle / (2.0 * (1.0 - SHRINKAGE).acos())).ceil()
     }
 }
 
@@ -202,6 +223,16 @@ mod tests {
             let lost = (0..12).map(|k| radius(&at_start, k) - radius(&middle, k));
             let expected = lost.fold(0.0, f64::max) / (fit.size / scale);
             assert!((fit.shrinkage - expected).abs() < 1e-3, "{fit:?} {expected}");
+            let is_turn = angle.to_degrees() > 10.0 && fit.shrinkage > 1e-3;
+            assert!(
+                fit.is_turn() == is_turn || (angle.to_degrees() - 10.0).abs() < 0.01,
+                "{fit:?} {angle}"
+            );
+            // The shrinkage of a part of the turn.
+            let lost = |steps: f64| 1.0 - (fit.angle / (2.0 * steps)).cos();
+            let steps = fit.steps();
+            assert!(lost(steps) <= 1e-3 * (1.0 + 1e-9), "{fit:?}");
+            assert!(steps < 2.0 || lost(steps - 1.0) > 1e-3, "{fit:?}");
         }
     }
 

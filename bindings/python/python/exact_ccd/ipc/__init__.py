@@ -11,14 +11,18 @@ optionally, ``can_collide``; ipctk itself is not needed. Positions have two or t
 Where they differ from ipctk:
 
 - Step sizes and times are the exact time of contact, times ``conservative_rescaling``: 0.9 by default, because
-  at the exact time itself the primitives touch. For a size below 1, the straight motion to the rounded positions
-  ``x0 + size * (x1 - x0)`` has been decided to be free of contact; with 1, that to ``x1``: take ``x1``, not the
-  sum. With a factor of 1, the size is as near to the contact as rounding permits. The built-in method of ipctk
-  keeps a distance of
-  ``min(0.2 * d, 1e-4)`` instead, d being the distance at the start.
+  at the exact time itself the primitives touch. If contact is at 0.2, the size is 0.18, as of ``AdditiveCCD`` of ipctk. The
+  default of ipctk, ``TightInclusionCCD``, returns 0.19998 there: it stops ``min(0.2 * d, 1e-4)`` before contact, d being
+  the distance at the start. ``conservative_rescaling=1.0`` gives the largest size that is free of contact.
+- For a size below 1, the straight motion to the rounded positions
+  ``x0 + size * (x1 - x0)`` has been decided to be free of contact; with 1, the motion to ``x1``: take ``x1``, not the
+  sum.
 - `broad_phase` is accepted and has no effect, as every pair that touches is found. A `narrow_phase_ccd` has no
-  effect either, unless it is an :class:`ExactCCD`: its ``conservative_rescaling`` is taken.
+  effect either, unless it is an :class:`ExactCCD` or an :class:`AdditiveCCD` of this module: its ``conservative_rescaling`` is
+  taken. Alone, :class:`AdditiveCCD` and :class:`TightInclusionCCD` have the methods of ipctk for single pairs, with the same
+  rescaling.
 - The lists of :class:`Candidates` have all pairs whose boxes meet; ``can_collide`` restricts the answers only.
+  :meth:`Candidates.to_ipctk` makes an ``ipctk.Candidates`` of them, for the collisions and potentials of ipctk.
 - Static planes (``CollisionMesh.planes``) are refused.
 - In ipctk 1.6, `can_collide` gets the wrong numbers of vertices for pairs of codimensional vertices; here it gets
   their numbers in the mesh.
@@ -34,17 +38,20 @@ from typing import Any
 
 from .candidates import Candidates
 from .collision_mesh import CollisionMesh
+from .narrow_phases import AdditiveCCD, TightInclusionCCD
 from .pairs import edge_edge_ccd, point_edge_ccd, point_point_ccd, point_triangle_ccd
 from .primitives import edges
 from .stencils import EdgeEdgeCandidate, EdgeVertexCandidate, FaceVertexCandidate, VertexVertexCandidate
 from .steps import compute_collision_free_stepsize, has_intersections, is_step_collision_free
 
 __all__ = [
+    "AdditiveCCD",
     "Candidates",
     "CollisionMesh",
     "EdgeEdgeCandidate",
     "EdgeVertexCandidate",
     "FaceVertexCandidate",
+    "TightInclusionCCD",
     "VertexVertexCandidate",
     "compute_collision_free_stepsize",
     "edge_edge_ccd",
@@ -60,7 +67,7 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     """``ExactCCD``, which needs ipctk, on first use."""
     if name == "ExactCCD":
-        from .narrow_phase import ExactCCD
+        from .exact_narrow_phase import ExactCCD
 
         return ExactCCD
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

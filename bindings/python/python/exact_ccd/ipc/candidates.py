@@ -30,6 +30,9 @@ _STENCILS: dict[Kind, tuple[Callable[[int, int], Candidate], int]] = {
 }
 """The kinds in the order of ipctk, and the direction in which it names the two primitives."""
 
+_LISTS: dict[Kind, str] = {"vv": "vv_candidates", "ve": "ev_candidates", "ee": "ee_candidates", "vf": "fv_candidates"}
+"""The names of the lists in ipctk."""
+
 
 class Candidates:
     """Pairs of primitives that come near each other in a step: decided together, as often as needed.
@@ -172,6 +175,33 @@ class Candidates:
     def clear(self) -> None:
         """Remove all pairs."""
         self._ids, self._pairs, self._folds = {}, {}, self._folds[:0]
+
+    def to_ipctk(self, mesh: AnyMesh) -> Any:
+        """Return the pairs that can collide as an ``ipctk.Candidates``, which must be installed.
+
+        It is for functions of ipctk, such as ``NormalCollisions.build(candidates, mesh, vertices, dhat)``. Build the
+        candidates with the `inflation_radius` that these need: half of `dhat`.
+
+        Parameters
+        ----------
+        mesh : CollisionMesh
+            The mesh of :meth:`build`: its ``can_collide`` is called for each pair.
+
+        Returns
+        -------
+        ipctk.Candidates
+            The same pairs in the same order, without the pairs that cannot collide.
+        """
+        import ipctk
+
+        rule = rule_of(surface(mesh))
+        result = ipctk.Candidates()
+        for kind, (stencil, direction) in _STENCILS.items():
+            name = stencil.__name__
+            rows = zip(self._ids.get(kind, ()), self._pairs.get(kind, ()))
+            allowed = [ids[::direction].tolist() for ids, vertices in rows if allows(rule, kind, vertices)]
+            setattr(result, _LISTS[kind], [getattr(ipctk, name)(*ids) for ids in allowed])
+        return result
 
     @property
     def pairs(self) -> dict[Kind, NDArray[np.uint32]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Optional
 
 from .._arrays import number
@@ -20,11 +19,12 @@ def check_rescaling(conservative_rescaling: float) -> float:
 
 
 def choose_rescaling(conservative_rescaling: Optional[float], narrow_phase_ccd: object) -> float:
-    """Return the given factor, the factor of an :class:`ExactCCD` or of its subclass, or the default."""
+    """Return the given factor, the factor of a narrow phase of this package that has one, or the default."""
     if conservative_rescaling is not None:
         return check_rescaling(conservative_rescaling)
-    # There is an object of the class only if its module, which needs ipctk, has been imported.
-    module = sys.modules.get("exact_ccd.ipc.narrow_phase")
-    if module is not None and isinstance(narrow_phase_ccd, module.ExactCCD):
+    # Here, because the classes need this module.
+    from .narrow_phases import NarrowPhase, TightInclusionCCD
+
+    if isinstance(narrow_phase_ccd, NarrowPhase) and not isinstance(narrow_phase_ccd, TightInclusionCCD):
         return check_rescaling(narrow_phase_ccd.conservative_rescaling)
     return CONSERVATIVE_RESCALING

@@ -24,9 +24,8 @@ pub(crate) use arguments::Arguments;
 use queries::QueryFolder;
 use run::Run;
 
-/// Runs the command. `command` is the program with its arguments if it is a process of its own, in which
-/// Ctrl-C can be handled.
-pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
+/// Runs the command. `command` is the program with its arguments.
+pub(crate) fn run(arguments: &Arguments, command: &[OsString]) -> Result<ExitCode, Failure> {
     let (scene, notes) = read(arguments)?;
     let mut run = Run::begin(arguments, command, scene, notes)?;
     let ended = run.advance()?;

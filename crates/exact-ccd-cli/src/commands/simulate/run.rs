@@ -22,8 +22,8 @@ use crate::messages::progress::{self, during};
 /// A simulation from its present time step to the last one.
 pub(super) struct Run<'a> {
     arguments: &'a Arguments,
-    /// The command line of the process, if Ctrl-C ends the run.
-    command: Option<&'a [OsString]>,
+    /// The command line, which continues the run after Ctrl-C.
+    command: &'a [OsString],
     simulation: Simulation,
     outputs: Outputs,
     notes: Notes,
@@ -47,12 +47,12 @@ impl<'a> Run<'a> {
     /// The run of a scene, from its start or from the checkpoint. The line about the scene is printed.
     pub(super) fn begin(
         arguments: &'a Arguments,
-        command: Option<&'a [OsString]>,
+        command: &'a [OsString],
         scene: Scene,
         mut notes: Notes,
     ) -> Result<Self, Failure> {
         let last = arguments.steps.unwrap_or(scene.steps);
-        let (mut simulation, outputs) = Outputs::open(arguments, scene.simulation, &scene.rendering, last)?;
+        let (simulation, outputs) = Outputs::open(arguments, scene.simulation, &scene.rendering, last)?;
         print(&arguments.lines.of_scene(&simulation, last, arguments.has_files()))?;
         if simulation.state().step == 0 {
             let warnings = simulation.warnings();
@@ -60,9 +60,7 @@ impl<'a> Run<'a> {
                 .iter()
                 .for_each(|warning| notes.warn(warning.to_string()));
         }
-        if command.is_some() {
-            simulation = simulation.with_interrupt(interrupt::flag());
-        }
+        let simulation = simulation.with_interrupt(interrupt::flag());
         let count = last.saturating_sub(simulation.state().step);
         let bar = progress::bar(usize::try_from(count).unwrap_or(usize::MAX), "time steps");
         Ok(Self {
@@ -102,9 +100,7 @@ impl<'a> Run<'a> {
         });
         let statistics = match stepped {
             Ok(statistics) => statistics,
-            Err(SimulationError::Interrupted { .. }) if self.command.is_some() => {
-                return Ok(Some(Ended::Interrupted));
-            }
+            Err(SimulationError::Interrupted { .. }) => return Ok(Some(Ended::Interrupted)),
             Err(error) => return Ok(Some(Ended::Failed(Failure::of(&self.arguments.scene, error)))),
         };
         let is_failure = self.arguments.strict && !statistics.converged;
@@ -144,8 +140,7 @@ impl<'a> Run<'a> {
 
     /// Reports the interruption, and the command that continues the run.
     fn interrupted(&self) -> ExitCode {
-        let command = self.command.unwrap_or_default();
-        let message = interrupt::message(self.simulation.state().step, self.arguments, command);
+        let message = interrupt::message(self.simulation.state().step, self.arguments, self.command);
         // An error of standard error itself cannot be reported.
         let _ = writeln!(std::io::stderr(), "exact-ccd: {message}");
         ExitCode::from(interrupt::STATUS)
