@@ -17,6 +17,7 @@ mod obj;
 mod off;
 mod options;
 mod ply;
+mod point_cache;
 mod polygons;
 mod recognise;
 mod record;
