@@ -21,6 +21,7 @@ mod point_cache;
 mod polygons;
 mod recognise;
 mod record;
+mod recording;
 mod scalar;
 mod sequence;
 mod series;

@@ -2,15 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::Point;
-
 use super::cells::Cells;
 use super::file::parse_file;
-use super::gltf::PlacedMeshes;
 use super::mesh_file::{MeshFile, assemble_cells};
-use super::numpy::{Arrays, Names};
+use super::numpy::Names;
 use super::options::{Polygons, ReadOptions};
 use super::point_cache::PointCache;
+use super::recording::{Positions, Recording, in_file};
 use super::series::{read_pvd_parts, read_pvd_within, read_series_within};
 use super::{gltf, numpy, recognise};
 use crate::error::{Fault, ParseError, Place, ReadError};
@@ -44,53 +42,6 @@ pub struct FrameSequence {
 enum Source {
     Files(Vec<(Option<f64>, PathBuf)>),
     Recording(Box<Recording>),
-}
-
-/// Positions of all frames, and the first frame, with the mesh that all share.
-#[derive(Debug)]
-struct Recording {
-    positions: Positions,
-    first: MeshFile,
-    /// The file of the mesh, if it is another one.
-    mesh: Option<PathBuf>,
-}
-
-/// Positions of all frames.
-#[derive(Debug)]
-enum Positions {
-    Arrays(Arrays),
-    Placed(PlacedMeshes),
-    Cached(PointCache),
-}
-
-impl Positions {
-    fn frame_count(&self) -> usize {
-        match self {
-            Self::Arrays(arrays) => arrays.frame_count,
-            Self::Placed(meshes) => meshes.frame_count(),
-            Self::Cached(cache) => cache.frame_count(),
-        }
-    }
-
-    /// The positions of a frame in the file of this path.
-    fn of_frame(&self, frame: usize, path: &Path) -> Result<Vec<Point>, ReadError> {
-        match self {
-            Self::Arrays(arrays) => Ok(arrays.positions(frame)),
-            Self::Placed(meshes) => {
-                let positions = meshes.positions(frame);
-                positions.map_err(|fault| in_file(path, fault.at(Place::Frame(frame))))
-            }
-            Self::Cached(cache) => cache.positions(frame),
-        }
-    }
-
-    fn time(&self, frame: usize) -> Option<f64> {
-        match self {
-            Self::Arrays(_) => None,
-            Self::Placed(meshes) => meshes.time(frame),
-            Self::Cached(cache) => cache.time(frame),
-        }
-    }
 }
 
 impl FrameSequence {
@@ -174,8 +125,8 @@ impl FrameSequence {
     /// The times are numbers of frames in PC2, and seconds in MDD.
     ///
     /// # Errors
-    /// [`ReadError`] names the file, the place in it, and what was expected there: also for a cache of another
-    /// number of vertices than the mesh file has, and for one that is cut off.
+    /// [`ReadError`] names the file, the place in it, and what was expected there: also for a cache of
+    /// another number of vertices than the mesh file has, and for one that is cut off.
     pub fn open_cache(
         mesh: impl AsRef<Path>,
         cache: impl AsRef<Path>,
@@ -272,15 +223,7 @@ impl FrameSequence {
         }
         match &self.source {
             Source::Files(_) => MeshFile::read(self.file(frame), &self.options),
-            Source::Recording(recording) => {
-                let mut file = recording.first.clone();
-                let all = recording.positions.of_frame(frame, &self.path)?;
-                let checked = exact_ccd_mesh::check_positions(all.len(), &all);
-                checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::Frame(frame))))?;
-                let kept = file.ids.vertices.iter();
-                file.frame.positions = kept.map(|&vertex| all[vertex as usize]).collect();
-                Ok(file)
-            }
+            Source::Recording(recording) => recording.read(frame, &self.path),
         }
     }
 
@@ -288,12 +231,6 @@ impl FrameSequence {
     pub fn iter(&self) -> impl Iterator<Item = Result<MeshFile, ReadError>> {
         (0..self.len()).map(|frame| self.read(frame))
     }
-}
-
-/// An error in the contents of a file.
-fn in_file(path: &Path, source: ParseError) -> ReadError {
-    let path = path.to_owned();
-    ReadError::Parse { path, source }
 }
 
 /// The files of a list with times.

@@ -96,12 +96,13 @@ fn nearest(x: f64) -> f32 {
     if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
 }
 
-/// An f32 that is not above [`nearest`] of a number in [`Units`], which was rounded to x in any floating-point
-/// environment, and that is not subnormal.
+/// An f32 that is not above [`nearest`] of a number in [`Units`], which was rounded to x in any
+/// floating-point environment, and that is not subnormal.
 ///
 /// x as an f32 is off by at most 2⁻²³ |x| + 2⁻¹²⁶, `nearest` by half of that and 2⁻¹²⁶, the number itself by
 /// far less and 2⁻¹²⁰ (`units.rs`), and the three operations here by 2⁻²³ of their results: 2⁻²⁰ |x| + 2⁻¹⁰⁰
-/// exceeds the sum. In any environment an overflow is above 2¹²⁶. The result is a multiple of 2⁻¹²⁴ where it is near 0.
+/// exceeds the sum. In any environment an overflow is above 2¹²⁶. The result is a multiple of 2⁻¹²⁴ where
+/// it is near 0.
 #[cold]
 fn below(x: f64) -> f32 {
     /// 2¹²⁶, a quarter of the range of f32.

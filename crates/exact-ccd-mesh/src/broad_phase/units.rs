@@ -2,8 +2,8 @@
 
 use exact_ccd::Point;
 
-/// Coordinates relative to an origin, one for each time, times a power of two. Both are the same for all boxes
-/// that are compared.
+/// Coordinates relative to an origin, one for each time, times a power of two. Both are the same for all
+/// boxes that are compared.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Units<const T: usize> {
     origins: [Point; T],
@@ -15,9 +15,9 @@ const USUAL: i32 = 64;
 
 /// The exponents of the least and of the greatest scale.
 ///
-/// Where subnormal numbers are read as zero, or results are flushed, a coordinate relative to the origin is off
-/// by less than 2⁻¹⁰²¹, hence by less than 2⁻¹²⁰ in these units, which `moving_box.rs` allows for. The least
-/// one is a normal number.
+/// Where subnormal numbers are read as zero, or results are flushed, a coordinate relative to the origin is
+/// off by less than 2⁻¹⁰²¹, hence by less than 2⁻¹²⁰ in these units, which `moving_box.rs` allows for. The
+/// least one is a normal number.
 const SCALES: [i32; 2] = [-1000, 900];
 
 impl<const T: usize> Units<T> {
@@ -26,8 +26,8 @@ impl<const T: usize> Units<T> {
         Self { origins, scale: 1.0 }
     }
 
-    /// The same units with a scale for coordinates of this size, which is usual for them: they become about 1,
-    /// unless they are so without a scale.
+    /// The same units with a scale for coordinates of this size, which is usual for them: they become about
+    /// 1, unless they are so without a scale.
     pub(crate) fn for_size(self, size: f64) -> Self {
         // The exponent of subnormal numbers is −1023 here, and the one of infinity 1024.
         let exponent = (size.to_bits() >> 52) as i32 - 1023;

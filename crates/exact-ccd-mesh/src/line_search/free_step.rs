@@ -19,12 +19,13 @@ use crate::steps::Step;
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeStep {
     /// The part of the full step that is taken, from 0 to 1; at most the time of impact of the full
-    /// step. It is 1 if the full step is free of contact, also to its rounded end. It is 0 if none of the sizes
-    /// that are tried is certified: the mesh touches itself at the start, or is nearer to itself there than
-    /// rounded positions are to the path. If it is tiny, the rounded positions may equal the start.
+    /// step. It is 1 if the full step is free of contact, also to its rounded end. It is 0 if none of the
+    /// sizes that are tried is certified: the mesh touches itself at the start, or is nearer to itself
+    /// there than rounded positions are to the path. If it is tiny, the rounded positions may equal the
+    /// start.
     pub size: f64,
-    /// The positions at its end, in the [`Precision`](super::Precision) of the options: the start if the size is
-    /// 0, and the end of the full step if it is 1.
+    /// The positions at its end, in the [`Precision`](super::Precision) of the options: the start if the
+    /// size is 0, and the end of the full step if it is 1.
     pub positions: Vec<Point>,
     /// The earliest contact of the full step, or `None` if the full step is free of contact.
     pub contact: Option<Contact>,
@@ -38,9 +39,9 @@ impl Detector {
     ///
     /// The size is 1 if the full step is free, otherwise `keep` times the largest f64 not above its time of
     /// impact, the product rounded to nearest. The positions there, by [`Step::at`], are rounded to the
-    /// [`Precision`](super::Precision) of the options, and the step from `x0` to them is checked exactly. If it is
-    /// not free, the f64 1, 2, 4, … places below the first size are tried, until one is free or the size is 0;
-    /// in single precision, 2²⁹, 2³⁰, … places.
+    /// [`Precision`](super::Precision) of the options, and the step from `x0` to them is checked exactly.
+    /// If it is not free, the f64 1, 2, 4, … places below the first size are tried, until one is free or
+    /// the size is 0; in single precision, 2²⁹, 2³⁰, … places.
     ///
     /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
     /// size is 1: without [`with_start_check`](Self::with_start_check), this is not found.
@@ -136,8 +137,8 @@ fn free_step(
 }
 
 /// The first f64 to which the step is free, with the rounded positions there: `first`, or the f64 1, 2, 4, …
-/// times [`first_retreat`](super::Precision::first_retreat) places below it. `None` if the step is free to none
-/// of them.
+/// times [`first_retreat`](super::Precision::first_retreat) places below it. `None` if the step is free to
+/// none of them.
 pub(super) fn certified(
     search: &mut CulledSearch,
     step: Step<'_>,

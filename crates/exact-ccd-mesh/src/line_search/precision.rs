@@ -12,13 +12,14 @@ pub enum Precision {
     /// Single precision: every coordinate is the `f32` nearest to the computed one, for solvers that store
     /// positions so. The positions at the start must be `f32`, too.
     ///
-    /// Rounding moves a vertex by up to half a unit in its last place. Where this alone makes contact, the step
-    /// is smaller, and its size 0 if no smaller one helps.
+    /// Rounding moves a vertex by up to half a unit in its last place. Where this alone makes contact, the
+    /// step is smaller, and its size 0 if no smaller one helps.
     Single,
 }
 
 impl Precision {
-    /// A position in this format. A coordinate beyond the range of `f32` becomes the greatest or the least `f32`.
+    /// A position in this format. A coordinate beyond the range of `f32` becomes the greatest or the least
+    /// `f32`.
     #[must_use]
     pub fn round(self, position: Point) -> Point {
         let largest = f64::from(f32::MAX);

@@ -44,8 +44,8 @@ impl Primitives {
         self.origin
     }
 
-    /// The usual distance of a vertex from the [`origin`](Self::origin) in the step, along an axis; 0 if most are
-    /// in its place.
+    /// The usual distance of a vertex from the [`origin`](Self::origin) in the step, along an axis; 0 if
+    /// most are in its place.
     pub(crate) fn size(&self) -> f64 {
         self.size
     }

@@ -34,9 +34,9 @@ pub(crate) struct StepBoxes<const T: usize> {
     /// True if coordinates at the end are relative to a vertex's place at the end; else, to its place at the
     /// start.
     follows: bool,
-    /// Coordinates are relative to the places of this vertex, or to its place at the start, and have a scale for
-    /// the size of the mesh, when all boxes were placed last: so single precision is fine, however far away all
-    /// vertices are, and however large the mesh is.
+    /// Coordinates are relative to the places of this vertex, or to its place at the start, and have a
+    /// scale for the size of the mesh, when all boxes were placed last: so single precision is fine,
+    /// however far away all vertices are, and however large the mesh is.
     units: Units<2>,
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
