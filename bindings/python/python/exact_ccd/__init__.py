@@ -19,6 +19,7 @@ from .groups import CanCollide, Place
 from .meshes import Mesh, MeshFile, read_mesh
 from .poses import NearestPoses, nearest_poses
 from .queries import IMPACT, Intervals, Kind, Queries
+from .recordings import Frames, open_recording
 from .repairs import Change, Repair, RepairProgress, repair
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
@@ -42,6 +43,7 @@ __all__ = [
     "CrossingError",
     "Detector",
     "FirstContacts",
+    "Frames",
     "FreePoses",
     "FreeStep",
     "FreeSteps",
@@ -66,6 +68,7 @@ __all__ = [
     "answer_table",
     "audit",
     "nearest_poses",
+    "open_recording",
     "read_mesh",
     "repair",
 ]
