@@ -58,7 +58,7 @@ def open_recording(path: FilePath, **options: Any) -> Frames:
     OSError
         If the file cannot be read.
     ValueError
-        If the contents are not those of one mesh in motion; the message says what is missing.
+        If there is not one mesh in motion in the file; the message says what is missing.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in READERS:

@@ -100,7 +100,7 @@ class UsdFrames:
         matrix = self._transform(code)
         if matrix is None:
             return local.astype(np.float64)
-        # USD multiplies rows: the order of the sums is that of the columns x, y, z and the translation.
+        # USD multiplies a row by a matrix: the products of x, y and z are added in this order, then the translation.
         x, y, z = (local[:, axis, None].astype(np.float64) for axis in range(3))
         moved: NDArray[Any] = x * matrix[0, :3] + y * matrix[1, :3] + z * matrix[2, :3] + matrix[3, :3]
         return moved

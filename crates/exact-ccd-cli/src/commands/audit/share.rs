@@ -17,7 +17,7 @@ impl Share {
 
     /// The frames of the part. The parts of one count have each frame once, and nearly as many as each other.
     pub(super) fn of(self, frames: usize) -> Range<usize> {
-        // No product overflows: a number of frames is far below 2⁶⁴, and that of parts below 2³².
+        // No product overflows: it is below 2⁶⁴ times the number of parts, which is below 2³².
         let first = |number: usize| (frames as u128 * number as u128 / self.count as u128) as usize;
         first(self.number - 1)..first(self.number)
     }
