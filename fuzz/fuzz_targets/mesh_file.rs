@@ -3,7 +3,7 @@
 #![no_main]
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd_files::{Format, Group, parse_frame, parse_tet_mesh, write_ply};
+use exact_ccd_files::{Format, FrameSequence, Group, Polygons, parse_frame, parse_tet_mesh, write_ply};
 use exact_ccd_fuzz::file;
 use exact_ccd_mesh::Frame;
 use libfuzzer_sys::fuzz_target;
@@ -226,13 +226,23 @@ const NPY: &[&str] = &[
     "\0\0\0\0",
 ];
 
+const CACHE: &[&str] = &[
+    "POINTCACHE2\0",
+    "\x01\0\0\0",
+    "\x03\0\0\0",
+    "\x02\0\0\0",
+    "\0\0\0\x01",
+    "\0\0\0\x03",
+    "\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0",
+];
+
 fuzz_target!(|bytes: &[u8]| {
     // The only error is that the bytes run out, which ends the case.
     let _ = check(&mut Unstructured::new(bytes));
 });
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
-    let (format, words) = match bytes.arbitrary::<u8>()? % 12 {
+    let (format, words) = match bytes.arbitrary::<u8>()? % 14 {
         0 => (Format::Ply, PLY),
         1 => (Format::Obj, OBJ),
         2 => (Format::Stl, STL),
@@ -243,6 +253,8 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
         8 => (Format::Vtk, VTK),
         9 => (Format::Gltf, GLTF),
         10 => (Format::Npy, NPY),
+        12 => return Ok(check_cache("pc2", &file(bytes, CACHE)?)),
+        13 => return Ok(check_cache("mdd", &file(bytes, CACHE)?)),
         _ => (Format::Npz, NPY),
     };
     let mut file = file(bytes, words)?;
@@ -265,6 +277,26 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
         Err(error) => drop(error.to_string()),
     }
     Ok(())
+}
+
+/// Frames of a cache of positions have the vertices of the mesh, and finite coordinates.
+fn check_cache(extension: &str, cache: &[u8]) {
+    let folder = std::env::temp_dir();
+    let place = |name: &str| folder.join(format!("exact-ccd-fuzz-{}.{name}", std::process::id()));
+    let (mesh, path) = (place("obj"), place(extension));
+    std::fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("the folder is for files");
+    std::fs::write(&path, cache).expect("the folder is for files");
+    match FrameSequence::open_cache(&mesh, &path, Polygons::Refuse) {
+        Ok(sequence) => {
+            for frame in 0..sequence.len() {
+                match sequence.read(frame) {
+                    Ok(file) => check_frame(&file.frame),
+                    Err(error) => drop(error.to_string()),
+                }
+            }
+        }
+        Err(error) => drop(error.to_string()),
+    }
 }
 
 fn check_group(group: &Group, vertices: usize, cells: usize) {

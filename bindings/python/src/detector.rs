@@ -4,7 +4,7 @@ use std::array::from_fn;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
 use exact_ccd::{AnyKind, Point, Separation};
-use exact_ccd_mesh::{Meeting, PairCounts, TriangleMesh, Worlds};
+use exact_ccd_mesh::{Meeting, PairCounts, Precision, TriangleMesh, Worlds};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
@@ -186,6 +186,7 @@ impl Detector {
         x0: Positions<'py>,
         x1: Positions<'py>,
         keep: f64,
+        is_single: bool,
     ) -> PyResult<(
         List<'py, f64>,
         Bound<'py, PyArray3<f64>>,
@@ -193,7 +194,7 @@ impl Detector {
         Table<'py, i64>,
     )> {
         let steps = self.each(py, &x0, &x1, None, |search, x0, x1| {
-            let free = search.free_step(x0, x1, keep)?;
+            let free = search.free_step(x0, x1, keep, precision(is_single))?;
             let row = free
                 .contact
                 .map(|contact| Row::new(&self.mesh, [x0, x1], &contact));
@@ -225,11 +226,12 @@ impl Detector {
         x0: Positions<'py>,
         x1: Positions<'py>,
         keep: f64,
+        is_single: bool,
         pinned: PyReadonlyArray1<'py, u32>,
     ) -> PyResult<(List<'py, f64>, Table<'py, f64>, usize, PairColumns<'py>)> {
         let pinned = pinned.as_slice()?;
         let steps = self.each(py, &x0, &x1, None, |search, x0, x1| {
-            search.free_steps(x0, x1, keep, pinned)
+            search.free_steps(x0, x1, keep, precision(is_single), pinned)
         })?;
         let steps = steps.iter();
         let blocked = steps.clone().flat_map(|taken| &taken.blocked);
@@ -345,4 +347,13 @@ impl Detector {
 
 pub(crate) fn by_kind(counts: PairCounts) -> [i64; AnyKind::ALL.len()] {
     from_fn(|number| counts[AnyKind::ALL[number]] as i64)
+}
+
+/// The precision of positions.
+fn precision(is_single: bool) -> Precision {
+    if is_single {
+        Precision::Single
+    } else {
+        Precision::Double
+    }
 }

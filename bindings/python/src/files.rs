@@ -82,10 +82,21 @@ pub(crate) struct FrameSequence(exact_ccd_files::FrameSequence);
 
 #[pymethods]
 impl FrameSequence {
+    /// The frames in a file; with a cache of positions, the frames in it of the mesh in the file.
     #[new]
-    fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let sequence = py.detach(|| exact_ccd_files::FrameSequence::open(path, Polygons::Triangulate));
+    #[pyo3(signature = (path, cache=None))]
+    fn new(py: Python<'_>, path: PathBuf, cache: Option<PathBuf>) -> PyResult<Self> {
+        let sequence = py.detach(|| match cache {
+            Some(cache) => exact_ccd_files::FrameSequence::open_cache(path, cache, Polygons::Triangulate),
+            None => exact_ccd_files::FrameSequence::open(path, Polygons::Triangulate),
+        });
         Ok(Self(sequence.map_err(|error| unread(&error))?))
+    }
+
+    /// Returns true for the name of a cache of positions.
+    #[staticmethod]
+    fn is_cache(path: PathBuf) -> bool {
+        exact_ccd_files::FrameSequence::is_cache(&path)
     }
 
     fn __len__(&self) -> usize {

@@ -6,7 +6,7 @@ use exact_ccd::{Options, Point, Separation};
 use exact_ccd_certify::{Maker, MakerError};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, FreeSteps, Intersection,
-    IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
+    IntersectionOptions, Meeting, MinDistance, Pair, Precision, Step, StepError, StepReport, ThicknessCount,
     TriangleMesh, has_intersections, intersections,
 };
 
@@ -158,14 +158,22 @@ impl Search {
         Ok(contacts)
     }
 
-    fn free_step_options(&self, keep: f64) -> FreeStepOptions<'static> {
-        let options = FreeStepOptions::default().with_keep(keep);
+    fn free_step_options(&self, keep: f64, precision: Precision) -> FreeStepOptions<'static> {
+        let options = FreeStepOptions::default()
+            .with_keep(keep)
+            .with_precision(precision);
         options.with_min_distance(self.min_distance.clone())
     }
 
     /// A certified step.
-    pub(crate) fn free_step(&mut self, x0: &[Point], x1: &[Point], keep: f64) -> Result<FreeStep, Refusal> {
-        let options = self.free_step_options(keep);
+    pub(crate) fn free_step(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        keep: f64,
+        precision: Precision,
+    ) -> Result<FreeStep, Refusal> {
+        let options = self.free_step_options(keep, precision);
         let run = |inner: &mut Detector| inner.free_step(x0, x1, &options).map_err(Refusal::from);
         let free = self.search(x0, run, |free| free.contact)?;
         match &mut self.ruled {
@@ -181,9 +189,10 @@ impl Search {
         x0: &[Point],
         x1: &[Point],
         keep: f64,
+        precision: Precision,
         pinned: &[u32],
     ) -> Result<FreeSteps, Refusal> {
-        let options = self.free_step_options(keep);
+        let options = self.free_step_options(keep, precision);
         let run = |inner: &mut Detector| inner.free_steps(x0, x1, pinned, &options).map_err(Refusal::from);
         let taken = self.search(x0, run, |_| None)?;
         match &mut self.ruled {

@@ -11,6 +11,7 @@ from pathlib import Path
 PACKAGE = Path(__file__).parents[1]
 REPOSITORY = PACKAGE.parents[1]
 DOCUMENTS = [REPOSITORY / "README.md", PACKAGE / "README.md", REPOSITORY / "docs" / "python.md"]
+DOCUMENTS.append(REPOSITORY / "docs" / "recordings.md")
 
 PROGRAMS = {
     f"{document.relative_to(REPOSITORY).as_posix()} {number}": code

@@ -126,3 +126,29 @@ def test_the_bits_are_those_of_rust() -> None:
     for word in np.concatenate([steps.sizes, steps.positions.ravel()]).view(np.uint64).tolist():
         fnv_1a = (fnv_1a ^ word) * 0x100000001B3 % 2**64
     assert (fnv_1a, steps.rounds) == (16825418621938942653, 4)
+
+
+def test_steps_in_single_precision_are_free_as_they_are() -> None:
+    held = 0
+    for seed in range(20):
+        mesh, x0, x1 = soup(seed, triangles=8)
+        x0 = x0.astype(np.float32)
+        detector = Detector(mesh)
+        step = detector.free_step(x0, x1, dtype=np.float32)
+        steps = detector.free_steps(x0, x1, dtype=np.float32)
+        assert step.positions.dtype == steps.positions.dtype == np.float32
+        if step.size > 0.0:
+            assert not detector.collides(x0, step.positions)
+            assert len(steps.blocked) == 0 and not detector.collides(x0, steps.positions)
+            held += step.size < 1.0
+        worlds = exact_ccd.Worlds(mesh).free_step(x0[None], x1[None], dtype=np.float32)
+        assert_array_equal(worlds.positions[0], step.positions)
+    assert held > 5
+
+
+def test_the_precision_of_a_step_is_checked() -> None:
+    detector = Detector(Mesh(3, [[0, 1, 2]]))
+    with pytest.raises(ValueError, match="vertex 1 at the start is not in single precision"):
+        detector.free_step(np.array([[0.5, 0, 0], [0.1, 0, 0], [0, 1, 0]]), FACE, dtype=np.float32)
+    with pytest.raises(ValueError, match="dtype is float16, expected float32 or float64"):
+        detector.free_steps(FACE, FACE, dtype=np.float16)

@@ -83,6 +83,35 @@ def cluster():
     started.shutdown()
 
 
+def test_a_recording_of_the_caller(cluster, tmp_path: Path) -> None:
+    frames = recording(9, contact=5)
+
+    class Own:
+        faces, times = FACES, None
+
+        def __len__(self) -> int:
+            return len(frames)
+
+        def positions(self, index: int) -> np.ndarray:
+            return frames[index]
+
+    expected = exact_ccd.audit(frames, FACES)
+    assert expected.violation is not None
+    assert same(exact_ccd.ray.audit(Own(), steps=2), expected)
+    with pytest.raises(ValueError, match="give the recording a method `identity`"):
+        exact_ccd.ray.audit(Own(), results=tmp_path)
+
+
+def test_a_recording_in_hdf5(cluster, tmp_path: Path) -> None:
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed: pip install h5py")
+    frames = recording(9, contact=5)
+    with h5py.File(tmp_path / "motion.h5", "w") as file:
+        file["positions"], file["faces"] = frames, FACES
+    expected = exact_ccd.audit(frames, FACES)
+    for _ in range(2):
+        assert same(exact_ccd.ray.audit(tmp_path / "motion.h5", steps=2, results=tmp_path / "results"), expected)
+
+
 @pytest.mark.parametrize("steps", [499, 125, 32])
 def test_any_number_of_chunks(cluster, steps: int) -> None:
     frames = recording(500, 471)

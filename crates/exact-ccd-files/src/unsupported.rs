@@ -18,8 +18,9 @@ const MESH: &str = "export the mesh as OBJ, PLY or GLB";
 const EXTRACT: &str =
     "save its surface as .vtp (in ParaView: Extract Surface; in pyvista: extract_surface())";
 const PIECES: &str = "save it as one .vtu or .vtp file (in ParaView: Merge Blocks; in pyvista: combine())";
-const CACHE: &str = "a cache has the positions without the faces: apply it to its mesh and export each frame as OBJ or \
-                     PLY (in Blender: the modifier Mesh Cache), or write positions and faces with numpy.savez";
+const CACHE: &str = "a cache has the positions without the faces: give its mesh before it, as in `exact-ccd audit \
+                     MESH.obj CACHE.pc2`";
+const MAYA: &str = "export it as .pc2 or .mdd, or apply it to its mesh and export each frame as OBJ or PLY";
 const ARRAYS: &str = "read its arrays in Python, and write positions and faces with numpy.savez";
 const HOUDINI: &str = "save each frame as .obj or .ply (in Houdini: the nodes File Cache or ROP Geometry)";
 const POINTS: &str = "a cloud of points has no faces: reconstruct the surface, and save it as .ply or .obj";
@@ -62,8 +63,12 @@ const FORMATS: &[(&[&str], Unsupported)] = &[
     ),
     (&["mat"], Unsupported::new("data of MATLAB", ARRAYS)),
     (
-        &["pc2", "mdd", "mcx", "mcc"],
-        Unsupported::new("a cache of positions", CACHE),
+        &["pc2", "mdd"],
+        Unsupported::new("a cache of positions alone", CACHE),
+    ),
+    (
+        &["mcx", "mcc"],
+        Unsupported::new("a cache of positions of Maya", MAYA),
     ),
     (
         &["bgeo", "sc", "bhclassic"],

@@ -4,7 +4,7 @@ use exact_ccd::{Options, Point};
 
 use crate::at_rest::{Intersection, IntersectionOptions, Meeting, intersections};
 use crate::broad_phase::Bvh;
-use crate::mesh::{Frame, TriangleMesh};
+use crate::mesh::{Frame, TriangleMesh, check_positions};
 use crate::pairs::{CanCollide, MinDistance};
 use crate::search::{Contact, Detector};
 use crate::steps::{MotionError, StepError};
@@ -127,13 +127,41 @@ impl Audit {
         self.add(frame, true)
     }
 
+    /// Takes a frame that was examined elsewhere, as the last of so many: the next one is examined with the
+    /// step that leads to it from this frame. So the steps of a recording can be examined in several
+    /// processes.
+    ///
+    /// # Errors
+    /// [`MotionError`], as [`examine`](Self::examine).
+    pub fn begin_after(&mut self, last: Frame, frames: usize) -> Result<(), MotionError> {
+        check_positions(last.mesh.vertex_count(), &last.positions).map_err(StepError::Start)?;
+        match &mut self.last {
+            Some((before, _)) => {
+                before.mesh.check_same(&last.mesh)?;
+                before.positions = last.positions;
+            }
+            None => {
+                self.min_distance.check(&last.mesh)?;
+                let detector = self.detector(&last.mesh);
+                self.last = Some((last, detector));
+            }
+        }
+        self.frames = frames;
+        Ok(())
+    }
+
+    /// The detector of a mesh.
+    fn detector(&self, mesh: &TriangleMesh) -> Detector {
+        Detector::new(mesh.clone()).with_can_collide(self.can_collide.clone())
+    }
+
     /// Adds a frame, and returns its violations, sorted by frame and time: all, or the first ones.
     fn add(&mut self, frame: Frame, all: bool) -> Result<Vec<Violation>, MotionError> {
         if let Some((last, _)) = &self.last {
             last.mesh.check_same(&frame.mesh)?;
             return self.add_positions(frame.positions, all);
         }
-        let mut detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
+        let mut detector = self.detector(&frame.mesh);
         self.min_distance.check(&frame.mesh)?;
         let mut found = intersections_in(&frame.mesh, &frame.positions, 0, &self.can_collide)?;
         if all || found.is_empty() {

@@ -75,7 +75,9 @@ pub use broad_phase::{
 };
 pub use exact_ccd::{CONTACT, InvalidSeparation, Options, Point, Separation};
 pub use half_space::{HalfSpace, HalfSpaceError};
-pub use line_search::{FreeStep, FreeStepOptions, FreeSteps, LineSearchError, Tolerance, advance, bisect};
+pub use line_search::{
+    FreeStep, FreeStepOptions, FreeSteps, LineSearchError, Precision, Tolerance, advance, bisect,
+};
 pub use mesh::{
     Frame, FrameError, MeshError, PositionsError, TetFaces, TetMesh, TetMeshError, TriangleMesh,
     check_positions,

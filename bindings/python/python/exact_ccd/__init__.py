@@ -20,6 +20,7 @@ from .meshes import Mesh, MeshFile, read_mesh
 from .notebooks import NotebookPage
 from .poses import NearestPoses, nearest_poses
 from .queries import IMPACT, Intervals, Kind, Queries
+from .recordings import Frames, open_recording
 from .repairs import Change, Repair, RepairProgress, repair
 from .scenes import PlacedMesh, from_trimesh
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
@@ -45,6 +46,7 @@ __all__ = [
     "CrossingError",
     "Detector",
     "FirstContacts",
+    "Frames",
     "FreePoses",
     "FreeStep",
     "FreeSteps",
@@ -72,6 +74,7 @@ __all__ = [
     "audit",
     "from_trimesh",
     "nearest_poses",
+    "open_recording",
     "read_mesh",
     "repair",
 ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Optional, TypeVar, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 Floats = NDArray[np.float64]
 Positions = NDArray[Union[np.float32, np.float64]]
@@ -168,6 +168,13 @@ def booleans(name: str, values: ArrayLike) -> NDArray[np.bool_]:
 def number(name: str, value: ArrayLike) -> float:
     """The same number as a float, with the exceptions of :func:`floats`."""
     return value if type(value) is float else float(floats(name, value, ()))
+
+
+def is_single(dtype: DTypeLike) -> bool:
+    """Whether positions are in single precision, else in double precision; a ValueError for other types."""
+    if np.dtype(dtype) not in (np.float32, np.float64):
+        raise ValueError(f"dtype is {np.dtype(dtype)}, expected float32 or float64")
+    return np.dtype(dtype) == np.float32
 
 
 def distances(values: ArrayLike, count: Optional[int]) -> Floats:

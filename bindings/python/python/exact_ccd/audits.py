@@ -18,13 +18,16 @@ from .half_spaces import HalfSpaces
 from .detectors import Detector, Progress
 from .meshes import Mesh
 from .pages import Page, line
+from .recordings.opened import has_reader, open_recording
+from .recordings.protocol import Frames as Recording
+from .recordings.protocol import RecordedFrames, is_recording
 from .turns import Turns
 from .violations import AuditReport, Violation, examine
 from .welding import PerVertex, Weld, per_vertex, remaining, style_of
 
 
 def audit(
-    frames: Union[ArrayLike, Iterable[Any], FilePath],
+    frames: Union[ArrayLike, Iterable[Any], FilePath, Recording],
     faces: Optional[ArrayLike] = None,
     *,
     edges: Optional[ArrayLike] = None,
@@ -52,11 +55,13 @@ def audit(
 
     Parameters
     ----------
-    frames : array of shape (T, V, 3), iterable of arrays (V, 3), file, folder, or iterable of files
+    frames : array of shape (T, V, 3), iterable of arrays (V, 3), file, folder, iterable of files, or Frames
         The positions in the order of time; or mesh files, or a folder of mesh files of one format, which
         are taken in the order of the numbers in their names. A file is a mesh of any format of
-        :func:`read_mesh`, a collection of ParaView (.pvd, .series), or arrays of numpy (.npz). Frames are
-        read one at a time.
+        :func:`read_mesh`, a collection of ParaView (.pvd, .series), arrays of numpy (.npz), or a file of
+        :func:`open_recording` (HDF5, VTKHDF, Zarr, USD, XDMF); a mesh and a cache of its positions (.pc2, .mdd) are two
+        files in a list. Any object with the attributes of :class:`Frames` is a recording, too. Frames are read one
+        at a time.
     faces : int array of shape (F, 3)
         The faces, if the frames are positions.
     edges : int array of shape (E, 2), optional
@@ -123,7 +128,9 @@ def audit(
     planes = None if half_spaces is None else HalfSpaces(half_spaces, min_distance)
     parts = parts_of(certificate, min_distance, half_spaces, groups, can_collide, weld or None)
     page = None if view is None else Page("Audit", mesh)
-    titles = positions.names() if isinstance(positions, FileFrames) else map("frame {}".format, count())
+    titles: Iterator[str] = map("frame {}".format, count())
+    if isinstance(positions, (FileFrames, RecordedFrames)):
+        titles = positions.names()
 
     def show(frame: Any) -> None:
         if page is not None:
@@ -227,14 +234,24 @@ def _begin(
 
 def in_files(
     frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike], weld: Weld, apart: PerVertex
-) -> Optional[FileFrames]:
-    """The frames, if they are in files: the path of a file or folder, or a list of files."""
+) -> Union[FileFrames, RecordedFrames, None]:
+    """The frames, if they are in files or in a recording: a path of a file or folder, a list of files, or frames."""
+    if isinstance(frames, (str, PathLike)) and has_reader(frames):
+        frames = open_recording(frames)
+    if is_recording(frames):
+        _refuse_other(faces, edges, "recording")
+        return RecordedFrames.of(frames, weld, apart)
     if isinstance(frames, (str, PathLike)):
         files = files_in(frames)
     elif isinstance(frames, (list, tuple)) and frames and isinstance(frames[0], (str, PathLike)):
         files = frames
     else:
         return None
-    if faces is not None or edges is not None:
-        raise TypeError("the faces and edges are those of the files")
+    _refuse_other(faces, edges, "files")
     return FileFrames(files, None, weld, apart)
+
+
+def _refuse_other(faces: Optional[ArrayLike], edges: Optional[ArrayLike], place: str) -> None:
+    """Refuse faces and edges beside the faces and edges of files."""
+    if faces is not None or edges is not None:
+        raise TypeError(f"the faces and edges are those of the {place}")

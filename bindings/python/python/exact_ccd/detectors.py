@@ -8,10 +8,10 @@ from os import PathLike
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _native
-from ._arrays import Floats, Positions, distances, frozen, indices, number, positions, thread_count
+from ._arrays import Floats, Positions, distances, frozen, indices, is_single, number, positions, thread_count
 from ._records import by_value, same
 from .contacts import Contact, first, pairs, table
 from .meshes import Mesh
@@ -329,7 +329,9 @@ class Detector(Searcher):
         """
         return self._native.clearances(self._world("x", x), number("cut_off", cut_off))
 
-    def free_step(self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9) -> FreeStep:
+    def free_step(
+        self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9, dtype: DTypeLike = np.float64
+    ) -> FreeStep:
         """Compute a step towards `x1` that is certified to be free of contact.
 
         Parameters
@@ -338,6 +340,9 @@ class Detector(Searcher):
             As for :meth:`collides`.
         keep : float
             The part of the time of impact that is taken if the full step is not free, above 0 and at most 1.
+        dtype : float64 or float32
+            The type of the positions that are returned, and certified as they are. With float32, the numbers of
+            `x0` have to be float32 numbers, in an array of any type.
 
         Returns
         -------
@@ -345,11 +350,23 @@ class Detector(Searcher):
             Its size is 1 if the full step is free, otherwise the time of impact times `keep`. The positions
             there are rounded, and the step to the rounded positions is decided exactly; if it is not free,
             the size is reduced by units in its last place until it is, or is 0.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from exact_ccd import Detector, Mesh
+        >>> x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1]], np.float32)
+        >>> x1 = x0 - [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 2]]
+        >>> step = Detector(Mesh(4, [[0, 1, 2]])).free_step(x0, x1, dtype=np.float32)
+        >>> step.positions[3], step.positions.dtype
+        (array([0.25, 0.25, 0.1 ], dtype=float32), dtype('float32'))
         """
-        size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep))
+        single = is_single(dtype)
+        size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep), single)
         if not len(contact[1][0]):
             self._warn_once(x0, x1)
-        return FreeStep(size.item(), end[0], first(contact, self._mesh), PairCounts(*touching[0].tolist()))
+        positions = end[0].astype(dtype, copy=False)
+        return FreeStep(size.item(), positions, first(contact, self._mesh), PairCounts(*touching[0].tolist()))
 
     def free_steps(
         self,
@@ -358,6 +375,7 @@ class Detector(Searcher):
         *,
         keep: float = 0.9,
         pinned: Optional[ArrayLike] = None,
+        dtype: DTypeLike = np.float64,
     ) -> FreeSteps:
         """Compute a step for each vertex, such that the motion of all vertices is certified to be free of contact.
 
@@ -372,6 +390,8 @@ class Detector(Searcher):
             sizes of its vertices by t times the k-th power of `keep`.
         pinned : array of shape (N,), optional
             The indices of vertices that move the whole step, such as the vertices of obstacles and scripts.
+        dtype : float64 or float32
+            As for :meth:`free_step`.
 
         Returns
         -------
@@ -405,8 +425,11 @@ class Detector(Searcher):
         [0.25, 0.25, 0.5]
         """
         held = np.empty(0, np.uint32) if pinned is None else indices("pinned", pinned, (None,))
-        sizes, end, rounds, blocked = self._native.free_steps(*self._ends(x0, x1), number("keep", keep), held)
-        return FreeSteps(sizes, end, rounds, pairs(blocked))
+        single = is_single(dtype)
+        sizes, end, rounds, blocked = self._native.free_steps(
+            *self._ends(x0, x1), number("keep", keep), single, held
+        )
+        return FreeSteps(sizes, end.astype(dtype, copy=False), rounds, pairs(blocked))
 
     def step(
         self,

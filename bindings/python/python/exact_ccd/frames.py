@@ -119,7 +119,12 @@ class FileFrames:
         apart: PerVertex = (),
     ) -> None:
         self._filesystem = filesystem
-        self._places = [place for file in files for place in self._within(fspath(file))]
+        listed = [fspath(file) for file in files]
+        self._mesh: Optional[str] = None
+        if filesystem is None and len(listed) == 2 and _native.FrameSequence.is_cache(listed[1]):
+            # Frames of a cache, whose mesh is in a file before it.
+            self._mesh, *listed = listed
+        self._places = [place for file in listed for place in self._within(file)]
         if not self._places:
             raise ValueError("there are no frames")
         self._first = next(self._read())
@@ -135,10 +140,16 @@ class FileFrames:
         if self._filesystem is not None:
             yield file, 0
             return
-        sequence = _native.FrameSequence(file)
+        sequence = self._sequence(file)
         for frame in range(len(sequence)):
             place = sequence.file(frame)
             yield fspath(place), frame if Path(place) == Path(file) else 0
+
+    def _sequence(self, file: str) -> _native.FrameSequence:
+        """The frames in a file, or in a cache of the mesh."""
+        if self._mesh is None:
+            return _native.FrameSequence(file)
+        return _native.FrameSequence(self._mesh, file)
 
     def __len__(self) -> int:
         return len(self._places)
@@ -159,7 +170,7 @@ class FileFrames:
                     yield MeshFile(*_native.parse_mesh(stream.read(), file))
                 continue
             if sequence is None or file != name:
-                name, sequence = file, _native.FrameSequence(file)
+                name, sequence = file, self._sequence(file)
             yield MeshFile(*sequence.read(frame))
 
     def mesh(self, rules: Rules) -> Mesh:
@@ -174,7 +185,8 @@ class FileFrames:
 
     def identity(self) -> list[tuple[str, int, int, int]]:
         """Name, number, size and time of change of each frame."""
-        states = ((file, frame, Path(file).stat()) for file, frame in self._places)
+        places = self._places if self._mesh is None else [(self._mesh, 0), *self._places]
+        states = ((file, frame, Path(file).stat()) for file, frame in places)
         return [(file, frame, state.st_size, state.st_mtime_ns) for file, frame, state in states]
 
     def part(self, first: int, last: int) -> FileFrames:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional
+from typing import Any, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,7 +59,7 @@ class FreeStep(NamedTuple):
         The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if none of
         the sizes that are tried is certified: the mesh touches itself at the start, or is nearer to itself
         there than rounded positions are to the path.
-    positions : float64 array of shape (V, 3)
+    positions : float64 or float32 array of shape (V, 3)
         The positions at its end. Unless `size` is 0, the straight motion to these very positions has
         been decided to be free of contact, exactly.
     contact : Contact or None
@@ -70,7 +70,7 @@ class FreeStep(NamedTuple):
     """
 
     size: float
-    positions: NDArray[np.float64]
+    positions: NDArray[np.floating[Any]]
     contact: Optional[Contact]
     touching: PairCounts
 
@@ -106,7 +106,7 @@ class FreeSteps(NamedTuple):
     sizes : float64 array of shape (V,)
         The fraction of its displacement by which each vertex moves, from 0 to 1. It is 1 if the vertex is pinned,
         or if no contact held it back in any round.
-    positions : float64 array of shape (V, 3)
+    positions : float64 or float32 array of shape (V, 3)
         The positions after these moves.
     rounds : int
         The number of searches for contact.
@@ -117,6 +117,6 @@ class FreeSteps(NamedTuple):
     """
 
     sizes: NDArray[np.float64]
-    positions: NDArray[np.float64]
+    positions: NDArray[np.floating[Any]]
     rounds: int
     blocked: NDArray[np.void]

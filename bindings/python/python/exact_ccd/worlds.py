@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._arrays import Positions, number, positions
+from ._arrays import Positions, is_single, number, positions
 from ._records import by_value
 from .contacts import earliest, table
 from .detectors import Searcher
@@ -37,7 +37,7 @@ class WorldFreeSteps(NamedTuple):
     ----------
     size : float64 array of shape (W,)
         The part of the full step that is taken, from 0 to 1.
-    positions : float64 array of shape (W, V, 3)
+    positions : float64 or float32 array of shape (W, V, 3)
         The positions at its end, in the unit of the coordinates.
     contact : structured array of shape (W,)
         The earliest contact of the full step, as of :meth:`Worlds.collision`.
@@ -46,7 +46,7 @@ class WorldFreeSteps(NamedTuple):
     """
 
     size: NDArray[np.float64]
-    positions: NDArray[np.float64]
+    positions: NDArray[np.floating[Any]]
     contact: NDArray[np.void]
     touching: NDArray[np.int64]
 
@@ -175,7 +175,9 @@ class Worlds(Searcher):
         columns = self._native.collisions(*self._ends(x0, x1), number("until", until))
         return Contacts(columns[0], table(columns))
 
-    def free_step(self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9) -> WorldFreeSteps:
+    def free_step(
+        self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9, dtype: DTypeLike = np.float64
+    ) -> WorldFreeSteps:
         """Compute a step of each world that is certified to be free of contact.
 
         Parameters
@@ -185,14 +187,17 @@ class Worlds(Searcher):
         keep : float
             The part of the time of impact of a world that is taken if its full step is not free, above 0 and
             at most 1.
+        dtype : float64 or float32
+            As for :meth:`Detector.free_step`.
 
         Returns
         -------
         WorldFreeSteps
             Each world has a size of its own; see :meth:`Detector.free_step`.
         """
-        size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep))
-        return WorldFreeSteps(size, end, earliest(contact), touching)
+        ends = self._ends(x0, x1)
+        size, end, contact, touching = self._native.free_step(*ends, number("keep", keep), is_single(dtype))
+        return WorldFreeSteps(size, end.astype(dtype, copy=False), earliest(contact), touching)
 
     def step(self, x0: ArrayLike, x1: ArrayLike) -> StepReports:
         """Examine all candidates of each world, and count the contacts.

@@ -47,15 +47,19 @@ impl Frames {
                 return Err(Failure::of(file, "no frame, expected at least one"));
             }
             let name = sequence.part().map(str::to_owned);
-            let sequence = Arc::new(sequence);
-            let frames = (0..sequence.len()).map(|frame| (sequence.clone(), frame));
-            parts.push((name, Self(frames.collect())));
+            parts.push((name, Self::of_sequence(sequence)));
         }
         Ok(parts)
     }
 
+    fn of_sequence(sequence: FrameSequence) -> Self {
+        let sequence = Arc::new(sequence);
+        let frames = (0..sequence.len()).map(|frame| (sequence.clone(), frame));
+        Self(frames.collect())
+    }
+
     /// The frames in files, folders and lists of files, as [`Frames::of_paths`]; of one file, the frames of
-    /// each part.
+    /// each part; of a mesh and a cache of its positions, the frames in the cache.
     pub(super) fn parts_of_paths(
         paths: &[PathBuf],
         as_given: bool,
@@ -64,6 +68,12 @@ impl Frames {
     ) -> Result<Vec<(Option<String>, Self)>, Failure> {
         match paths {
             [file] if file.is_file() => Self::parts_of_file(file, options),
+            [mesh, cache] if FrameSequence::is_cache(cache) => {
+                check_path(mesh, "a mesh file")?;
+                check_path(cache, "a cache of positions")?;
+                let sequence = FrameSequence::open_cache(mesh, cache, options)?;
+                Ok(vec![(None, Self::of_sequence(sequence))])
+            }
             _ => Ok(vec![(None, Self::of_paths(paths, as_given, options, notes)?)]),
         }
     }
@@ -144,7 +154,13 @@ impl Frames {
         sequence.file(*frame)
     }
 
-    /// The time of a frame, if its list of files has times.
+    /// The file with the mesh of a frame.
+    pub(super) fn mesh_file(&self, index: usize) -> &Path {
+        let (sequence, frame) = &self.0[index];
+        sequence.mesh_file(*frame)
+    }
+
+    /// The time of a frame, if its file or its list of files has times.
     pub(super) fn time(&self, index: usize) -> Option<f64> {
         let (sequence, frame) = self.0.get(index)?;
         sequence.time(*frame)

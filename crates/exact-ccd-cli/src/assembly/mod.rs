@@ -2,6 +2,8 @@
 
 mod can_collide;
 mod frames;
+mod identity;
+mod inputs;
 mod named_file;
 mod names;
 mod nesting;
@@ -20,7 +22,6 @@ mod vertex_set;
 use std::ops::Range;
 #[cfg(feature = "repair")]
 use std::path::Path;
-use std::path::PathBuf;
 
 use exact_ccd_files::{Contents, FileIds};
 use exact_ccd_mesh::{CanCollide, Frame, MotionError, TriangleMesh};
@@ -36,7 +37,7 @@ pub(crate) use options::AssemblyOptions;
 use part::{Part, part_name};
 use rules::Rules;
 pub(crate) use summary::Summary;
-pub(crate) use turns::Turns;
+pub(crate) use turns::{Turn, Turns};
 
 /// Parts with the same number of frames, or with one frame, which rest.
 pub(crate) struct Assembly {
@@ -113,53 +114,6 @@ impl Assembly {
             can_collide,
             frame_count,
         })
-    }
-
-    /// The frames of pairs of files, each the start and the end of a part; or of one file of two frames.
-    pub(crate) fn of_pairs(
-        files: &[PathBuf],
-        options: &AssemblyOptions,
-        notes: &mut Notes,
-    ) -> Result<Self, Failure> {
-        let read_options = options.read_options();
-        let mut moving = Vec::new();
-        if let [file] = files {
-            let (name, file) = named(file);
-            for (part, frames) in Frames::parts_of_file(&file, &read_options)? {
-                if frames.count() != 2 {
-                    return Err(frames::frame_count(&file, frames.count(), 2));
-                }
-                moving.push((part_name(&name, part), frames));
-            }
-        } else {
-            let (pairs, rest) = files.as_chunks::<2>();
-            if let [file] = rest {
-                return Err(Failure::of(
-                    file,
-                    "there is no end to this start: expected pairs of files, START END",
-                ));
-            }
-            for [start, end] in pairs {
-                let ((name, start), (_, end)) = (named(start), named(end));
-                moving.push((name, Frames::of_pair(&start, &end, &read_options)?));
-            }
-        }
-        Self::open(moving, options, notes)
-    }
-
-    /// The frames of one part that moves, in the files, folders and lists of files.
-    pub(crate) fn of_sequence(
-        paths: &[PathBuf],
-        as_given: bool,
-        options: &AssemblyOptions,
-        notes: &mut Notes,
-    ) -> Result<Self, Failure> {
-        let (names, files): (Vec<_>, Vec<_>) = paths.iter().map(|path| named(path)).unzip();
-        let parts = Frames::parts_of_paths(&files, as_given, &options.read_options(), notes)?;
-        let name = names.into_iter().next().unwrap_or_default();
-        let parts = parts.into_iter();
-        let moving = parts.map(|(part, frames)| (part_name(&name, part), frames));
-        Self::open(moving.collect(), options, notes)
     }
 
     pub(crate) fn frame_count(&self) -> usize {

@@ -9,7 +9,7 @@ use super::rules::Rules;
 
 /// The options `--with`, `--ignore`, `--only`, `--weld`, `--faces-only`, `--points`,
 /// `--triangles-only`, `--max-size`, `--positions` and `--faces`.
-#[derive(clap::Args)]
+#[derive(clap::Args, Debug)]
 pub(crate) struct AssemblyOptions {
     /// A further part; may be repeated. One frame is a mesh at rest, an obstacle: obstacles are not
     /// compared with each other nor with themselves. A folder, a list of files or a file of several

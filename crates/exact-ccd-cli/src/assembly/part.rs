@@ -20,7 +20,7 @@ pub(super) struct Part {
     pub(super) is_obstacle: bool,
     /// The vertices of the part in the scene.
     pub(super) vertices: Range<u32>,
-    frames: Frames,
+    pub(super) frames: Frames,
     /// The first frames, until they are read.
     loaded: Vec<Option<Frame>>,
     /// The contents of the first frame, as it is in its file.
@@ -97,7 +97,7 @@ impl Part {
 
     /// Adds the notes about the file of the first frame.
     pub(super) fn add_file_notes(&self, notes: &mut Notes) {
-        let file = self.frames.file(0).display();
+        let file = self.frames.mesh_file(0).display();
         for note in &self.file_notes {
             let text = format!("{file}: {note}");
             if note.fact.is_warning() {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The options `--ignore` and `--only`.
-#[derive(Clone, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Rules {
     /// The parts A and B do not collide; may be repeated. A part is named as its file is, without
     /// folder and extension, or by NAME=FILE in place of FILE. The named groups of files (OBJ, Gmsh,

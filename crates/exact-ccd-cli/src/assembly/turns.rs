@@ -1,6 +1,7 @@
 //! Bodies that turn from a frame to the next one, while their vertices move in straight lines.
 
 use exact_ccd_mesh::{Point, RigidFit};
+use serde::{Deserialize, Serialize};
 
 use super::Assembly;
 use crate::messages::notes::Notes;
@@ -14,10 +15,18 @@ pub(crate) struct Turns {
 }
 
 /// The turn of a component from a frame to the next one.
-struct Turn {
+#[derive(Clone, Serialize, Deserialize)]
+pub(crate) struct Turn {
     frame: usize,
     vertex: u32,
-    fit: RigidFit,
+    /// In radians.
+    angle: f64,
+    /// The number of steps that lose little ([`RigidFit::steps`]).
+    steps: f64,
+    /// Relative to the size of the component.
+    shrinkage: f64,
+    /// In the unit of the coordinates.
+    shrinks_by: f64,
 }
 
 impl Turns {
@@ -34,8 +43,9 @@ impl Turns {
         }
     }
 
-    /// Adds the step that begins at a frame.
-    pub(crate) fn add(&mut self, scene: &Assembly, frame: usize, [x0, x1]: [&[Point]; 2]) {
+    /// The turns in the step that begins at a frame, the worst of each body.
+    pub(crate) fn in_step(&self, scene: &Assembly, frame: usize, [x0, x1]: [&[Point]; 2]) -> Vec<Turn> {
+        let mut worst = Vec::new();
         for component in &self.components {
             let at = |x: &[Point]| {
                 component
@@ -46,26 +56,35 @@ impl Turns {
             let Some(fit) = RigidFit::new(&at(x0), &at(x1)) else {
                 continue;
             };
-            let vertex = component[0];
-            let body = scene.names.body(vertex);
-            if self.worst.len() <= body {
-                self.worst.resize_with(body + 1, || None);
+            if fit.is_turn() {
+                let turn = Turn {
+                    frame,
+                    vertex: component[0],
+                    angle: fit.angle,
+                    steps: fit.steps(),
+                    shrinkage: fit.shrinkage,
+                    shrinks_by: fit.shrinkage * fit.size,
+                };
+                keep_worst(&mut worst, scene, turn);
             }
-            let worst = &mut self.worst[body];
-            let is_worse = |worst: &Turn| fit.shrinkage * fit.size > worst.fit.shrinkage * worst.fit.size;
-            if fit.is_turn() && worst.as_ref().is_none_or(is_worse) {
-                *worst = Some(Turn { frame, vertex, fit });
-            }
+        }
+        worst.into_iter().flatten().collect()
+    }
+
+    /// Adds turns, of later steps than those before.
+    pub(crate) fn add(&mut self, scene: &Assembly, turns: &[Turn]) {
+        for turn in turns {
+            keep_worst(&mut self.worst, scene, turn.clone());
         }
     }
 
     /// Adds a note for each body that turns, about the step in which it shrinks most.
     pub(crate) fn note(&self, scene: &Assembly, notes: &mut Notes) {
-        for Turn { frame, vertex, fit } in self.worst.iter().flatten() {
+        for turn in self.worst.iter().flatten() {
+            let Turn { frame, vertex, .. } = turn;
             let name = scene.component_name(*vertex);
             let (first, second) = (scene.frame_name(*frame), scene.frame_name(frame + 1));
-            let (angle, percent) = (fit.angle.to_degrees(), 100.0 * fit.shrinkage);
-            let steps = fit.steps();
+            let (angle, percent, steps) = (turn.angle.to_degrees(), 100.0 * turn.shrinkage, turn.steps);
             notes.note(format!(
                 "{name} turns by {angle:.1}° from frame {frame} ({first}) to frame {} ({second}) as a rigid body, but \
                  vertices move in straight lines: halfway, they are up to {percent:.1} % of its size too near to the \
@@ -74,5 +93,20 @@ impl Turns {
                 frame + 1
             ));
         }
+    }
+}
+
+/// Keeps a turn if its body does not shrink as much in another one.
+fn keep_worst(worst: &mut Vec<Option<Turn>>, scene: &Assembly, turn: Turn) {
+    let body = scene.names.body(turn.vertex);
+    if worst.len() <= body {
+        worst.resize_with(body + 1, || None);
+    }
+    let worst = &mut worst[body];
+    if worst
+        .as_ref()
+        .is_none_or(|worst| turn.shrinks_by > worst.shrinks_by)
+    {
+        *worst = Some(turn);
     }
 }

@@ -31,6 +31,7 @@ use crate::messages::failure::Failure;
 pub(crate) enum Command {
     Step(step::Arguments),
     Audit(audit::Arguments),
+    Merge(audit::MergeArguments),
     #[cfg(feature = "repair")]
     Repair(repair::Arguments),
     #[cfg(feature = "queries")]
@@ -64,6 +65,7 @@ impl Command {
         match self {
             Self::Step(arguments) => step::run(arguments),
             Self::Audit(arguments) => audit::run(arguments),
+            Self::Merge(arguments) => audit::merge(arguments),
             #[cfg(feature = "repair")]
             Self::Repair(arguments) => repair::run(arguments),
             #[cfg(feature = "queries")]

@@ -6,7 +6,9 @@ mod list;
 mod of_bodies;
 mod places;
 mod record;
+mod rounding;
 
 pub(crate) use list::{ContactList, ListFile};
 pub(crate) use of_bodies::PartPrimitive;
 pub(crate) use record::{Bounds, ContactRecord, Owners, RecordKind, unsigned_zero};
+pub(crate) use rounding::note_of_rounding;

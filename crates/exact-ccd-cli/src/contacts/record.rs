@@ -6,13 +6,14 @@ use std::fmt;
 use exact_ccd::{AnyKind, CONTACT, Point, Query, VertexFace};
 use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Contact, Intersection, TriangleMesh, contact_points};
-use serde::{Serialize, Serializer};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::text::numbers::shortest;
 
 /// Two primitives that touch, in the shape of the JSON object. All ids are the ids in the files, counted
 /// from 0.
-#[derive(Clone, Default, Serialize)]
+#[derive(Clone, Default, Serialize, Deserialize)]
 pub(crate) struct ContactRecord {
     /// The number of the frame, or of the frame at which the step begins.
     pub(crate) frame: usize,
@@ -38,7 +39,7 @@ pub(crate) struct ContactRecord {
 }
 
 /// The names of the bodies of two primitives, and their ids in the files of their parts.
-#[derive(Clone, Serialize)]
+#[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct Owners {
     /// None for a half space.
     pub(crate) parts: [Option<String>; 2],
@@ -56,7 +57,7 @@ pub(crate) enum RecordKind {
 }
 
 /// Bounds of a time, adjacent f64, or of a distance; the same number twice if it is an f64.
-#[derive(Clone, Copy, Default, Serialize)]
+#[derive(Clone, Copy, Default, Serialize, Deserialize)]
 pub(crate) struct Bounds {
     pub(crate) lower: f64,
     pub(crate) upper: f64,
@@ -94,6 +95,16 @@ impl RecordKind {
 impl Serialize for RecordKind {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
+    }
+}
+
+impl<'de> Deserialize<'de> for RecordKind {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let pairs = AnyKind::ALL.iter().map(|&kind| Self::Pair(kind));
+        let mut all = pairs.chain([Self::EdgeFace, Self::HalfSpace]);
+        let found = all.find(|kind| kind.name() == name);
+        found.ok_or_else(|| D::Error::custom(format_args!("`{name}` is no kind of pairs")))
     }
 }
 

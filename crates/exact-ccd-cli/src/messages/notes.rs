@@ -7,9 +7,21 @@ use serde::Serialize;
 /// Notes in the order in which they came up. Each is printed on standard error, and is in JSON reports.
 #[derive(Default, Serialize)]
 #[serde(transparent)]
-pub(crate) struct Notes(Vec<String>);
+pub(crate) struct Notes {
+    texts: Vec<String>,
+    #[serde(skip)]
+    are_unprinted: bool,
+}
 
 impl Notes {
+    /// Notes that are not printed.
+    pub(crate) fn unprinted() -> Self {
+        Self {
+            are_unprinted: true,
+            ..Self::default()
+        }
+    }
+
     /// A fact.
     pub(crate) fn note(&mut self, text: String) {
         self.add("note", text);
@@ -21,12 +33,18 @@ impl Notes {
     }
 
     fn add(&mut self, kind: &str, text: String) {
-        // An error of standard error itself cannot be reported.
-        let _ = writeln!(std::io::stderr(), "exact-ccd: {kind}: {text}");
-        self.0.push(text);
+        if !self.are_unprinted {
+            // An error of standard error itself cannot be reported.
+            let _ = writeln!(std::io::stderr(), "exact-ccd: {kind}: {text}");
+        }
+        self.texts.push(text);
+    }
+
+    pub(crate) fn into_texts(self) -> Vec<String> {
+        self.texts
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.texts.is_empty()
     }
 }

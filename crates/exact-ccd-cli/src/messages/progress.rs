@@ -26,13 +26,18 @@ pub(crate) fn bar(total: usize, things: &str) -> ProgressBar {
     ProgressBar::new(total as u64).with_style(style(&template).with_key("left", left))
 }
 
-/// Writes the time left if the rest takes as long as what is done, on average: nothing before the first thing
-/// is done.
+/// Writes the rate, and the time left if the rest takes as long as what is done, on average: nothing before
+/// the first thing is done.
 fn left(state: &ProgressState, text: &mut dyn fmt::Write) {
     if let (done @ 1.., Some(total)) = (state.pos(), state.len()) {
         let rest = total.saturating_sub(done) as f64 / done as f64;
+        let rate = done as f64 / state.elapsed().as_secs_f64();
         // A progress bar without this text does not matter.
-        let _ = write!(text, ", {:#} left", HumanDuration(state.elapsed().mul_f64(rest)));
+        let _ = write!(
+            text,
+            ", {rate:.3} a second, {:#} left",
+            HumanDuration(state.elapsed().mul_f64(rest))
+        );
     }
 }
 

@@ -72,6 +72,11 @@ impl MeshArguments {
         check_distinct(&files)
     }
 
+    /// Writes the answer.
+    pub(crate) fn write(&self, text: &str) -> Result<(), Failure> {
+        self.output.write(text)
+    }
+
     /// Writes the report, and returns its exit status.
     pub(crate) fn finish(&self, mut report: Report) -> Result<ExitCode, Failure> {
         if self.no_seconds {
@@ -82,7 +87,7 @@ impl MeshArguments {
         } else {
             report.to_string()
         };
-        self.output.write(&text)?;
+        self.write(&text)?;
         Ok(ExitCode::from(u8::from(!report.collision_free)))
     }
 }

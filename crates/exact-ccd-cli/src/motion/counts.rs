@@ -6,6 +6,7 @@ use exact_ccd::AnyKind;
 use exact_ccd_mesh::{PairCounts, StepReport};
 use serde::{Serialize, Serializer};
 
+use super::body_pairs::BodyPairs;
 use super::half_spaces::HalfSpaceCounts;
 use crate::contacts::ContactList;
 use crate::options::distances::Distances;
@@ -43,6 +44,8 @@ struct OfKinds(PairCounts);
 pub(crate) struct Violations {
     count: usize,
     frames: usize,
+    #[serde(skip_serializing_if = "BodyPairs::is_empty")]
+    bodies: BodyPairs,
 }
 
 impl From<&StepReport> for Pairs {
@@ -56,8 +59,10 @@ impl From<&StepReport> for Pairs {
 }
 
 impl From<&ContactList> for Violations {
-    fn from(ContactList(records): &ContactList) -> Self {
+    fn from(list: &ContactList) -> Self {
+        let ContactList(records) = list;
         Self {
+            bodies: BodyPairs::of(list),
             count: records.len(),
             frames: records.chunk_by(|a, b| a.frame == b.frame).count(),
         }
@@ -85,10 +90,14 @@ impl Counts {
                 "vertices in contact with half spaces: {colliding}; those {touching} at t = 0: {at_start}"
             )?;
         }
-        match self.violations {
-            Some(Violations { count, frames }) if count > 0 => writeln!(
+        match &self.violations {
+            Some(Violations {
+                count,
+                frames,
+                bodies,
+            }) if *count > 0 => write!(
                 f,
-                "violations: {count}, in {frames} of the frames or in the steps after them"
+                "violations: {count}, in {frames} of the frames or in the steps after them\n{bodies}"
             ),
             _ => Ok(()),
         }

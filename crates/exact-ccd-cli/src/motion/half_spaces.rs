@@ -11,7 +11,7 @@ use crate::contacts::{Bounds, ContactRecord, RecordKind, unsigned_zero};
 use crate::text::numbers::numbers;
 
 /// The option `--half-space`.
-#[derive(clap::Args)]
+#[derive(clap::Args, Debug)]
 pub(crate) struct HalfSpaceOption {
     /// A half space that no vertex of a part that moves may touch, nor come within the minimum distance
     /// of; may be repeated: a point of its boundary, then its outward normal, of any length.

@@ -2,6 +2,7 @@
 //! in motion.
 
 pub(crate) mod arguments;
+mod body_pairs;
 pub(crate) mod counts;
 pub(crate) mod half_spaces;
 pub(crate) mod paraview;

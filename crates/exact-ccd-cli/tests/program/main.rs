@@ -5,6 +5,7 @@
 
 mod audit;
 mod audit_bodies;
+mod audit_results;
 mod bench;
 mod certificates;
 mod certified_scenes;
@@ -23,6 +24,7 @@ mod meshes;
 mod methods;
 mod octocats;
 mod parts;
+mod point_caches;
 mod queries;
 mod queries_curved;
 mod queries_errors;
@@ -46,6 +48,7 @@ mod simulate_errors;
 mod simulate_pictures;
 mod simulate_queries;
 mod simulate_resume;
+mod single_precision;
 mod split_vertices;
 mod start_check;
 mod step;

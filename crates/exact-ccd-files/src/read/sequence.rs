@@ -2,21 +2,21 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::Point;
-
 use super::cells::Cells;
 use super::file::parse_file;
-use super::gltf::PlacedMeshes;
 use super::mesh_file::{MeshFile, assemble_cells};
-use super::numpy::{Arrays, Names};
+use super::numpy::Names;
 use super::options::{Polygons, ReadOptions};
+use super::point_cache::PointCache;
+use super::recording::{Positions, Recording, in_file};
 use super::series::{read_pvd_parts, read_pvd_within, read_series_within};
 use super::{gltf, numpy, recognise};
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::{Format, extension};
 
 /// The frames in one file: of a ParaView collection (`.pvd`) or series (`.series`), of numpy arrays
-/// (`.npz`, `.npy`), of a glTF file with an animation of translations, or the single frame of a mesh file.
+/// (`.npz`, `.npy`), of a glTF file with an animation of translations, or the single frame of a mesh file;
+/// also the frames in a cache of positions (`.pc2`, `.mdd`), beside its mesh.
 ///
 /// Frames are read one at a time, in any order.
 ///
@@ -42,43 +42,6 @@ pub struct FrameSequence {
 enum Source {
     Files(Vec<(Option<f64>, PathBuf)>),
     Recording(Box<Recording>),
-}
-
-/// Positions of all frames, and the first frame, with the mesh that all share.
-#[derive(Debug)]
-struct Recording {
-    positions: Positions,
-    first: MeshFile,
-}
-
-/// Positions of all frames.
-#[derive(Debug)]
-enum Positions {
-    Arrays(Arrays),
-    Placed(PlacedMeshes),
-}
-
-impl Positions {
-    fn frame_count(&self) -> usize {
-        match self {
-            Self::Arrays(arrays) => arrays.frame_count,
-            Self::Placed(meshes) => meshes.frame_count(),
-        }
-    }
-
-    fn of_frame(&self, frame: usize) -> Result<Vec<Point>, Fault> {
-        match self {
-            Self::Arrays(arrays) => Ok(arrays.positions(frame)),
-            Self::Placed(meshes) => meshes.positions(frame),
-        }
-    }
-
-    fn time(&self, frame: usize) -> Option<f64> {
-        match self {
-            Self::Arrays(_) => None,
-            Self::Placed(meshes) => meshes.time(frame),
-        }
-    }
 }
 
 impl FrameSequence {
@@ -150,6 +113,47 @@ impl FrameSequence {
         })
     }
 
+    /// Returns true for the name of a cache of positions, which [`open_cache`](Self::open_cache) reads.
+    #[must_use]
+    pub fn is_cache(path: &Path) -> bool {
+        PointCache::has_name(path)
+    }
+
+    /// Opens the frames in a cache of positions, PC2 or MDD, of the mesh in another file. Of the mesh, the
+    /// positions are not used. A frame of the cache is read when it is needed.
+    ///
+    /// The times are numbers of frames in PC2, and seconds in MDD.
+    ///
+    /// # Errors
+    /// [`ReadError`] names the file, the place in it, and what was expected there: also for a cache of
+    /// another number of vertices than the mesh file has, and for one that is cut off.
+    pub fn open_cache(
+        mesh: impl AsRef<Path>,
+        cache: impl AsRef<Path>,
+        options: impl Into<ReadOptions>,
+    ) -> Result<Self, ReadError> {
+        let (mesh, path, options) = (mesh.as_ref(), cache.as_ref(), options.into());
+        let first = MeshFile::read(mesh, &options)?;
+        let cache = PointCache::open(path)?;
+        let [own, expected] = [cache.vertex_count(), first.ids.vertex_count as u64];
+        if own != expected {
+            let expected = format!("{expected} vertices, as of {}", mesh.display());
+            let fault = Fault::expected(expected, format!("{own} vertices"));
+            return Err(in_file(path, fault.at(Place::File)));
+        }
+        let recording = Recording {
+            positions: Positions::Cached(cache),
+            first,
+            mesh: Some(mesh.to_owned()),
+        };
+        Ok(Self {
+            path: path.to_owned(),
+            part: None,
+            options,
+            source: Source::Recording(Box::new(recording)),
+        })
+    }
+
     /// The number of frames.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -172,6 +176,16 @@ impl FrameSequence {
             Source::Files(files) => files.get(frame).map_or(&self.path, |(_, file)| file),
             Source::Recording(_) => &self.path,
         }
+    }
+
+    /// The file with the mesh of a frame, which is not [the file](Self::file) of the frame for a cache.
+    #[must_use]
+    pub fn mesh_file(&self, frame: usize) -> &Path {
+        let mesh = match &self.source {
+            Source::Files(_) => None,
+            Source::Recording(recording) => recording.mesh.as_deref(),
+        };
+        mesh.unwrap_or_else(|| self.file(frame))
     }
 
     /// The name of a frame, counted from 0, for messages: its file, or the file of the sequence and
@@ -200,10 +214,7 @@ impl FrameSequence {
     /// [`ReadError`] names the file and what was expected there; also for a frame that the sequence
     /// does not have.
     pub fn read(&self, frame: usize) -> Result<MeshFile, ReadError> {
-        let at_path = |source: ParseError| ReadError::Parse {
-            path: self.path.clone(),
-            source,
-        };
+        let at_path = |source: ParseError| in_file(&self.path, source);
         if frame >= self.len() {
             let expected = format!("a frame below {}", self.len());
             return Err(at_path(
@@ -212,16 +223,7 @@ impl FrameSequence {
         }
         match &self.source {
             Source::Files(_) => MeshFile::read(self.file(frame), &self.options),
-            Source::Recording(recording) => {
-                let mut file = recording.first.clone();
-                let all = recording.positions.of_frame(frame);
-                let all = all.map_err(|fault| at_path(fault.at(Place::Frame(frame))))?;
-                let checked = exact_ccd_mesh::check_positions(all.len(), &all);
-                checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::Frame(frame))))?;
-                let kept = file.ids.vertices.iter();
-                file.frame.positions = kept.map(|&vertex| all[vertex as usize]).collect();
-                Ok(file)
-            }
+            Source::Recording(recording) => recording.read(frame, &self.path),
         }
     }
 
@@ -248,11 +250,8 @@ fn read_arrays(path: &Path, format: Format, options: &ReadOptions) -> Result<Sou
     };
     if format == Format::Npy && (names.positions.is_some() || names.faces.is_some()) {
         let expected = "a file .npy for --faces and no name for --positions: this file has one array";
-        let source = Fault::expected(expected, "the name of an array").at(Place::File);
-        return Err(ReadError::Parse {
-            path: path.to_owned(),
-            source,
-        });
+        let fault = Fault::expected(expected, "the name of an array");
+        return Err(in_file(path, fault.at(Place::File)));
     }
     let read_faces = |file| parse_file(Path::new(file), options.max_size, numpy::read_faces);
     let faces = faces_file.map(read_faces).transpose()?;
@@ -273,5 +272,9 @@ fn read_arrays(path: &Path, format: Format, options: &ReadOptions) -> Result<Sou
 /// Positions of all frames with the mesh of the first one, which all frames share.
 fn with_mesh(positions: Positions, first: Cells, polygons: Polygons) -> Result<Source, ParseError> {
     let first = MeshFile::assembled(assemble_cells(first, Format::Npz)?, polygons)?;
-    Ok(Source::Recording(Box::new(Recording { positions, first })))
+    Ok(Source::Recording(Box::new(Recording {
+        positions,
+        first,
+        mesh: None,
+    })))
 }

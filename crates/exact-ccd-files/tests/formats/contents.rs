@@ -190,8 +190,16 @@ fn known_formats_without_a_reader_name_the_export_that_works() {
         ("cloth.USDC", "USD", "numpy.savez"),
         ("cloth.fbx.gz", "FBX", "with Animation"),
         ("image.vti", "a structured grid of VTK", "extract_surface()"),
-        ("cloth.pc2", "a cache of positions", "Mesh Cache"),
-        ("cloth.mdd", "a cache of positions", "numpy.savez"),
+        (
+            "cloth.pc2",
+            "a cache of positions alone",
+            "audit MESH.obj CACHE.pc2",
+        ),
+        (
+            "cloth.mdd",
+            "a cache of positions alone",
+            "give its mesh before it",
+        ),
         ("cloth.bgeo", "Houdini's own format", ".obj or .ply"),
         ("cloth.bgeo.sc", "Houdini's own format", ".obj or .ply"),
         (

@@ -17,6 +17,7 @@ mod motion;
 mod named_parts;
 mod npz;
 mod numpy;
+mod point_cache;
 mod polygons;
 mod read_errors;
 mod same_frame;

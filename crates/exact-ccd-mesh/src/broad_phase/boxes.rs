@@ -11,6 +11,7 @@ use super::members::Members;
 use super::moving_box::MovingBox;
 use super::order::order;
 use super::primitive_count::{TooManyPrimitives, check_primitive_count};
+use super::units::Units;
 
 /// The least number of blocks that a thread fills in one task: 50,000 to 100,000 instructions. One
 /// thread finishes less work than that before another thread wakes up.
@@ -20,7 +21,7 @@ const GRAIN: usize = 128;
 ///
 /// Each box has an index; the indices of some of a mesh's primitives have gaps. Coordinates are
 /// relative to one origin for each time and rounded to single precision, such that boxes that meet still
-/// meet.
+/// meet. For a mesh whose size is far from 1, they are multiplied by a power of two first.
 ///
 /// The boxes of a mesh have their vertices as labels. Pairs with a common label are never a contact:
 /// the broad phases of this crate pass none of them on, another one may.
@@ -58,8 +59,8 @@ impl<const T: usize> Boxes<T> {
         });
         let mut all = Self::of(Arc::new(Members::new(ids, |_| [])));
         let places = |id: u32| boxes[id as usize].each_ref().map(Aabb::without_nan);
-        let origins = origins.map(finite);
-        all.replace(|_| true, |id| MovingBox::new(&places(id), &origins));
+        let units = Units::relative_to(origins.map(finite));
+        all.replace(|_| true, |id| MovingBox::new(&places(id), &units));
         Ok(all)
     }
 
@@ -125,7 +126,7 @@ impl<const T: usize> Boxes<T> {
     }
 
     /// The index of each box, and the box at the start and at the end (T = 2) or at rest (T = 1):
-    /// relative to one origin for each time, and rounded.
+    /// in the coordinates of these boxes, and rounded.
     pub fn iter(&self) -> impl Iterator<Item = (u32, [Aabb; T])> {
         let boxes = self
             .blocks

@@ -118,7 +118,7 @@ mod tests {
 
     use super::Members;
     use crate::broad_phase::{
-        Aabb, AllPairs, BoxPairs, Boxes, Bvh, MovingBox, PairCollector, PairSink, Sweep,
+        Aabb, AllPairs, BoxPairs, Boxes, Bvh, MovingBox, PairCollector, PairSink, Sweep, Units,
     };
 
     /// Boxes near each other. Many of their labels are common to two boxes.
@@ -133,7 +133,10 @@ mod tests {
         let mut ids: Vec<u32> = (0..count).collect();
         rng.shuffle(&mut ids);
         let mut boxes = Boxes::of(Arc::new(Members::new(ids, |id| all[id as usize].1)));
-        boxes.replace(|_| true, |id| MovingBox::new(&[all[id as usize].0], &[[0.0; 3]]));
+        boxes.replace(
+            |_| true,
+            |id| MovingBox::new(&[all[id as usize].0], &Units::relative_to([[0.0; 3]])),
+        );
         (boxes, all)
     }
 

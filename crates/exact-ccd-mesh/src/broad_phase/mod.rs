@@ -13,6 +13,7 @@ mod outward;
 mod pairs;
 mod primitive_count;
 mod sweep;
+mod units;
 mod vectors;
 
 use core::ops::ControlFlow;
@@ -33,6 +34,7 @@ pub(crate) use order::{extent, order};
 pub(crate) use outward::small;
 pub(crate) use outward::{Format, sum_above};
 pub(crate) use primitive_count::check_primitive_count;
+pub(crate) use units::Units;
 
 /// A callback for batches of pairs from a broad phase; `Break` ends the search.
 pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;

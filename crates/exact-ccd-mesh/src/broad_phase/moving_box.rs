@@ -1,15 +1,16 @@
 //! Boxes that move, in single precision.
 
-use exact_ccd::{Point, environment};
+use exact_ccd::environment;
 
 use super::aabb::Aabb;
+use super::units::Units;
 
 /// A box at both ends of a step, whose sides move at constant speed in between (T = 2), or a box at
 /// rest (T = 1).
 ///
-/// Coordinates are relative to an origin, one for each time and the same for all boxes, and rounded to
-/// single precision, which halves the memory traffic. Rounding is monotone: a number that is not greater
-/// than another before rounding is not greater after it. So boxes that meet still meet. A thread with
+/// Coordinates are in [`Units`], the same for all boxes, and rounded to single precision, which halves the
+/// memory traffic. Rounding is monotone: a number that is not greater than another before rounding is not
+/// greater after it. So boxes that meet still meet. A thread with
 /// another [`environment`] than the default one rounds outward, past the results of all other threads. No
 /// coordinate is subnormal, so that comparisons do not depend on the environment.
 #[derive(Clone, Copy, Debug)]
@@ -27,15 +28,11 @@ impl<const T: usize> MovingBox<T> {
         upper: [[f32::NEG_INFINITY; 4]; T],
     };
 
-    /// The box from its places at each time, each relative to the origin at that time.
+    /// The box from its places at each time.
     #[inline(always)]
-    pub(crate) fn new(places: &[Aabb; T], origins: &[Point; T]) -> Self {
-        let relative = |time: usize, [x, y, z]: Point| {
-            let [x0, y0, z0] = origins[time];
-            [x - x0, y - y0, z - z0, 0.0]
-        };
-        let lower = |time: usize| relative(time, places[time].lower);
-        let upper = |time: usize| relative(time, places[time].upper);
+    pub(crate) fn new(places: &[Aabb; T], units: &Units<T>) -> Self {
+        let lower = |time: usize| units.of(time, places[time].lower);
+        let upper = |time: usize| units.of(time, places[time].upper);
         if environment::is_default() {
             Self {
                 lower: core::array::from_fn(|time| lower(time).map(nearest)),
@@ -53,8 +50,8 @@ impl<const T: usize> MovingBox<T> {
     /// its origin (T = 1). Where an axis separates two boxes of the second kind, it separates the moving
     /// boxes at both ends, in the same order.
     #[inline(always)]
-    pub(crate) fn of_path(places: &[Aabb; 2], origins: &[Point; 2]) -> Self {
-        let MovingBox { lower, upper } = MovingBox::<2>::new(places, origins);
+    pub(crate) fn of_path(places: &[Aabb; 2], units: &Units<2>) -> Self {
+        let MovingBox { lower, upper } = MovingBox::<2>::new(places, units);
         let [start, end] = [0, 1].map(|time| MovingBox {
             lower: [lower[time]],
             upper: [upper[time]],
@@ -99,12 +96,13 @@ fn nearest(x: f64) -> f32 {
     if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
 }
 
-/// An f32 that is not above [`nearest`] of a difference, which was rounded to x in any floating-point
-/// environment, and that is not subnormal.
+/// An f32 that is not above [`nearest`] of a number in [`Units`], which was rounded to x in any
+/// floating-point environment, and that is not subnormal.
 ///
-/// x as an f32 is off by at most 2⁻²³ |x| + 2⁻¹²⁶, `nearest` by half of that and 2⁻¹²⁶, the difference
-/// itself by far less, and the three operations here by 2⁻²³ of their results: 2⁻²⁰ |x| + 2⁻¹⁰⁰ exceeds the
-/// sum. In any environment an overflow is above 2¹²⁶. The result is a multiple of 2⁻¹²⁴ where it is near 0.
+/// x as an f32 is off by at most 2⁻²³ |x| + 2⁻¹²⁶, `nearest` by half of that and 2⁻¹²⁶, the number itself by
+/// far less and 2⁻¹²⁰ (`units.rs`), and the three operations here by 2⁻²³ of their results: 2⁻²⁰ |x| + 2⁻¹⁰⁰
+/// exceeds the sum. In any environment an overflow is above 2¹²⁶. The result is a multiple of 2⁻¹²⁴ where
+/// it is near 0.
 #[cold]
 fn below(x: f64) -> f32 {
     /// 2¹²⁶, a quarter of the range of f32.
@@ -124,7 +122,7 @@ mod tests {
     use fastrand::Rng;
 
     use super::{MovingBox, below, nearest};
-    use crate::broad_phase::Aabb;
+    use crate::broad_phase::{Aabb, Units};
 
     #[test]
     fn boxes_at_rest_are_around_the_motion_relative_to_the_origins() {
@@ -132,9 +130,9 @@ mod tests {
         let mut numbers = || [0, 1, 2].map(|_| 8.0 * rng.f64() - 4.0);
         for _ in 0..1000 {
             let places = [0, 1].map(|_| [numbers(), numbers()].into_iter().collect::<Aabb>());
-            let origins = [numbers(), numbers()];
-            let moving = MovingBox::<2>::of_path(&places, &origins).places();
-            let [around] = MovingBox::<1>::of_path(&places, &origins).places();
+            let units = Units::relative_to([numbers(), numbers()]);
+            let moving = MovingBox::<2>::of_path(&places, &units).places();
+            let [around] = MovingBox::<1>::of_path(&places, &units).places();
             assert_eq!(around, moving[0].union(&moving[1]));
             // Without a motion relative to the origins, it is the box at the start.
             let shift = numbers().map(f64::round);
@@ -145,7 +143,8 @@ mod tests {
                     core::array::from_fn(|axis| at.lower[axis] + shift[axis]),
                 ]
             };
-            let around = MovingBox::<1>::of_path(&moved(&place).map(Aabb::of), &moved(&origin));
+            let units = Units::relative_to(moved(&origin));
+            let around = MovingBox::<1>::of_path(&moved(&place).map(Aabb::of), &units);
             assert_eq!(around.places(), [Aabb::of([0.25; 3])]);
         }
     }

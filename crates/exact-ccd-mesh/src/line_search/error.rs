@@ -16,6 +16,15 @@ pub enum LineSearchError {
     /// The fraction of the time of impact to keep is out of range.
     #[error("the fraction of the time of impact to keep is {0}, expected a number above 0 and at most 1")]
     Keep(f64),
+    /// A position at the start is not in the precision of the options.
+    #[error(
+        "vertex {vertex} at the start is not in single precision, but the end is to be: round all positions \
+         before the first step"
+    )]
+    Precision {
+        /// The first such vertex.
+        vertex: usize,
+    },
     /// A pinned vertex is not one of the mesh.
     #[error("vertex {vertex} is pinned, but the mesh has {vertex_count} vertices")]
     Pinned {

@@ -5,6 +5,7 @@ use exact_ccd::{Options, Point};
 use super::advance::advance;
 use super::error::LineSearchError;
 use super::options::FreeStepOptions;
+use super::precision::Precision;
 use super::watched::{Watch, watched};
 use crate::mesh::check_positions;
 use crate::pairs::PairCounts;
@@ -18,11 +19,13 @@ use crate::steps::Step;
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeStep {
     /// The part of the full step that is taken, from 0 to 1; at most the time of impact of the full
-    /// step. It is 1 if the full step is free of contact. It is 0 if none of the sizes that are
-    /// tried is certified: the mesh touches itself at the start, or is nearer to itself there than rounded
-    /// positions are to the path. If it is tiny, the rounded positions may equal the start.
+    /// step. It is 1 if the full step is free of contact, also to its rounded end. It is 0 if none of the
+    /// sizes that are tried is certified: the mesh touches itself at the start, or is nearer to itself
+    /// there than rounded positions are to the path. If it is tiny, the rounded positions may equal the
+    /// start.
     pub size: f64,
-    /// The positions at its end: the start if the size is 0, and the end of the full step if it is 1.
+    /// The positions at its end, in the [`Precision`](super::Precision) of the options: the start if the
+    /// size is 0, and the end of the full step if it is 1.
     pub positions: Vec<Point>,
     /// The earliest contact of the full step, or `None` if the full step is free of contact.
     pub contact: Option<Contact>,
@@ -35,9 +38,10 @@ impl Detector {
     /// A step from positions `x0` towards positions `x1` that is certified to be free of contact.
     ///
     /// The size is 1 if the full step is free, otherwise `keep` times the largest f64 not above its time of
-    /// impact, the product rounded to nearest. The positions there, by [`Step::at`], are rounded, and the
-    /// step from `x0` to them is checked exactly. If it is not free, the f64 1, 2, 4, … places below the
-    /// first size are tried, until one is free or the size is 0.
+    /// impact, the product rounded to nearest. The positions there, by [`Step::at`], are rounded to the
+    /// [`Precision`](super::Precision) of the options, and the step from `x0` to them is checked exactly.
+    /// If it is not free, the f64 1, 2, 4, … places below the first size are tried, until one is free or
+    /// the size is 0; in single precision, 2²⁹, 2³⁰, … places.
     ///
     /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
     /// size is 1: without [`with_start_check`](Self::with_start_check), this is not found.
@@ -108,7 +112,7 @@ fn free_step(
     at: impl Fn(f64) -> Vec<Point>,
     options: &FreeStepOptions<'_>,
 ) -> Result<FreeStep, LineSearchError> {
-    let keep = options.checked_keep()?;
+    let keep = options.checked(&step)?;
     let watch = Watch::new(options);
     let earliest = watched(Earliest::with_touching(), &watch, |watched| {
         search.run_keeping(&step, &options.min_distance, watched);
@@ -122,18 +126,19 @@ fn free_step(
         contact,
         touching,
     };
-    let Some(contact) = contact else {
+    if contact.is_none() && options.precision.first_other(x1).is_none() {
         return Ok(free(1.0, x1.to_vec()));
-    };
-    let first = keep * contact.impact.time.lower();
+    }
+    let first = contact.map_or(1.0, |contact| keep * contact.impact.time.lower());
     Ok(match certified(search, step, first, at, options, &watch)? {
         Some((size, positions)) => free(size, positions),
         None => free(0.0, x0.to_vec()),
     })
 }
 
-/// The first f64 to which the step is free, with the positions there: `first`, or the f64 1, 2, 4, … places
-/// below it. `None` if the step is free to none of them.
+/// The first f64 to which the step is free, with the rounded positions there: `first`, or the f64 1, 2, 4, …
+/// times [`first_retreat`](super::Precision::first_retreat) places below it. `None` if the step is free to
+/// none of them.
 pub(super) fn certified(
     search: &mut CulledSearch,
     step: Step<'_>,
@@ -143,20 +148,23 @@ pub(super) fn certified(
     watch: &Watch<'_>,
 ) -> Result<Option<(f64, Vec<Point>)>, LineSearchError> {
     let [x0, _] = step.positions();
-    let (mut size, mut retreat) = (first, 1);
+    let (mut size, mut retreat) = (first, options.precision.first_retreat());
     // By its bits: a comparison may read a subnormal number as zero, and a difference may be flushed to
     // zero.
     while size.to_bits() > 0 {
-        let positions = at(size);
+        let positions = options.precision.rounded(at(size));
         let shorter = Step::new(step.mesh(), x0, &positions)?;
-        let contact = watched(AnyContact::new(1.0, &|_| true), watch, |watched| {
-            search.run_in_part(&shorter, &options.min_distance, watched);
+        let any = AnyContact::new(1.0, &|_| true);
+        let contact = watched(any, watch, |watched| match options.precision {
+            Precision::Double => search.run_in_part(&shorter, &options.min_distance, watched),
+            // These positions are farther off the path than a part of the step may be.
+            Precision::Single => search.run(&shorter, &options.min_distance, watched),
         })?;
         if !contact.is_found() {
             return Ok(Some((size, positions)));
         }
         size = f64::from_bits(first.to_bits().saturating_sub(retreat));
-        retreat *= 2;
+        retreat = retreat.saturating_mul(2);
     }
     Ok(None)
 }

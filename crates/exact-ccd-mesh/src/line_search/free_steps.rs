@@ -20,7 +20,8 @@ pub struct FreeSteps {
     /// The part of its displacement that each vertex takes, from 0 to 1. It is 1 if the vertex is pinned, or
     /// if no contact held it back in any round and there are fewer than 64 rounds.
     pub sizes: Vec<f64>,
-    /// The positions at the ends of these parts, as [`Step::at`] computes them, vertex by vertex.
+    /// The positions at the ends of these parts, as [`Step::at`] computes them, vertex by vertex, in the
+    /// [`Precision`](super::Precision) of the options.
     pub positions: Vec<Point>,
     /// The pairs that touch, whatever the sizes of the vertices that are not pinned. They touch at the
     /// start, or all of their vertices that are not pinned stay at the start. Sorted.
@@ -94,9 +95,9 @@ fn free_steps(
     pinned: &[u32],
     options: &FreeStepOptions<'_>,
 ) -> Result<FreeSteps, LineSearchError> {
-    let keep = options.checked_keep()?;
+    let keep = options.checked(&step)?;
     let watch = Watch::new(options);
-    let mut sizes = Sizes::new(step, pinned)?;
+    let mut sizes = Sizes::new(step, pinned, options.precision)?;
     let mut is_least_certified = !pinned.is_empty();
     let (mut kept, mut rounds, mut blocked) = (1.0, 0, Vec::new());
     loop {

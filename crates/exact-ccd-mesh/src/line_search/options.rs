@@ -3,7 +3,9 @@
 use std::fmt;
 
 use super::error::LineSearchError;
+use super::precision::Precision;
 use crate::pairs::MinDistance;
+use crate::steps::Step;
 
 /// Options of [`Detector::free_step`](crate::Detector::free_step), and of the other free steps.
 #[derive(Clone)]
@@ -14,6 +16,8 @@ pub struct FreeStepOptions<'a> {
     pub keep: f64,
     /// The distance at which primitives touch. The default is 0, which is contact.
     pub min_distance: MinDistance,
+    /// The format of the positions at the end. The default is double precision.
+    pub precision: Precision,
     /// Called with the number of pairs examined since the last call, from any thread. Pairs that the first
     /// filters hold back do not count; these depend on the processor.
     pub progress: Option<&'a (dyn Fn(usize) + Sync)>,
@@ -26,6 +30,7 @@ impl Default for FreeStepOptions<'_> {
         Self {
             keep: 0.9,
             min_distance: MinDistance::default(),
+            precision: Precision::default(),
             progress: None,
             cancel: None,
         }
@@ -46,6 +51,12 @@ impl<'a> FreeStepOptions<'a> {
         Self { min_distance, ..self }
     }
 
+    /// The same options with another format of the positions at the end.
+    #[must_use]
+    pub fn with_precision(self, precision: Precision) -> Self {
+        Self { precision, ..self }
+    }
+
     /// The same options with a callback for progress.
     #[must_use]
     pub fn with_progress(self, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
@@ -62,8 +73,12 @@ impl<'a> FreeStepOptions<'a> {
 }
 
 impl FreeStepOptions<'_> {
-    /// The fraction to keep, if it is in range.
-    pub(super) fn checked_keep(&self) -> Result<f64, LineSearchError> {
+    /// The fraction to keep, if it is in range and the start of the step is in the precision of the end.
+    pub(super) fn checked(&self, step: &Step<'_>) -> Result<f64, LineSearchError> {
+        let [x0, _] = step.positions();
+        if let Some(vertex) = self.precision.first_other(x0) {
+            return Err(LineSearchError::Precision { vertex });
+        }
         let keep = self.keep;
         if keep > 0.0 && keep <= 1.0 {
             Ok(keep)
@@ -78,6 +93,7 @@ impl fmt::Debug for FreeStepOptions<'_> {
         f.debug_struct("FreeStepOptions")
             .field("keep", &self.keep)
             .field("min_distance", &self.min_distance)
+            .field("precision", &self.precision)
             .field("has_progress", &self.progress.is_some())
             .field("has_cancel", &self.cancel.is_some())
             .finish()

@@ -3,6 +3,7 @@
 use exact_ccd::Point;
 
 use super::error::LineSearchError;
+use super::precision::Precision;
 use super::retreat::Retreats;
 use super::watched::{Watch, watched};
 use crate::pairs::{MinDistance, Pair};
@@ -12,6 +13,7 @@ use crate::steps::Step;
 /// The sizes of the steps of all vertices.
 pub(super) struct Sizes<'a> {
     step: Step<'a>,
+    precision: Precision,
     /// The size of each vertex.
     pub(super) sizes: Vec<f64>,
     /// The positions at these sizes.
@@ -27,7 +29,7 @@ pub(super) struct Sizes<'a> {
 
 impl<'a> Sizes<'a> {
     /// All vertices go all the way.
-    pub(super) fn new(step: Step<'a>, pinned: &[u32]) -> Result<Self, LineSearchError> {
+    pub(super) fn new(step: Step<'a>, pinned: &[u32], precision: Precision) -> Result<Self, LineSearchError> {
         let vertex_count = step.mesh().vertex_count();
         let mut is_pinned = vec![false; vertex_count];
         for &vertex in pinned {
@@ -37,8 +39,9 @@ impl<'a> Sizes<'a> {
         let [_, x1] = step.positions();
         Ok(Self {
             step,
+            precision,
             sizes: vec![1.0; vertex_count],
-            positions: x1.to_vec(),
+            positions: precision.rounded(x1.to_vec()),
             least: 0.0,
             can_retreat: is_pinned.iter().map(|is_pinned| !is_pinned).collect(),
             is_pinned,
@@ -81,8 +84,7 @@ impl<'a> Sizes<'a> {
             let before = self.sizes[vertex];
             // Below the size before, even if nothing is lost to the time and to the factor.
             let size = (kept * time * before).min(before.next_down()).max(self.least);
-            self.sizes[vertex] = size;
-            self.positions[vertex] = self.step.vertex_at(vertex, size);
+            self.set(vertex, size);
         }
         let has_fallen = self.has_fallen.get_or_insert_default();
         has_fallen.clear();
@@ -94,12 +96,16 @@ impl<'a> Sizes<'a> {
     pub(super) fn hold_all_back(&mut self) {
         for vertex in 0..self.sizes.len() {
             if self.can_retreat[vertex] {
-                self.sizes[vertex] = self.least;
-                self.positions[vertex] = self.step.vertex_at(vertex, self.least);
+                self.set(vertex, self.least);
             }
         }
         self.has_fallen = Some(self.can_retreat.clone());
         self.update_can_retreat();
+    }
+
+    fn set(&mut self, vertex: usize, size: f64) {
+        self.sizes[vertex] = size;
+        self.positions[vertex] = self.precision.round(self.step.vertex_at(vertex, size));
     }
 
     fn update_can_retreat(&mut self) {
@@ -120,7 +126,7 @@ mod tests {
         let mesh = TriangleMesh::new(3, Vec::new()).expect("there are no faces");
         let (x0, x1) = ([[0.0; 3]; 3], [[8.0; 3]; 3]);
         let step = Step::new(&mesh, &x0, &x1).expect("all positions are finite");
-        let mut sizes = Sizes::new(step, &[1]).expect("the mesh has the vertex");
+        let mut sizes = Sizes::new(step, &[1], Precision::Double).expect("the mesh has the vertex");
         sizes.set_least(0.25);
         sizes.hold_all_back();
         assert_eq!(sizes.sizes, [0.25, 1.0, 0.25]);

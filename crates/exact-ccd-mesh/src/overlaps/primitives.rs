@@ -24,6 +24,8 @@ pub(crate) struct Primitives {
     extent: f64,
     /// A vertex amid many others at the start of the step.
     origin: Option<u32>,
+    /// The usual distance from this vertex in the step.
+    size: f64,
 }
 
 /// The primitives are ordered anew when the extent of the vertices' order has grown by this factor.
@@ -40,6 +42,12 @@ impl Primitives {
     /// A vertex amid many others at the start of the step, even if some are far away.
     pub(crate) fn origin(&self) -> Option<u32> {
         self.origin
+    }
+
+    /// The usual distance of a vertex from the [`origin`](Self::origin) in the step, along an axis; 0 if
+    /// most are in its place.
+    pub(crate) fn size(&self) -> f64 {
+        self.size
     }
 
     pub(crate) fn other_ends(&self) -> &OtherEnds {
@@ -60,7 +68,10 @@ impl Primitives {
         } else {
             self.extent = self.extent.min(now);
         }
-        self.origin = amid(self.get(PrimitiveSet::Vertices).ids(), x0);
+        let vertices = self.get(PrimitiveSet::Vertices).ids();
+        let origin = amid(vertices, x0);
+        self.size = origin.map_or(0.0, |origin| usual_distance(vertices, origin, step));
+        self.origin = origin;
     }
 
     fn new(mesh: &TriangleMesh, x: &[Point], can_collide: &CanCollide) -> Self {
@@ -100,27 +111,43 @@ impl Primitives {
             ordered: Some(x.len()),
             extent,
             origin: None,
+            size: 0.0,
         }
     }
 }
 
+/// Some of the vertices.
+fn sample(vertices: &[u32]) -> impl Iterator<Item = u32> {
+    let stride = vertices.len().div_ceil(SAMPLE).max(1);
+    vertices.iter().step_by(stride).copied()
+}
+
 /// Of a sample of some vertices, the one nearest to the median along each axis.
 fn amid(vertices: &[u32], x: &[Point]) -> Option<u32> {
-    let stride = vertices.len().div_ceil(SAMPLE).max(1);
-    let sample = || vertices.iter().step_by(stride).copied();
-    let median: Point = core::array::from_fn(|axis| {
-        let mut coordinates: Vec<f64> = sample().map(|id| x[id as usize][axis]).collect();
-        coordinates.sort_unstable_by(f64::total_cmp);
-        coordinates
-            .get(coordinates.len() / 2)
-            .copied()
-            .unwrap_or_default()
-    });
-    let distance = |id: u32| {
-        let axes = x[id as usize].into_iter().zip(median);
-        axes.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
-    };
-    sample().min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
+    let center: Point =
+        core::array::from_fn(|axis| median(sample(vertices).map(|id| x[id as usize][axis]).collect()));
+    let from_center = |id: u32| distance(x[id as usize], center);
+    sample(vertices).min_by(|&a, &b| from_center(a).total_cmp(&from_center(b)))
+}
+
+/// Of a sample of some vertices, the median of the distances from a vertex at both ends of a step.
+fn usual_distance(vertices: &[u32], origin: u32, step: &Step<'_>) -> f64 {
+    let ends = step.positions();
+    let of_sample = sample(vertices).filter(|&id| id != origin);
+    let distances = of_sample.flat_map(|id| ends.map(|x| distance(x[id as usize], x[origin as usize])));
+    median(distances.collect())
+}
+
+/// The greatest difference of two points along an axis.
+fn distance(a: Point, b: Point) -> f64 {
+    let axes = a.into_iter().zip(b);
+    axes.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+}
+
+/// The median of some numbers, 0 of none.
+fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_unstable_by(f64::total_cmp);
+    numbers.get(numbers.len() / 2).copied().unwrap_or_default()
 }
 
 /// The indices of the primitives that take part, with near primitives side by side.

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::margin::Margin;
 use super::path::{between, until};
 use super::primitives::Primitives;
-use crate::broad_phase::{BoxPairs, Boxes, MovingBox, PairSink};
+use crate::broad_phase::{BoxPairs, Boxes, MovingBox, PairSink, Units};
 use crate::mesh::TriangleMesh;
 use crate::pairs::{PrimitiveSet, Searched};
 use crate::steps::Step;
@@ -34,9 +34,10 @@ pub(crate) struct StepBoxes<const T: usize> {
     /// True if coordinates at the end are relative to a vertex's place at the end; else, to its place at the
     /// start.
     follows: bool,
-    /// The places of this vertex, or its place at the start twice, when all boxes were placed last:
-    /// coordinates are relative to them, so that single precision is fine, however far away all vertices are.
-    origins: [Point; 2],
+    /// Coordinates are relative to the places of this vertex, or to its place at the start, and have a
+    /// scale for the size of the mesh, when all boxes were placed last: so single precision is fine,
+    /// however far away all vertices are, and however large the mesh is.
+    units: Units<2>,
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
     /// True if the boxes belong to the current step.
@@ -53,7 +54,7 @@ impl<const T: usize> Default for StepBoxes<T> {
             margin: Margin::default(),
             margins: Vec::new(),
             follows: true,
-            origins: [[0.0; 3]; 2],
+            units: Units::relative_to([[0.0; 3]; 2]),
             time: f64::NAN,
             has_begun: false,
         }
@@ -173,7 +174,7 @@ impl<const T: usize> StepBoxes<T> {
         for vertex in (0..is_marked.len()).filter(|&vertex| is_marked[vertex]) {
             let margin = self.margin.uniform().unwrap_or_else(|| self.margins[vertex]);
             let places = until(1.0, x0[vertex], x1[vertex]).map(|aabb| aabb.inflated(margin));
-            self.moving[vertex] = MovingBox::of_path(&places, &self.origins);
+            self.moving[vertex] = MovingBox::of_path(&places, &self.units);
         }
         true
     }
@@ -263,22 +264,23 @@ impl<const T: usize> StepBoxes<T> {
         }
         self.time = time;
         let [x0, x1] = step.positions();
-        self.origins = self.primitives.origin().map_or([[0.0; 3]; 2], |vertex| {
+        let origins = self.primitives.origin().map_or([[0.0; 3]; 2], |vertex| {
             let [start, end] = [x0, x1].map(|x| x[vertex as usize]);
             let place = between(time, start, end);
             [start, if self.follows { place } else { start }]
         });
-        let origins = &self.origins;
+        self.units = Units::relative_to(origins).for_size(self.primitives.size());
+        let units = &self.units;
         let ends = x0.par_iter().zip(x1).with_min_len(512);
         let moving = &mut self.moving;
         let inflated = |margin: f64, x0: Point, x1: Point| {
             let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
-            MovingBox::of_path(&places, origins)
+            MovingBox::of_path(&places, units)
         };
         // Copies of the loop: the usual one does not inflate.
         match self.margin.uniform() {
             Some(0.0) => ends
-                .map(|(&x0, &x1)| MovingBox::of_path(&until(time, x0, x1), origins))
+                .map(|(&x0, &x1)| MovingBox::of_path(&until(time, x0, x1), units))
                 .collect_into_vec(moving),
             Some(margin) => ends
                 .map(|(&x0, &x1)| inflated(margin, x0, x1))
@@ -382,7 +384,8 @@ mod tests {
             let at = |vertex: u32, end: usize| -> Point {
                 let vertex = vertex as usize;
                 let place = [x0[vertex], between(time, x0[vertex], x1[vertex])][end];
-                core::array::from_fn(|axis| place[axis] - boxes.origins[end][axis])
+                let [x, y, z, _] = boxes.units.of(end, place);
+                [x, y, z]
             };
             let vertices = |set: PrimitiveSet, id: u32| match set {
                 PrimitiveSet::Faces => mesh.faces()[id as usize].to_vec(),

@@ -52,7 +52,8 @@ def audit(
     ----------
     frames, faces, edges, groups, can_collide, names, weld, half_spaces, min_distance
         As for :func:`exact_ccd.audit`. Files must be at the same place on all machines. An array is sent in
-        chunks.
+        chunks. An object with the attributes of :class:`exact_ccd.Frames` is sent whole; `results` need a method
+        ``identity``, whose value is another one for other frames.
     filesystem : pyarrow.fs.FileSystem, optional
         The file system of the files and of the results, in place of the file systems of the machines.
         Addresses such as ``s3://bucket/frames`` in `frames` name one too. Its files are meshes with one frame each.
@@ -77,7 +78,8 @@ def audit(
     ValueError
         As for :func:`exact_ccd.audit`.
     """
-    source, identity = _open(frames, faces, edges, filesystem, weld, per_vertex(groups, min_distance))
+    apart = per_vertex(groups, min_distance)
+    source, identity = _open(frames, faces, edges, filesystem, weld, apart, results is not None)
     if len(source) == 0:
         raise ValueError("there are no frames")
     if steps < 1 or window is not None and window < 1:
@@ -224,8 +226,9 @@ def _open(
     filesystem: Optional[pyarrow.fs.FileSystem],
     weld: Weld,
     apart: PerVertex,
+    is_identified: bool,
 ) -> tuple[Frames, list[Any]]:
-    """The frames, and all that distinguishes them from others."""
+    """The frames, and all that distinguishes them from others, if it is wanted."""
     listed = list(frames) if isinstance(frames, (list, tuple)) else [frames]
     is_path = all(isinstance(frame, (str, PathLike)) for frame in listed) and len(listed) > 0
     if is_path and (filesystem is not None or "://" in fspath(listed[0])):
@@ -235,7 +238,7 @@ def _open(
         frames = paths if isinstance(frames, (list, tuple)) else paths[0]
     files = in_files(frames, faces, edges, weld, apart)
     if files is not None:
-        return files, files.identity()
+        return files, files.identity() if is_identified else []
     if faces is None:
         raise TypeError("expected the faces of the mesh")
     array = as_array("frames", frames)

@@ -1,29 +1,23 @@
 //! `exact-ccd audit`: the contacts of a mesh in a sequence of frames.
 
 mod bodies;
+mod frame_result;
+mod identity;
+mod outputs;
 mod pose_table;
+mod results;
+mod run;
+mod share;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use exact_ccd::Point;
-use exact_ccd_mesh::{Audit, Frame, Step, Violation};
-
-use crate::assembly::{Assembly, Turns};
-use crate::contacts::{ContactList, ContactRecord};
-use crate::files::inputs::name;
 use crate::messages::failure::Failure;
-use crate::messages::notes::Notes;
 use crate::messages::progress::{self, during};
 use crate::motion::arguments::MeshArguments;
-use crate::motion::counts::Violations;
-use crate::motion::half_spaces::HalfSpaces;
-use crate::motion::paraview;
-use crate::motion::report::{Report, ReportForm};
-use crate::options::certificate::Certificate;
-use crate::options::distances::Distances;
-use crate::text::seconds::Seconds;
-use crate::view::Recording;
+use results::Results;
+use run::Run;
+use share::Share;
 
 /// Certify that a mesh never touches itself in a sequence of frames.
 ///
@@ -49,8 +43,9 @@ use crate::view::Recording;
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// Meshes with the same faces: mesh files, folders of files of one format, lists of files (.pvd,
-    /// .series), or files of several frames (.npz). Files whose names differ in one number are taken in
-    /// the order of these numbers, others as they are given. docs/files.md lists the formats.
+    /// .series), or files of several frames (.npz); or a mesh and a cache of its positions (.pc2, .mdd).
+    /// Files whose names differ in one number are taken in the order of these numbers, others as they are
+    /// given. docs/files.md lists the formats.
     #[arg(required = true)]
     frames: Vec<PathBuf>,
     /// Keep the order of the files on the command line, whatever their numbers.
@@ -69,8 +64,32 @@ pub(crate) struct Arguments {
         ]
     )]
     poses: Option<PathBuf>,
+    /// Keep the result of each frame in this folder as soon as it is examined. The same command later, after
+    /// the end or the death of the process, examines the other frames only, and its report is the same one.
+    #[arg(
+        long,
+        value_name = "DIR",
+        conflicts_with_all = ["poses", "paraview", "view", "view_up", "certificate"]
+    )]
+    results: Option<PathBuf>,
+    /// Examine part I of N of the frames, for N processes on any machines that share the folder of results.
+    /// `exact-ccd merge` with the same arguments makes the report of all parts.
+    #[arg(long, value_name = "I/N", requires = "results", conflicts_with = "json")]
+    part: Option<Share>,
     #[command(flatten)]
     mesh: MeshArguments,
+}
+
+/// Report an audit from the results of all of its parts.
+///
+/// The arguments are the same as of `exact-ccd audit --part I/N --results DIR`, without --part. The report
+/// is the one that a single process makes. Nothing is examined: frames without a result are an error.
+///
+/// Exit status: as of `exact-ccd audit`.
+#[derive(clap::Args)]
+pub(crate) struct MergeArguments {
+    #[command(flatten)]
+    audit: Arguments,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
@@ -78,219 +97,61 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         return bodies::run(&arguments.frames, poses, &arguments.mesh);
     }
     let mut run = Run::begin(arguments)?;
-    let count = run.scene.frame_count();
-    during(progress::bar(count, "frames"), |progress| {
-        for index in 0..count {
-            run.examine(index)?;
+    let share = arguments.part.unwrap_or(Share::WHOLE);
+    let mut results = match &arguments.results {
+        Some(folder) => Some(Results::open(folder, &run.identity()?, Some(share))?),
+        None => None,
+    };
+    let frames = share.of(run.frame_count());
+    let has = |frame: &usize| results.as_ref().is_some_and(|results| results.has(*frame));
+    let left = frames.clone().filter(|frame| !has(frame)).count();
+    during(progress::bar(left, "frames"), |progress| {
+        for frame in frames.clone() {
+            if let Some(result) = results.as_mut().and_then(|results| results.take(frame)) {
+                run.add(result)?;
+            } else {
+                let result = run.examine(frame)?;
+                if let Some(results) = &mut results {
+                    results.add(&result)?;
+                }
+                run.add(result)?;
+                progress(1);
+            }
             if run.is_over() {
                 break;
             }
-            progress(1);
         }
         Ok::<_, Failure>(())
     })?;
-    run.finish()
+    match arguments.part {
+        Some(share) => run.finish_part(share),
+        None => run.finish(),
+    }
 }
 
-/// The frames examined so far, and the outputs that they go to.
-struct Run<'a> {
-    arguments: &'a Arguments,
-    scene: Assembly,
-    /// The next frame, read while the last one was examined.
-    next: Option<Result<Frame, Failure>>,
-    half_spaces: HalfSpaces,
-    audit: Audit,
-    certificate: Certificate<'a>,
-    page: Recording,
-    turns: Turns,
-    report: Report,
-    /// All violations.
-    list: ContactList,
-    clock: Seconds,
-    /// The phase of the clock to which the outputs count; none without files to write.
-    writing: &'static str,
-}
-
-impl<'a> Run<'a> {
-    fn begin(arguments: &'a Arguments) -> Result<Self, Failure> {
-        let Arguments { mesh, frames, .. } = arguments;
-        mesh.check_places(frames)?;
-        let clock = Seconds::begin();
-        let mut notes = Notes::default();
-        let scene = Assembly::of_sequence(frames, arguments.as_given, &mesh.scene, &mut notes)?;
-        let names = (0..scene.frame_count()).map(|index| scene.frame_name(index).into());
-        let certificate = mesh.certificate.begin(names, mesh.min_distance)?;
-        if certificate.is_wanted() && mesh.all.is_some() {
+pub(crate) fn merge(MergeArguments { audit }: &MergeArguments) -> Result<ExitCode, Failure> {
+    let folder = match (&audit.results, audit.part, &audit.poses) {
+        (Some(folder), None, None) => folder,
+        _ => {
             return Err(Failure::new(
-                "a certificate ends with the first violation: leave out --all",
+                "expected --results DIR, and neither --part nor --poses",
             ));
         }
-        let half_spaces = mesh
-            .half_spaces
-            .around(scene.moving_vertices(), mesh.min_distance, None);
-        let audit = Audit::default().with_min_distance(mesh.min_distance);
-        Ok(Self {
-            arguments,
-            next: None,
-            audit: audit.with_can_collide(scene.can_collide()),
-            certificate,
-            page: mesh.view.recording(frames, &scene, half_spaces.all()),
-            report: Report::new(
-                ReportForm::Frames,
-                &scene,
-                notes,
-                Distances::new(mesh.min_distance, None),
-            ),
-            turns: Turns::of(&scene),
-            list: ContactList::default(),
-            clock,
-            writing: if mesh.has_files() { "write" } else { "examine" },
-            scene,
-            half_spaces,
-        })
-    }
-
-    /// Returns true if a violation was found, and the first one suffices.
-    fn is_over(&self) -> bool {
-        !self.report.collision_free && self.arguments.mesh.all.is_none()
-    }
-
-    /// Examines a frame and the step that leads to it.
-    fn examine(&mut self, index: usize) -> Result<(), Failure> {
-        let frame = self.next.take().unwrap_or_else(|| self.scene.read(index))?;
-        self.clock.end("read");
-        self.page.begin(&frame.mesh, || frame.bounds());
-        let file = self.scene.frame_name(index);
-        self.page.add(&name(Path::new(&file)), &frame.positions)?;
-        self.clock.end(self.writing);
-        let before = self.audit.last().map(|last| last.positions.clone());
-        let violations = self.examine_and_read(index, frame)?;
-        self.report.examined = index + 1;
-        let Some(last) = self.audit.last() else {
-            return Ok(());
+    };
+    let mut run = Run::begin(audit)?;
+    let mut results = Results::open(folder, &run.identity()?, None)?;
+    for frame in 0..run.frame_count() {
+        let Some(result) = results.take(frame) else {
+            let reason = format_args!(
+                "no result of frame {frame} ({}): run the parts to their ends, or `exact-ccd audit --results` for the rest",
+                run.frame_name(frame)
+            );
+            return Err(Failure::of(folder, reason));
         };
-        self.certificate.add_frame(before.as_deref(), last, &violations)?;
-        let start = before.as_ref().unwrap_or(&last.positions);
-        let found: Vec<_> = violations
-            .iter()
-            .map(|violation| record(start, last, violation))
-            .collect();
-        if let Some(first) = found.first().filter(|_| index == 0) {
-            self.scene
-                .note_split_vertices(first, &[&last.positions], &mut self.report.notes);
-        }
-        if index == 0 && found.is_empty() {
-            self.scene.note_nesting(&last.positions, &mut self.report.notes)?;
-        }
-        if let Some(before) = &before {
-            self.turns.add(&self.scene, index - 1, [before, &last.positions]);
-        }
-        let all = found.into_iter().chain(self.half_spaces.touching(index, last));
-        let in_file = |record: ContactRecord| self.scene.in_file(record);
-        let mut records: Vec<_> = all.map(in_file).collect();
-        self.clock.end("examine");
-        show(&mut self.page, &violations, &records)?;
-        if self.report.collision_free && !records.is_empty() {
-            let ends = [&start[..], &last.positions];
-            self.arguments.write_impact(&self.scene, index, ends, &records)?;
-        }
-        for record in &records {
-            self.report.add(&self.scene, index, record);
-        }
-        self.list.0.append(&mut records);
-        self.clock.end(self.writing);
-        Ok(())
-    }
-
-    /// Examines a frame, while the next one is read. Only reading that lasts longer than the examination
-    /// counts as reading.
-    fn examine_and_read(&mut self, index: usize, frame: Frame) -> Result<Vec<Violation>, Failure> {
-        let all = self.arguments.mesh.all.is_some();
-        let examine = || {
-            let violations = if all {
-                self.audit.examine_all(frame)
-            } else {
-                let first = self.audit.examine(frame);
-                first.map(|first| first.into_iter().collect())
-            };
-            self.clock.end("examine");
-            violations
-        };
-        let is_last = index + 1 == self.scene.frame_count();
-        let read = || (!is_last).then(|| self.scene.read(index + 1));
-        let (violations, next) = rayon::join(examine, read);
-        self.clock.end("read");
-        self.next = next;
-        violations.map_err(|error| self.scene.mismatch(index, error))
-    }
-
-    /// Writes the outputs about all frames, and returns the exit status.
-    fn finish(mut self) -> Result<ExitCode, Failure> {
-        let mesh = &self.arguments.mesh;
-        self.turns.note(&self.scene, &mut self.report.notes);
-        self.report.set_times(&self.scene);
-        if let Some(file) = &mesh.all {
-            self.report.counts.violations = Some(Violations::from(&self.list));
-            self.list.write(file)?;
-        }
-        if let Some(last) = self.audit.last().filter(|_| self.report.collision_free) {
-            let count = self.scene.frame_count();
-            self.arguments
-                .write_impact(&self.scene, count, [&last.positions; 2], &[])?;
-        }
-        self.page
-            .finish(&self.report.verdict(), &self.report.to_string())?;
-        self.clock.end(self.writing);
-        self.report.seconds = Some(self.clock);
-        let status = mesh.finish(self.report)?;
-        Ok(self.certificate.finish()?.unwrap_or(status))
-    }
-}
-
-/// Adds the violations in a frame, and in the step to it, to the page.
-fn show(page: &mut Recording, violations: &[Violation], records: &[ContactRecord]) -> Result<(), Failure> {
-    for violation in violations {
-        match violation {
-            Violation::Intersection { intersection, .. } => page.intersection(*intersection),
-            Violation::Contact { contact, .. } => page.contact(contact),
-        }?;
-    }
-    for (vertex, number) in records.iter().filter_map(ContactRecord::in_half_space) {
-        page.half_space_contact(vertex, number, None)?;
-    }
-    Ok(())
-}
-
-/// The record of a violation, found in the frame `last` or in the step to it from these positions.
-fn record(start: &[Point], last: &Frame, violation: &Violation) -> ContactRecord {
-    let (mesh, positions) = (&last.mesh, &last.positions[..]);
-    match violation {
-        Violation::Intersection { frame, intersection } => {
-            ContactRecord::of_intersection(*frame, mesh, positions, *intersection)
-        }
-        Violation::Contact { frame, contact } => {
-            ContactRecord::of_contact(*frame, mesh, [start, positions], contact)
+        run.add(result)?;
+        if run.is_over() {
+            break;
         }
     }
-}
-
-impl Arguments {
-    /// Writes the files for ParaView: the first violation of the step that leads to a frame, and all others
-    /// of this step, without violations at rest in the frame after it.
-    fn write_impact(
-        &self,
-        scene: &Assembly,
-        index: usize,
-        [start, end]: [&[Point]; 2],
-        records: &[ContactRecord],
-    ) -> Result<(), Failure> {
-        let Some(folder) = &self.mesh.paraview else {
-            return Ok(());
-        };
-        let frame = records.first().map_or(index, |first| first.frame);
-        let start = if frame == index { end } else { start };
-        let of_step = records.iter().filter(|record| record.frame == frame);
-        let list = ContactList(of_step.cloned().collect());
-        paraview::write(folder, Step::new(scene.mesh(), start, end)?, scene.ids(), &list)
-    }
+    run.finish()
 }

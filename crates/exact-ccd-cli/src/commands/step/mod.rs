@@ -1,7 +1,9 @@
 //! `exact-ccd step`: the contacts of a mesh over one time step.
 
+mod outputs;
 mod problem;
 mod timed;
+mod written;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -10,18 +12,17 @@ use std::sync::Arc;
 use clap::value_parser;
 use exact_ccd::Separation;
 use exact_ccd_mesh::{
-    Bvh, CandidateOptions, Contact, Detector, Intersection, IntersectionOptions, Meeting, Motion, StepError,
+    Bvh, CandidateOptions, Detector, Intersection, IntersectionOptions, Meeting, Motion, StepError,
     StepReport, intersections,
 };
 
 use crate::assembly::{Assembly, Turns};
-use crate::contacts::{ContactList, ContactRecord};
+use crate::contacts::{ContactRecord, note_of_rounding};
 use crate::messages::failure::Failure;
 use crate::messages::notes::Notes;
 use crate::messages::progress::{self, during};
 use crate::motion::arguments::MeshArguments;
 use crate::motion::counts::{Counts, Pairs, Violations};
-use crate::motion::paraview;
 use crate::motion::report::{Report, ReportForm};
 use crate::options::distances::{self, Distances, kept};
 use crate::text::seconds::Seconds;
@@ -51,6 +52,11 @@ pub(crate) struct Arguments {
     /// frames. docs/files.md lists the formats.
     #[arg(required = true, value_name = "START END")]
     files: Vec<PathBuf>,
+    /// Take each file as a mesh at t = 0, which moves to its coordinates rounded to single precision at
+    /// t = 1: if the step is free of contact, the mesh stays as it is, without intersections, where it is
+    /// written as f32, as in STL, GLB and many PLY files.
+    #[arg(long, conflicts_with = "certificate")]
+    write_f32: bool,
     #[command(flatten)]
     mesh: MeshArguments,
     /// Do not search for places where the mesh passes through itself at t = 0.
@@ -101,7 +107,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
     let mut found = arguments.find(&problem, &mut detector, &mut clock)?;
     let distances = Distances::new(mesh.min_distance, arguments.inner_distance());
-    let mut report = Report::new(ReportForm::Step, &scene, notes, distances);
+    let mut report = Report::new(ReportForm::Step, &scene, notes, distances).with_frames(2);
+    report.examined = 2;
     arguments.tell(&problem, &found, &mut report)?;
     if mesh.has_files() {
         let contacts = match found.answer.contacts.take() {
@@ -141,6 +148,9 @@ impl Arguments {
     }
 
     fn read(&self, notes: &mut Notes) -> Result<(Assembly, Motion), Failure> {
+        if self.write_f32 {
+            return written::read(&self.files, &self.mesh.scene, notes);
+        }
         let mut scene = Assembly::of_pairs(&self.files, &self.mesh.scene, notes)?;
         let (start, end) = (scene.read(0)?, scene.read(1)?);
         let motion = Motion::new(start, end).map_err(|error| scene.mismatch(1, error))?;
@@ -211,8 +221,13 @@ impl Arguments {
         if at_start.is_none() {
             scene.note_nesting(x0, &mut report.notes)?;
         }
+        if let Some(contact) = &answer.earliest {
+            let record = problem.record(contact);
+            let note = note_of_rounding(&problem.motion.mesh, [x0, x1], contact, &record);
+            note.into_iter().for_each(|note| report.notes.note(note));
+        }
         let mut turns = Turns::of(scene);
-        turns.add(scene, 0, [x0, x1]);
+        turns.add(scene, &turns.in_step(scene, 0, [x0, x1]));
         turns.note(scene, &mut report.notes);
         if let Some(record) = &at_start {
             report.add(scene, 1, record);
@@ -269,40 +284,5 @@ impl Arguments {
             answer.earliest = report.earliest;
         }
         Ok(answer)
-    }
-
-    /// Writes the files that have all contacts.
-    fn write(
-        &self,
-        problem: &Problem<'_>,
-        start: &[Intersection],
-        contacts: &[Contact],
-        list: &ContactList,
-        report: &Report,
-    ) -> Result<(), Failure> {
-        let Problem { scene, motion, .. } = problem;
-        if let Some(file) = &self.mesh.all {
-            list.write(file)?;
-        }
-        if let Some(folder) = &self.mesh.paraview {
-            paraview::write(folder, motion.step()?, scene.ids(), list)?;
-        }
-        let half_spaces = problem.half_spaces.all();
-        let mut page = self.mesh.view.recording(&self.files, scene, half_spaces);
-        let Motion { mesh, x0, x1 } = motion;
-        page.begin(mesh, || x0.iter().chain(x1).copied().collect());
-        page.add("t = 0", x0)?;
-        for &intersection in start {
-            page.intersection(intersection)?;
-        }
-        page.add("t = 1", x1)?;
-        let mut contacts = contacts.iter();
-        for record in list.0.iter().filter(|record| !record.is_intersection()) {
-            match record.in_half_space() {
-                Some((vertex, number)) => page.half_space_contact(vertex, number, Some(record.toi()))?,
-                None => contacts.next().map_or(Ok(()), |contact| page.contact(contact))?,
-            }
-        }
-        page.finish(&report.verdict(), &report.to_string())
     }
 }

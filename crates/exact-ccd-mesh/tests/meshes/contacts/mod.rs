@@ -11,5 +11,6 @@ mod free_steps;
 mod held_back;
 mod points;
 pub(crate) mod scene;
+mod single_precision;
 mod start_check;
 mod within;

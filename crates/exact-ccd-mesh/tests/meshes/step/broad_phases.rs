@@ -170,6 +170,40 @@ fn a_place_far_away_does_not_increase_the_number_of_pairs_at_rest() {
     assert_eq!(pairs(f64::from(1 << 30)), near);
 }
 
+/// A mesh of any size has the boxes of the same mesh at the size 1, as far as their powers of two.
+#[test]
+fn the_size_of_a_mesh_does_not_increase_the_number_of_pairs() {
+    let apart = falling_sheet();
+    let answers = |power: i32| {
+        let scaled = |x: &[Point]| -> Vec<Point> {
+            let times = |x: &f64| x * 2.0_f64.powi(power / 2) * 2.0_f64.powi(power - power / 2);
+            x.iter().map(|point| point.each_ref().map(times)).collect()
+        };
+        let motion = motion(scaled(&apart.x0), scaled(&apart.x1), apart.mesh.faces().to_vec());
+        let counted = Counted::default();
+        let report = report(&motion, &counted);
+        let at_rest = Counted::default();
+        let options = IntersectionOptions::default();
+        let crossing = intersections(&motion.mesh, &motion.x0, &at_rest, &options);
+        let (mut detector, certified) = counting(&motion);
+        let free = detector.free_step(&motion.x0, &motion.x1, &FreeStepOptions::default());
+        let time = report.earliest.map(|contact| contact.impact.time);
+        (
+            counted.pairs(),
+            at_rest.pairs(),
+            certified.pairs(),
+            time,
+            crossing.unwrap().len(),
+            free.unwrap().size,
+        )
+    };
+    let expected = answers(0);
+    assert!(expected.0 > 10_000 && expected.1 > 1000);
+    for power in [-900, -300, -130, -60, 60, 130, 300, 1000] {
+        assert_eq!(answers(power), expected, "{power}");
+    }
+}
+
 /// Boxes, too, are relative to the other vertices: without the common part of the motion, the numbers of
 /// pairs, of candidates and of contacts are the same.
 #[test]
