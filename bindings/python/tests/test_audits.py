@@ -139,5 +139,5 @@ def test_errors(tmp_path) -> None:
         audit(tmp_path / "missing.ply")
     with pytest.raises(ValueError, match="mesh files of one format"):
         audit(tmp_path)
-    with pytest.raises(TypeError, match="those of the files"):
+    with pytest.raises(TypeError, match="come from the files"):
         audit(["frame.ply"], FACES)

@@ -255,7 +255,7 @@ def test_what_cannot_be_read_is_refused(tmp_path: Path) -> None:
         file["positions"], file["faces"] = np.zeros((1, 4, 3)), FACES
     with pytest.raises(ValueError, match="names vertex 4, but there are 4 vertices"):
         audit(tmp_path / "wrong.h5")
-    with pytest.raises(TypeError, match="faces and edges are those of the recording"):
+    with pytest.raises(TypeError, match="faces and edges come from the recording"):
         audit(Recording(), FACES)
 
 

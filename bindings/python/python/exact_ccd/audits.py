@@ -254,4 +254,4 @@ def in_files(
 def _refuse_other(faces: Optional[ArrayLike], edges: Optional[ArrayLike], place: str) -> None:
     """Refuse faces and edges beside the faces and edges of files."""
     if faces is not None or edges is not None:
-        raise TypeError(f"the faces and edges are those of the {place}")
+        raise TypeError(f"faces and edges come from the {place}: leave them out")

@@ -188,8 +188,8 @@ impl Nearest<'_> {
         self.gap([0, 1].map(|i: usize| self.encounter.ball(i, pair[i])))
     }
 
-    /// A bound below the distance of rounded points, one of each ball: these are within an error of balls around
-    /// rounded centers. The errors of the distance of the centers are in the margin too.
+    /// A bound below the distance of rounded points, one of each ball: these are within an error of balls
+    /// around rounded centers. The errors of the distance of the centers are in the margin too.
     fn gap(&self, [one, other]: [Sphere; 2]) -> f64 {
         let centers = [
             self.scene.placed[0].at(one.center, 0),

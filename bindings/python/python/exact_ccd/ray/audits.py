@@ -257,7 +257,7 @@ def _on(
 ) -> tuple[Frames, list[Any]]:
     """The frames in files or folders on a file system of pyarrow."""
     if faces is not None or edges is not None:
-        raise TypeError("the faces and edges are those of the files")
+        raise TypeError("faces and edges come from the files: leave them out")
     files: list[FilePath] = []
     place = filesystem
     for path in paths:
