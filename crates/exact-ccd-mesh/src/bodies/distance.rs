@@ -30,8 +30,8 @@ pub struct BodyDistance {
 }
 
 impl Bodies {
-    /// The distance of each pair of bodies at poses, one for each body, in increasing order of the pairs. Pairs
-    /// that are farther apart than the cut-off, and pairs that cannot collide, are left out.
+    /// The distance of each pair of bodies at poses, one for each body, in increasing order of the pairs.
+    /// Pairs that are farther apart than the cut-off, and pairs that cannot collide, are left out.
     ///
     /// The bounds are certified for the rotations and places of the poses as they are. The distance is that
     /// of surfaces: a body inside another one is at a distance from it.
