@@ -11,7 +11,8 @@ use crate::positions::points;
 /// the number of steps that would keep the shrinkage below 0.1 %.
 type Turn = (u32, f64, f64, f64);
 
-/// The connected parts of a mesh that turn in a step as rigid bodies, such that the straight motion shrinks them.
+/// The connected parts of a mesh that turn in a step as rigid bodies, such that the straight motion shrinks
+/// them.
 #[pyfunction]
 pub(crate) fn turns(
     py: Python<'_>,
