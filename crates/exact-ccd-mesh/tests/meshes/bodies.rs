@@ -1,5 +1,6 @@
 //! Rigid bodies: contacts against all pairs in integers, and against meshes in straight motion.
 
+mod hostile;
 mod together;
 
 use std::collections::BTreeSet;

@@ -1,11 +1,12 @@
-//! The answers to generated queries and steps in two numbers, which are the same on every machine:
-//! `scripts/check architectures` runs the program, and `cargo test` compares both numbers too.
+//! The answers to generated queries and steps in three numbers, which are the same on every machine:
+//! `scripts/check architectures` runs the program, and `cargo test` compares them too.
 //!
-//! The exit status is 0 if both equal the numbers recorded here. For each file of raw queries (`raw.rs`), it
+//! The exit status is 0 if all equal the numbers recorded here. For each file of raw queries (`raw.rs`), it
 //! prints a line with the digest of the answers.
 
 mod kernel;
 mod meshes;
+mod motions;
 #[cfg(not(test))]
 mod raw;
 
@@ -13,6 +14,8 @@ mod raw;
 const KERNEL: u64 = 0x659a_818b_62b1_5480;
 /// The digest of the answers to steps of meshes.
 const MESHES: u64 = 0x8387_125a_322a_943b;
+/// The digest of the answers about curved motion.
+const MOTIONS: u64 = 0x8f27_ffa9_b2df_7206;
 
 #[cfg(not(test))]
 fn main() -> std::process::ExitCode {
@@ -24,6 +27,7 @@ fn main() -> std::process::ExitCode {
         all_right &= found == recorded;
     };
     check("kernel", kernel::digest(), KERNEL);
+    check("motions", motions::digest(), MOTIONS);
     for threads in meshes::THREADS {
         let found = meshes::digest(threads);
         check(&format!("meshes, threads {threads}"), found, MESHES);
@@ -43,6 +47,11 @@ fn main() -> std::process::ExitCode {
 #[test]
 fn the_answers_of_the_kernel_are_those_recorded() {
     assert_eq!(kernel::digest(), KERNEL);
+}
+
+#[test]
+fn the_answers_about_curved_motion_are_those_recorded() {
+    assert_eq!(motions::digest(), MOTIONS);
 }
 
 #[test]
