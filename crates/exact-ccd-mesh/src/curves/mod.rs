@@ -19,7 +19,7 @@ pub use error::CurvesError;
 /// and splines of animations degree 3.
 ///
 /// A step is given by p + 1 sets of positions: those at t = 0, the control points in between, and those at
-/// t = 1. They are taken exactly. The answers are exact, as those of a [`Detector`](crate::Detector) for
+/// t = 1. They are taken exactly. The answers are exact, as a [`Detector`](crate::Detector) has them for
 /// straight motion, which is degree 1: no contact is missed, none is invented, and times are rounded down.
 /// [`Options`] have one distance for all pairs, and the last time that counts. No answer depends on the
 /// number of threads.

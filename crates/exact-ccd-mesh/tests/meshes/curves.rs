@@ -49,7 +49,7 @@ fn exactly<K: Kind>(mesh: &TriangleMesh, control: &[Vec<Point>], pair: Pair, d: 
 fn contacts_are_those_of_all_pairs() {
     let mut random = Rng::with_seed(1);
     let mesh = mesh();
-    // All pairs are within such a distance at rest, but for those of connected primitives.
+    // All pairs are within such a distance at rest, except connected primitives.
     let rest = positions(&mut random, 1.0);
     let far = Options::within(Separation::new(1e3).unwrap());
     let at_rest = Detector::new(mesh.clone()).collisions(&rest, &rest, far).unwrap();

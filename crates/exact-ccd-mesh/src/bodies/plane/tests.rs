@@ -152,7 +152,7 @@ fn planes_separate_bodies_in_rational_arithmetic() {
 /// The count of the round-off of a gap, in units of the sum of the largest distances from the origin, which
 /// are 1. All points are given exactly, or computed with errors that are bounded elsewhere.
 fn count(random: &mut Rng) -> f64 {
-    // The magnitudes of this rotation have the norm 5/3; those of any other one are below √3.
+    // The magnitudes of this rotation have the norm 5/3. No rotation has more than √3.
     let third = 1.0 / 3.0;
     let turn = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]];
     let turn = turn.map(|row| row.map(|x| Counted::exactly(third * x)));
