@@ -70,8 +70,8 @@ impl CurveDetector {
         &self.mesh
     }
 
-    /// Returns true if any two primitives touch in the step. There are p + 1 sets of control points, each with
-    /// one position for each vertex.
+    /// Returns true if any two primitives touch in the step. There are p + 1 sets of control points, with one
+    /// position for each vertex in each set.
     ///
     /// # Errors
     /// [`CurvesError`] names the set whose positions are too many, too few or not finite, the number of sets,
