@@ -4,7 +4,8 @@
 use exact_ccd::motion::{Bezier, CurvedQuery};
 use exact_ccd::{CONTACT, Impact, Kind, Options, Separation, with_kind};
 use exact_ccd_mesh::{
-    CanCollide, CurveDetector, CurvesError, Detector, Pair, PairKind, Point, PositionsError, TriangleMesh,
+    CanCollide, Contact, CurveDetector, CurvesError, Detector, Pair, PairKind, Point, PositionsError,
+    TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -54,10 +55,10 @@ fn contacts_are_those_of_all_pairs() {
     let far = Options::within(Separation::new(1e3).unwrap());
     let at_rest = Detector::new(mesh.clone()).collisions(&rest, &rest, far).unwrap();
     let pairs: Vec<Pair> = at_rest.iter().map(|contact| contact.pair).collect();
-    for case in 0..12 {
-        let degree = [2, 3, 8][case % 3];
+    for case in 0..6 {
+        let degree = [2, 3, 4][case % 3];
         let control: Vec<_> = (0..=degree).map(|_| positions(&mut random, 1.0)).collect();
-        let d = [0.0, 0.25][case % 2];
+        let d = [0.0, 0.25][case / 3];
         let contact = |&pair: &Pair| {
             let impact = with_kind!(pair.kind(), K => exactly::<K>(&mesh, &control, pair, d))?;
             Some((impact.time, pair, impact))
@@ -95,20 +96,22 @@ fn answers_to_straight_motion_are_those_of_a_detector() {
         let options = Options::within(d).until([1.0, 0.25][case / 12]);
         let mut straight = Detector::new(mesh.clone());
         let curved = CurveDetector::new(mesh.clone());
+        // Parameters and normals are rounded in another way.
+        let key = |contact: &Contact| (contact.impact.time, contact.pair);
         let contacts = straight.collisions(&start, &end, options).unwrap();
-        assert_eq!(curved.collisions(&control, options).unwrap(), contacts, "{case}");
-        assert_eq!(
-            curved.collision(&control, options).unwrap(),
-            contacts.first().copied(),
-            "{case}"
-        );
+        let contacts: Vec<_> = contacts.iter().map(key).collect();
+        let first = contacts.first().copied();
+        let found = curved.collisions(&control, options).unwrap();
+        assert_eq!(found.iter().map(key).collect::<Vec<_>>(), contacts, "{case}");
+        let earliest = curved.collision(&control, options).unwrap();
+        assert_eq!(earliest.as_ref().map(key), first, "{case}");
         assert_eq!(
             curved.collides(&control, options).unwrap(),
-            !contacts.is_empty(),
+            first.is_some(),
             "{case}"
         );
         let report = curved.step(&control, options).unwrap();
-        assert_eq!(report.earliest, contacts.first().copied(), "{case}");
+        assert_eq!(report.earliest.as_ref().map(key), first, "{case}");
         assert_eq!(report.colliding.total(), contacts.len(), "{case}");
         assert!(report.candidates.total() >= contacts.len(), "{case}");
     }
