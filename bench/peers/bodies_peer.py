@@ -1,11 +1,15 @@
 """Two bodies in motion: python-fcl beside exact-ccd, on the meshes and motions of one file. See bench/peers/bodies."""
 
 import json
+import statistics
+import subprocess
 import sys
 import time
 
 import fcl
 import numpy as np
+
+ROUNDS = 11
 
 
 def transform(quaternion, place):
@@ -23,7 +27,7 @@ def body(mesh, quaternion, place):
 
 
 def advance(case):
-    """The time of contact by conservative advancement, and the milliseconds that it took: the least of three."""
+    """The time of contact by conservative advancement, and the milliseconds that it took."""
     (q, r), places = case["quaternions"], case["places"]
     request = fcl.ContinuousCollisionRequest(
         ccd_motion_type=fcl.CCDMotionType.CCDM_LINEAR,
@@ -31,24 +35,38 @@ def advance(case):
         ccd_solver_type=fcl.CCDSolverType.CCDC_CONSERVATIVE_ADVANCEMENT,
     )
     ends = transform(q[1], places[0][1]), transform(r[1], places[1][1])
-    times = []
-    for _ in range(3):
-        # Anew, since a call moves both.
-        first, second = (
-            body(mesh, quaternions[0], path[0])
-            for mesh, quaternions, path in zip(case["meshes"], (q, r), places)
-        )
-        result = fcl.ContinuousCollisionResult()
-        start = time.perf_counter()
-        found = fcl.continuousCollide(first, ends[0], second, ends[1], request, result)
-        times.append(1e3 * (time.perf_counter() - start))
-    return found, min(times)
+    # Anew, since a call moves both.
+    first, second = (
+        body(mesh, quaternions[0], path[0]) for mesh, quaternions, path in zip(case["meshes"], (q, r), places)
+    )
+    result = fcl.ContinuousCollisionResult()
+    start = time.perf_counter()
+    found = fcl.continuousCollide(first, ends[0], second, ends[1], request, result)
+    return found, 1e3 * (time.perf_counter() - start)
 
 
-print("| case | contact at | exact-ccd, ms | fcl, ms | fcl / exact-ccd | fcl's time |")
-print("|---|---:|---:|---:|---:|---:|")
-for case in json.load(open(sys.argv[1], encoding="utf-8")):
-    found, milliseconds = advance(case)
-    own = case["milliseconds"]
-    at = "free" if case["time"] is None else f"{case['time']:.6f}"
-    print(f"| {case['name']} | {at} | {own:.2f} | {milliseconds:.0f} | {milliseconds / own:.1f} | {found:.4f} |")
+def main(folder, *command):
+    """Take turns with the benchmark, a command that answers lines, and print medians."""
+    own = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    own.stdout.readline()
+    with open(f"{folder}/bodies.json", encoding="utf-8") as file:
+        cases = json.load(file)
+    print(f"Medians of {ROUNDS} rounds, in milliseconds.\n")
+    print("| case | contact at | exact-ccd | fcl | fcl / exact-ccd | fcl's time |")
+    print("|---|---:|---:|---:|---:|---:|")
+    for index, case in enumerate(cases):
+        times = []
+        for _ in range(ROUNDS):
+            own.stdin.write(f"{index}\n")
+            own.stdin.flush()
+            ours = float(own.stdout.readline())
+            found, theirs = advance(case)
+            times.append((ours, theirs))
+        ours, theirs = (statistics.median(column) for column in zip(*times))
+        at = "free" if case["time"] is None else f"{case['time']:.6f}"
+        print(f"| {case['name']} | {at} | {ours:.2f} | {theirs:.0f} | {theirs / ours:.1f} | {found:.4f} |")
+    own.communicate()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -2,7 +2,8 @@
 //! query, with filters and in integers alone; and near misses.
 //!
 //! `cargo bench -p exact-ccd-bench --bench curved`, on one thread. Times are means over the queries of a
-//! file, in microseconds. The motion of a pair of bodies is prepared before, as for many queries.
+//! file, in microseconds. The motion of a pair of bodies is prepared before, as for many queries. Near misses
+//! and straight motion take turns, and their times are medians.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -12,13 +13,16 @@ use std::hint::black_box;
 
 use exact_ccd::motion::{Bezier, BodyPair, Chain, CurvedQuery, RigidMotion};
 use exact_ccd::{AnyKind, CONTACT, EdgeEdge, Kind, Point, Query, VertexFace, with_kind};
-use exact_ccd_bench::fastest;
+use exact_ccd_bench::{fastest, median};
 use exact_ccd_data::{CurvedRecord, DataError};
 use fastrand::Rng;
 
 use nonlinear::files;
 
 const RUNS: usize = 3;
+
+/// The number of turns of near misses and straight motion.
+const ROUNDS: usize = 21;
 
 /// The number of near misses of each kind.
 const NEAR: usize = 2000;
@@ -34,17 +38,17 @@ fn main() -> Result<(), DataError> {
         }
     }
     println!(
-        "\n| near misses | integers, % | collides | straight: collides | time of impact | straight: time of impact |"
+        "\n| near misses | integers, % | collides | straight | ratio | time of impact | straight | ratio |"
     );
-    println!("|---|{}", "---:|".repeat(5));
+    println!("|---|{}", "---:|".repeat(7));
     print_near::<VertexFace>("vf");
     print_near::<EdgeEdge>("ee");
     Ok(())
 }
 
-fn microseconds_each<T>(queries: &[T], answer: impl Fn(&T) -> bool) -> f64 {
+fn microseconds_each<T>(runs: usize, queries: &[T], answer: impl Fn(&T) -> bool) -> f64 {
     let all = || queries.iter().filter(|query| answer(black_box(query))).count();
-    1e6 * fastest(RUNS, all) / queries.len() as f64
+    1e6 * fastest(runs, all) / queries.len() as f64
 }
 
 fn percent(count: usize, all: usize) -> f64 {
@@ -65,10 +69,13 @@ fn print_row<K: Kind>(name: &str, queries: &[CurvedQuery<K>]) {
         "| {name} | {:.0} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} |",
         count(&|query| query.collides(CONTACT)),
         count(&|query| query.bracket(CONTACT).is_none()),
-        microseconds_each(queries, |query| query.collides(CONTACT)),
-        microseconds_each(queries, |query| query.time_of_impact(CONTACT).is_some()),
-        microseconds_each(queries, |query| query.exactly().collides(CONTACT)),
-        microseconds_each(queries, |query| query.exactly().time_of_impact(CONTACT).is_some()),
+        microseconds_each(RUNS, queries, |query| query.collides(CONTACT)),
+        microseconds_each(RUNS, queries, |query| query.time_of_impact(CONTACT).is_some()),
+        microseconds_each(RUNS, queries, |query| query.exactly().collides(CONTACT)),
+        microseconds_each(RUNS, queries, |query| query
+            .exactly()
+            .time_of_impact(CONTACT)
+            .is_some()),
     );
 }
 
@@ -111,15 +118,28 @@ fn print_near<K: Kind<Points = [Point; 4]>>(name: &str) {
     }
     let is_left = |query: &&CurvedQuery<K>| query.bracket(CONTACT).is_none();
     for (motion, queries) in ["quadratic", "one body", "two bodies"].iter().zip(&curved) {
+        let [decision, of_straight] = in_turns(
+            || microseconds_each(1, queries, |query| query.collides(CONTACT)),
+            || microseconds_each(1, &straight, |query| query.collides(CONTACT)),
+        );
+        let [time, time_of_straight] = in_turns(
+            || microseconds_each(1, queries, |query| query.time_of_impact(CONTACT).is_some()),
+            || microseconds_each(1, &straight, |query| query.time_of_impact(CONTACT).is_some()),
+        );
         println!(
-            "| {name}, {motion} | {:.2} | {:.2} | {:.2} | {:.2} | {:.2} |",
+            "| {name}, {motion} | {:.2} | {decision:.2} | {of_straight:.2} | {:.1} | {time:.2} | \
+             {time_of_straight:.2} | {:.1} |",
             percent(queries.iter().filter(is_left).count(), queries.len()),
-            microseconds_each(queries, |query| query.collides(CONTACT)),
-            microseconds_each(&straight, |query| query.collides(CONTACT)),
-            microseconds_each(queries, |query| query.time_of_impact(CONTACT).is_some()),
-            microseconds_each(&straight, |query| query.time_of_impact(CONTACT).is_some()),
+            decision / of_straight,
+            time / time_of_straight,
         );
     }
+}
+
+/// The medians of two measurements that take turns.
+fn in_turns(one: impl Fn() -> f64, other: impl Fn() -> f64) -> [f64; 2] {
+    let both: Vec<_> = (0..ROUNDS).map(|_| [one(), other()]).collect();
+    [0, 1].map(|i: usize| median(&both.iter().map(|turn| turn[i]).collect::<Vec<_>>()))
 }
 
 /// The place of a point at the end, about.

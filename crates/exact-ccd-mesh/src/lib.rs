@@ -34,6 +34,7 @@
 //! - [`intersections`] finds the places where a mesh at rest meets itself, [`enclosed`] the components inside
 //!   of closed ones, and an [`Audit`] certifies a sequence of frames.
 //! - [`Bodies`] are rigid bodies that turn and translate, on curves that are decided exactly.
+//! - A [`CurveDetector`] finds contact of meshes whose vertices move on Bézier curves.
 //! - A [`RigidFit`] is the rotation of a body from one frame to another.
 //!
 //! # Which one finds contacts
@@ -52,6 +53,7 @@ mod at_rest;
 mod audit;
 mod bodies;
 mod broad_phase;
+mod curves;
 mod gathered;
 mod half_space;
 mod line_search;
@@ -73,6 +75,7 @@ pub use bodies::{
 pub use broad_phase::{
     Aabb, AllPairs, BoxPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,
 };
+pub use curves::{CurveDetector, CurvesError};
 pub use exact_ccd::{CONTACT, InvalidSeparation, Options, Point, Separation};
 pub use half_space::{HalfSpace, HalfSpaceError};
 pub use line_search::{

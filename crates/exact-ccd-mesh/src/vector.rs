@@ -1,11 +1,19 @@
 //! Vectors in space, in floating point, rounded: nothing here decides contact.
 
+use std::ops::{Add, Mul, Sub};
+
 use exact_ccd::Point;
 
 /// a − b.
 #[must_use]
 #[inline]
 pub fn minus(a: Point, b: Point) -> Point {
+    difference(a, b)
+}
+
+/// a − b, in numbers of any kind.
+#[inline]
+pub(crate) fn difference<T: Copy + Sub<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [0, 1, 2].map(|axis: usize| a[axis] - b[axis])
 }
 
@@ -13,6 +21,12 @@ pub fn minus(a: Point, b: Point) -> Point {
 #[must_use]
 #[inline]
 pub fn dot(a: Point, b: Point) -> f64 {
+    product(a, b)
+}
+
+/// a · b, in numbers of any kind.
+#[inline]
+pub(crate) fn product<T: Copy + Add<Output = T> + Mul<Output = T>>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 

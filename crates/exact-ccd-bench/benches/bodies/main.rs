@@ -62,49 +62,86 @@ const CASES: [Case; 4] = [
     },
 ];
 
-/// Prints a row for each case; with `EXACT_CCD_BODIES`, writes meshes and motions to a file in this folder.
-fn main() {
-    println!(
-        "| sphere of 5,120 and torus of 9,216 faces | contact at | earliest contact, ms | decision, ms |"
-    );
-    println!("|---|{}", "---:|".repeat(3));
-    let frames = |case: &Case| {
+/// A case, prepared.
+struct Prepared {
+    frames: [Frame; 2],
+    bodies: Bodies,
+    motions: [Chain; 2],
+}
+
+impl Prepared {
+    fn new(case: &Case) -> Self {
         // In the hole of the torus there is room for a smaller sphere.
         let radius = if case.name.contains("hole") { 0.55 } else { 1.0 };
-        [sphere(4, radius), torus([96, 48])]
-    };
-    let mut lines = Vec::new();
-    for case in &CASES {
-        let frames = frames(case);
-        let bodies = Bodies::new(frames.clone()).expect("meshes");
+        let frames = [sphere(4, radius), torus([96, 48])];
         let motion = |i: usize| -> Chain {
             let motion = RigidMotion::new(case.quaternions[i], &case.places[i]);
             motion.expect("a motion").into()
         };
-        let motions = [motion(0), motion(1)];
-        let earliest = || bodies.collision(&motions, CONTACT).expect("two motions");
-        let time = earliest().map(|contact| contact.impact.time.lower());
-        let milliseconds = |answer: &dyn Fn() -> bool| 1e3 * fastest(RUNS, || black_box(answer()));
+        Self {
+            bodies: Bodies::new(frames.clone()).expect("meshes"),
+            frames,
+            motions: [motion(0), motion(1)],
+        }
+    }
+
+    /// The time of the earliest contact.
+    fn earliest(&self) -> Option<f64> {
+        let contact = self
+            .bodies
+            .collision(&self.motions, CONTACT)
+            .expect("two motions");
+        contact.map(|contact| contact.impact.time.lower())
+    }
+
+    fn any(&self) -> bool {
+        self.bodies.collides(&self.motions, CONTACT).expect("two motions")
+    }
+}
+
+/// Prints a row for each case; with `EXACT_CCD_BODIES`, [answers](answer) instead.
+fn main() {
+    let cases: Vec<_> = CASES.iter().map(Prepared::new).collect();
+    if let Some(folder) = std::env::var_os("EXACT_CCD_BODIES") {
+        answer(&cases, Path::new(&folder));
+        return;
+    }
+    println!(
+        "| sphere of 5,120 and torus of 9,216 faces | contact at | earliest contact, ms | decision, ms |"
+    );
+    println!("|---|{}", "---:|".repeat(3));
+    for (case, prepared) in CASES.iter().zip(&cases) {
         let [first, any] = [
-            milliseconds(&|| earliest().is_some()),
-            milliseconds(&|| bodies.collides(&motions, CONTACT).expect("two motions")),
+            1e3 * fastest(RUNS, || black_box(prepared.earliest())),
+            1e3 * fastest(RUNS, || black_box(prepared.any())),
         ];
+        let time = prepared.earliest();
         let at = time.map_or_else(|| "free".to_owned(), |time| time.to_string());
         println!("| that {} | {at} | {first:.2} | {any:.2} |", case.name);
-        let meshes = frames
-            .each_ref()
-            .map(|frame| (&frame.positions, frame.mesh.faces()));
-        lines.push(serde_json::json!({
-            "name": case.name, "time": time, "milliseconds": first, "meshes": meshes,
-            "quaternions": case.quaternions, "places": case.places,
-        }));
-    }
-    if let Some(folder) = std::env::var_os("EXACT_CCD_BODIES") {
-        let path = Path::new(&folder).join("bodies.json");
-        fs::write(&path, serde_json::Value::from(lines).to_string())
-            .expect("a folder that can be written to");
     }
     recording::print();
+}
+
+/// Writes the cases to a file of this folder. Then, for each line of the standard input, which is the number
+/// of a case, computes its earliest contact and prints the milliseconds that it took: so another program can
+/// take turns with this one.
+fn answer(cases: &[Prepared], folder: &Path) {
+    let cases_of_file = CASES.iter().zip(cases).map(|(case, prepared)| {
+        let meshes = prepared.frames.each_ref();
+        let meshes = meshes.map(|frame| (&frame.positions, frame.mesh.faces()));
+        serde_json::json!({
+            "name": case.name, "time": prepared.earliest(), "meshes": meshes,
+            "quaternions": case.quaternions, "places": case.places,
+        })
+    });
+    let all: serde_json::Value = cases_of_file.collect();
+    fs::write(folder.join("bodies.json"), all.to_string()).expect("a folder that can be written to");
+    println!("ready");
+    for line in std::io::stdin().lines() {
+        let line = line.expect("a line of text");
+        let case = &cases[line.parse::<usize>().expect("the number of a case")];
+        println!("{}", 1e3 * fastest(1, || black_box(case.earliest())));
+    }
 }
 
 /// A sphere: each face of an icosahedron, divided into four as often as `levels`.

@@ -8,6 +8,7 @@ use super::Bodies;
 use super::contact::BodyContact;
 use super::encounter::Encounter;
 use super::error::BodiesError;
+use super::world::World;
 
 /// Examines the poses of bodies, frame after frame, between which each moves by
 /// [`RigidMotion::between`](exact_ccd::motion::RigidMotion::between) and turns the shorter way
@@ -108,8 +109,10 @@ impl BodiesAudit {
         let contact = self.bodies.collision(&motions, options)?;
         let mut violation = contact.map(|contact| BodiesViolation::Contact { frame, contact });
         if self.last.is_none() && violation.is_none() {
-            let encounters = self.bodies.encounters(&motions, options)?;
-            let crossing = encounters.par_iter().find_map_first(Encounter::crossing);
+            let world = World::new(&self.bodies, &motions, options);
+            let encounters = self.bodies.encounters(&world, &motions, options)?;
+            let crossing = |encounter: &Encounter<'_>| encounter.crossing(&self.bodies);
+            let crossing = encounters.par_iter().find_map_first(crossing);
             violation = crossing.map(|crossing| BodiesViolation::Intersection {
                 frame,
                 bodies: crossing.bodies,

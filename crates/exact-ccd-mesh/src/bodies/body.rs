@@ -3,6 +3,7 @@
 use super::error::BodiesError;
 use super::sphere::{Sphere, length};
 use super::tree::Tree;
+use super::world::largest;
 use crate::broad_phase::check_primitive_count;
 use crate::mesh::{Frame, check_positions};
 
@@ -13,6 +14,8 @@ pub(super) struct Body {
     pub(super) tree: Tree,
     /// A bound of the distance of all vertices from the origin.
     pub(super) reach: f64,
+    /// The largest magnitude of a coordinate.
+    pub(super) largest: f64,
 }
 
 impl Body {
@@ -23,16 +26,30 @@ impl Body {
         let count = mesh.vertex_count() + mesh.edges().len() + mesh.faces().len();
         let too_many = |error| BodiesError::TooManyPrimitives { body: index, error };
         check_primitive_count(count).map_err(too_many)?;
+        Ok(Self::of(frame))
+    }
+
+    /// The body with all coordinates times a factor.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let positions = self.frame.positions.iter();
+        Self::of(Frame {
+            mesh: self.frame.mesh.clone(),
+            positions: positions.map(|point| point.map(|x| factor * x)).collect(),
+        })
+    }
+
+    fn of(frame: Frame) -> Self {
         let tree = Tree::new(&frame);
         let none = Sphere {
             center: [0.0; 3],
             radius: 0.0,
         };
         let around = tree.root().map_or(none, |root| root.sphere);
-        Ok(Self {
+        Self {
             reach: (length(around.center) + around.radius) * (1.0 + 1e-12),
+            largest: largest(&frame.positions),
             tree,
             frame,
-        })
+        }
     }
 }

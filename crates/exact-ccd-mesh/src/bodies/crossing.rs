@@ -3,6 +3,7 @@
 use exact_ccd::motion::{BodyPair, Chain, RigidMotion};
 use exact_ccd::{CONTACT, Point, VertexFace};
 
+use super::Bodies;
 use super::apart::are_apart;
 use super::encounter::{Below, Encounter};
 use super::part::Part;
@@ -19,7 +20,7 @@ pub(super) struct Crossing {
 
 impl Encounter<'_> {
     /// An edge and a face that meet, if there are any: the first in the order of both trees. The bodies rest.
-    pub(super) fn crossing(&self) -> Option<Crossing> {
+    pub(super) fn crossing(&self, bodies: &Bodies) -> Option<Crossing> {
         let scene = self.scene(Part::WHOLE);
         let mut stack: Vec<_> = self.roots().into_iter().collect();
         while let Some(pair) = stack.pop() {
@@ -44,7 +45,7 @@ impl Encounter<'_> {
                     let mut crossings = near.filter_map(|pair| {
                         let [one, other] = self.places(&scene, pair);
                         let may_meet = !are_apart(&one, &other, scene.margin);
-                        may_meet.then(|| self.crossing_of(pair)).flatten()
+                        may_meet.then(|| self.crossing_of(bodies, pair)).flatten()
                     });
                     if let Some(crossing) = crossings.next() {
                         return Some(crossing);
@@ -57,14 +58,15 @@ impl Encounter<'_> {
 
     /// An edge and a face, in any order, if they meet: a vertex that moves along the edge, in the coordinates
     /// of its body, comes into contact with the face.
-    fn crossing_of(&self, pair: [&Primitive; 2]) -> Option<Crossing> {
+    fn crossing_of(&self, bodies: &Bodies, pair: [&Primitive; 2]) -> Option<Crossing> {
         let of_edge = usize::from(pair[0].shape == Shape::Face);
         let of_face = 1 - of_edge;
-        let [ends, corners] = [of_edge, of_face].map(|i| self.points(i, pair[i]));
+        let [ends, corners] =
+            [of_edge, of_face].map(|i: usize| pair[i].points(&bodies.bodies[self.ids[i]].frame));
         let along = RigidMotion::new([[1.0, 0.0, 0.0, 0.0]; 2], &ends).ok()?;
-        let motions = self.motions[of_edge].motions().iter().cloned();
+        let motions = self.given[of_edge].motions().iter().cloned();
         let chain = Chain::new(motions.chain([along])).ok()?;
-        let motions = BodyPair::new(chain, self.motions[of_face].clone());
+        let motions = BodyPair::new(chain, self.given[of_face].clone());
         let points: [Point; 4] = [[0.0; 3], corners[0], corners[1], corners[2]];
         let query = motions.query::<VertexFace>(points).ok()?;
         query.collides(CONTACT).then(|| Crossing {

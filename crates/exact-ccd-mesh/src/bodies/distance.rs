@@ -3,7 +3,7 @@
 use arrayvec::ArrayVec;
 use exact_ccd::motion::Pose;
 use exact_ccd::predicates::EdgeFace;
-use exact_ccd::{AnyKind, DistanceBounds, Kind, Options, Point, Query, Separation, with_kind};
+use exact_ccd::{AnyKind, CONTACT, DistanceBounds, Kind, Point, Query, Separation, with_kind};
 use rayon::prelude::*;
 
 use super::Bodies;
@@ -14,6 +14,7 @@ use super::scene::Scene;
 use super::shape::{Primitive, Shape};
 use super::sphere::{Sphere, length};
 use super::tree::Leaf;
+use super::world::World;
 use crate::vector::minus;
 
 /// The distance of two bodies at rest, between two bounds.
@@ -58,8 +59,10 @@ impl Bodies {
     /// [`BodiesError::PoseCount`], if there is not one pose for each body.
     pub fn distances(&self, poses: &[Pose], cut_off: Separation) -> Result<Vec<BodyDistance>, BodiesError> {
         let motions = self.motions(poses, poses)?;
-        let encounters = self.encounters(&motions, Options::within(cut_off))?;
-        let distances = encounters.par_iter().map(Encounter::distance);
+        let cut_off = cut_off.get();
+        let world = World::as_given(self, &motions, cut_off);
+        let encounters = self.encounters(&world, &motions, CONTACT)?;
+        let distances = encounters.par_iter().map(|encounter| encounter.distance(cut_off));
         Ok(distances.collect::<Vec<_>>().into_iter().flatten().collect())
     }
 
@@ -82,10 +85,9 @@ impl Bodies {
 }
 
 impl Encounter<'_> {
-    /// The distance of two bodies at rest, unless it is above the distance of the options.
-    fn distance(&self) -> Option<BodyDistance> {
-        let cut_off = self.options.separation.get();
-        let mut scene = Scene::new(Part::WHOLE, self.scene(Part::WHOLE).placed, Separation::ZERO);
+    /// The distance of two bodies at rest, unless it is above the cut-off.
+    fn distance(&self, cut_off: f64) -> Option<BodyDistance> {
+        let mut scene = Scene::new(Part::WHOLE, self.scene(Part::WHOLE).placed, 0.0);
         // Bodies at rest do not deviate from straight motion.
         scene.deviation = 0.0;
         let mut nearest = Nearest {
@@ -250,7 +252,7 @@ impl Nearest<'_> {
 
     /// The rounded places of the vertices of a primitive.
     fn places(&self, body: usize, primitive: &Primitive) -> ArrayVec<Point, 3> {
-        let points = self.encounter.points(body, primitive).into_iter();
+        let points = primitive.points(&self.encounter.bodies[body].frame).into_iter();
         points.map(|point| self.scene.placed[body].at(point, 0)).collect()
     }
 }

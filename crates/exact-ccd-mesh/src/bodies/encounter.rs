@@ -4,7 +4,6 @@ use std::sync::OnceLock;
 
 use arrayvec::ArrayVec;
 use exact_ccd::motion::{BodyPair, Chain};
-use exact_ccd::{Options, Point};
 use rayon::prelude::*;
 
 use super::apart::{self, Places};
@@ -16,6 +15,7 @@ use super::placed::Placed;
 use super::scene::Scene;
 use super::shape::Primitive;
 use super::tree::{Leaf, Node, Parts};
+use super::world::World;
 
 /// The number of candidates that are decided together.
 const CHUNK: usize = 64;
@@ -26,9 +26,12 @@ const SHARED: usize = 64;
 /// Two bodies in a step, the lesser first.
 pub(super) struct Encounter<'a> {
     pub(super) ids: [usize; 2],
+    /// In the unit of the search, as the motions and the distance.
     pub(super) bodies: [&'a Body; 2],
-    pub(super) motions: [&'a Chain; 2],
-    pub(super) options: Options,
+    motions: [&'a Chain; 2],
+    separation: f64,
+    /// The motions as they are given.
+    pub(super) given: [&'a Chain; 2],
     /// The motions of the first one relative to the second one, and of the second one relative to the first
     /// one, as soon as they are needed.
     relative: [OnceLock<BodyPair>; 2],
@@ -52,17 +55,13 @@ impl Below<'_> {
 }
 
 impl<'a> Encounter<'a> {
-    pub(super) fn new(
-        ids: [usize; 2],
-        bodies: [&'a Body; 2],
-        motions: [&'a Chain; 2],
-        options: Options,
-    ) -> Self {
+    pub(super) fn new(ids: [usize; 2], world: &'a World<'_>, given: &'a [Chain]) -> Self {
         Self {
             ids,
-            bodies,
-            motions,
-            options,
+            bodies: ids.map(|id| &world.bodies[id]),
+            motions: ids.map(|id| &world.motions[id]),
+            separation: world.separation,
+            given: ids.map(|id| &given[id]),
             relative: [OnceLock::new(), OnceLock::new()],
         }
     }
@@ -106,7 +105,7 @@ impl<'a> Encounter<'a> {
     /// Both bodies in a part of the step.
     pub(super) fn scene(&self, part: Part) -> Scene {
         let placed = [0, 1].map(|i: usize| Placed::new(self.motions[i], self.bodies[i].reach, part));
-        Scene::new(part, placed, self.options.separation)
+        Scene::new(part, placed, self.separation)
     }
 
     /// Splits pairs of nodes until there are enough for all threads, one level after the other.
@@ -167,12 +166,11 @@ impl<'a> Encounter<'a> {
         (time <= collector.until()).then_some(time)
     }
 
-    /// The next to examine of nodes that come near each other: the larger one is split. The deviation from
-    /// straight motion should not be more than a quarter of the sum of both radii.
+    /// The next to examine of nodes that come near each other: the larger one is split.
     pub(super) fn below(&self, scene: &Scene, pair: Nodes) -> Below<'a> {
         let [a, b]: [&'a Node; 2] = [0, 1].map(|i: usize| self.bodies[i].tree.node(pair[i]));
         let [first, second] = [a.sphere.radius, b.sphere.radius];
-        if scene.deviation > 0.25 * (first + second) && scene.part.halves().is_some() {
+        if scene.is_too_long(first + second) {
             return Below::Later;
         }
         match (&a.parts, &b.parts) {
@@ -248,23 +246,15 @@ impl<'a> Encounter<'a> {
     /// The places of the vertices of a primitive of each body.
     pub(super) fn places(&self, scene: &Scene, pair: [&Primitive; 2]) -> [Places; 2] {
         [0, 1].map(|i: usize| {
-            let points = self.points(i, pair[i]).into_iter();
+            let points = pair[i].points(&self.bodies[i].frame).into_iter();
             points.map(|point| scene.placed[i].at_ends(point)).collect()
         })
-    }
-
-    /// The positions of the vertices of a primitive of the first or of the second body, in its coordinates.
-    pub(super) fn points(&self, body: usize, primitive: &Primitive) -> ArrayVec<Point, 3> {
-        let frame = &self.bodies[body].frame;
-        let vertices = primitive.shape.vertices(&frame.mesh, primitive.id);
-        let position = |vertex: u32| frame.positions[vertex as usize];
-        vertices.into_iter().map(position).collect()
     }
 
     /// The motions of both bodies, with the first or the second one first.
     fn relative(&self, first: usize) -> &BodyPair {
         self.relative[first].get_or_init(|| {
-            let [one, other] = [first, 1 - first].map(|i| self.motions[i].clone());
+            let [one, other] = [first, 1 - first].map(|i| self.given[i].clone());
             BodyPair::new(one, other)
         })
     }

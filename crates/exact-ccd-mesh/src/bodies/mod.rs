@@ -23,6 +23,7 @@ mod sphere;
 mod step;
 mod tree;
 mod turning;
+mod world;
 
 use exact_ccd::Options;
 use exact_ccd::motion::Chain;

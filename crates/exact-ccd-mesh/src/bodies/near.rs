@@ -10,6 +10,7 @@ use super::encounter::Encounter;
 use super::error::BodiesError;
 use super::part::Part;
 use super::placed::Placed;
+use super::world::World;
 use crate::broad_phase::{Aabb, BoxPairs, Boxes, Bvh, PairCollector};
 
 impl Bodies {
@@ -20,7 +21,8 @@ impl Bodies {
         options: Options,
         collector: &impl Collect,
     ) -> Result<(), BodiesError> {
-        let encounters = self.encounters(motions, options)?;
+        let world = World::new(self, motions, options);
+        let encounters = self.encounters(&world, motions, options)?;
         encounters
             .par_iter()
             .for_each(|encounter| encounter.search(collector));
@@ -29,7 +31,8 @@ impl Bodies {
 
     /// The pairs of bodies that can collide and whose boxes meet, in increasing order.
     pub(super) fn encounters<'a>(
-        &'a self,
+        &self,
+        world: &'a World<'_>,
         motions: &'a [Chain],
         options: Options,
     ) -> Result<Vec<Encounter<'a>>, BodiesError> {
@@ -41,20 +44,17 @@ impl Bodies {
                 bodies: count,
             });
         }
-        let pairs = self.near_pairs(motions, options)?.into_iter();
+        let pairs = world.near_pairs()?.into_iter();
         let pairs = pairs.map(|pair| pair.map(|id| id as usize));
         let pairs = pairs.filter(|&pair| self.can_collide.allows(pair));
-        let encounter = |ids: [usize; 2]| {
-            let bodies = ids.map(|id| &self.bodies[id]);
-            Encounter::new(ids, bodies, ids.map(|id| &motions[id]), options)
-        };
-        Ok(pairs.map(encounter).collect())
+        Ok(pairs.map(|ids| Encounter::new(ids, world, motions)).collect())
     }
+}
 
+impl World<'_> {
     /// The pairs of bodies whose boxes meet, in increasing order.
-    fn near_pairs(&self, motions: &[Chain], options: Options) -> Result<Vec<[u32; 2]>, BodiesError> {
-        let d = options.separation.get();
-        let bodies = self.bodies.par_iter().zip(motions);
+    fn near_pairs(&self) -> Result<Vec<[u32; 2]>, BodiesError> {
+        let bodies = self.bodies.par_iter().zip(&*self.motions);
         let boxes: Vec<[Aabb; 1]> = bodies
             .map(|(body, motion)| {
                 let Some(root) = body.tree.root() else {
@@ -63,7 +63,7 @@ impl Bodies {
                 let placed = Placed::new(motion, body.reach, Part::WHOLE);
                 let [start, end] = placed.at_ends(root.sphere.center).map(|x: Point| Aabb::of(x));
                 let margin = (root.sphere.radius + placed.deviation + placed.error) * (1.0 + 1e-12);
-                [start.union(&end).inflated(margin).inflated(d)]
+                [start.union(&end).inflated(margin).inflated(self.separation)]
             })
             .collect();
         let too_many = |error| BodiesError::TooManyBodies { error };

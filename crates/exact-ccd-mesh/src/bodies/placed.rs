@@ -1,5 +1,7 @@
 //! Bodies at both ends of a part of the step, and how far from straight motion they are in between.
 
+use std::ops::{Add, Mul};
+
 use arrayvec::ArrayVec;
 use exact_ccd::Point;
 use exact_ccd::motion::{Chain, RigidMotion};
@@ -7,7 +9,7 @@ use exact_ccd::motion::{Chain, RigidMotion};
 use super::part::Part;
 use super::sphere::length;
 use super::turning::Turning;
-use crate::vector::{dot, minus};
+use crate::vector::{dot, minus, product};
 
 /// Squares of coordinates of this size do not overflow: 2⁴⁰⁰.
 const LARGEST: f64 = f64::from_bits((1023 + 400) << 52);
@@ -21,6 +23,8 @@ pub(super) struct Placed {
     /// A bound of the distance of each point at each time from the point on the chord of its path at the same
     /// time, without the errors of the ends.
     pub(super) deviation: f64,
+    /// A bound of the distance of all points at all times from the origin.
+    pub(super) far: f64,
     /// A bound of the errors of the ends, and of distances that are computed from them (`approach.rs`).
     pub(super) error: f64,
 }
@@ -45,6 +49,7 @@ impl Placed {
         Self {
             ends,
             deviation: 1.001 * deviation(motions, reach, part),
+            far,
             // Also if it is not a number.
             error: if far <= LARGEST { error } else { f64::INFINITY },
         }
@@ -64,9 +69,16 @@ impl Placed {
 
     /// A direction of the world at one end, in the coordinates of the body.
     pub(super) fn turned_back(&self, direction: Point, end: usize) -> Point {
-        let turn = &self.ends[end].turn;
-        [0, 1, 2].map(|k: usize| dot(direction, [turn[0][k], turn[1][k], turn[2][k]]))
+        turned_back(self.ends[end].turn, direction)
     }
+}
+
+/// The product of a transposed matrix and a direction, in numbers of any kind.
+pub(super) fn turned_back<T>(turn: [[T; 3]; 3], direction: [T; 3]) -> [T; 3]
+where
+    T: Copy + Add<Output = T> + Mul<Output = T>,
+{
+    [0, 1, 2].map(|k: usize| product(direction, turn.map(|row| row[k])))
 }
 
 impl Placement {

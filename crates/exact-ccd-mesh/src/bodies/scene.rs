@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use exact_ccd::{Point, Separation};
+use exact_ccd::Point;
 
 use super::approach::{Limit, TINY, approach};
 use super::part::Part;
@@ -13,7 +13,9 @@ use super::sphere::Sphere;
 pub(super) struct Scene {
     pub(super) part: Part,
     pub(super) placed: [Placed; 2],
-    /// The distance at which primitives touch, and all errors.
+    /// The distance at which primitives touch, the deviation, and the errors of all places.
+    pub(super) slab: f64,
+    /// The same with the errors of distances between places.
     pub(super) margin: f64,
     pub(super) deviation: f64,
     error: f64,
@@ -22,17 +24,25 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    pub(super) fn new(part: Part, placed: [Placed; 2], separation: Separation) -> Self {
+    pub(super) fn new(part: Part, placed: [Placed; 2], separation: f64) -> Self {
         let error = placed[0].error + placed[1].error + TINY;
         let deviation = placed[0].deviation + placed[1].deviation;
+        let slab = separation + deviation + error;
         Self {
             part,
             placed,
-            margin: (separation.get() + deviation + 2.0 * error) * (1.0 + 1e-12),
+            slab,
+            margin: (slab + error) * (1.0 + 1e-12),
             deviation,
             error,
             quarters: OnceLock::new(),
         }
+    }
+
+    /// Returns true if halves of the part are needed to compare balls with this sum of their radii: the
+    /// deviation is more than a quarter of it and of the errors, which no part is without.
+    pub(super) fn is_too_long(&self, radii: f64) -> bool {
+        self.deviation > 0.25 * (radii + self.error) && self.part.halves().is_some()
     }
 
     /// Returns true unless two balls, one of each body, are apart in the whole part.

@@ -1,10 +1,10 @@
 //! The primitives of a body.
 
 use arrayvec::ArrayVec;
-use exact_ccd::AnyKind;
+use exact_ccd::{AnyKind, Point};
 
 use super::sphere::Sphere;
-use crate::mesh::TriangleMesh;
+use crate::mesh::{Frame, TriangleMesh};
 
 /// Vertices, edges or faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,6 +66,12 @@ impl Primitive {
             id,
             sphere: sphere(shape, id),
         })
+    }
+
+    /// The positions of its vertices in a body that has it.
+    pub(super) fn points(&self, frame: &Frame) -> ArrayVec<Point, 3> {
+        let vertices = self.shape.vertices(&frame.mesh, self.id).into_iter();
+        vertices.map(|vertex| frame.positions[vertex as usize]).collect()
     }
 
     /// The kind of the pair of two primitives of different bodies, if they are compared, and true if the

@@ -1,6 +1,7 @@
 //! Rigid bodies: contacts against all pairs in integers, and against meshes in straight motion.
 
 mod distance;
+mod hostile;
 mod together;
 
 use std::collections::BTreeSet;

@@ -6,6 +6,7 @@ mod bodies;
 mod broad_phase;
 mod contacts;
 mod coverage;
+mod curves;
 mod enclosed;
 mod intersections;
 mod line_search;

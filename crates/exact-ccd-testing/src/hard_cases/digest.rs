@@ -38,6 +38,16 @@ impl Digest {
         listed.for_each(|interval| self.add_time(interval.start));
     }
 
+    /// Adds the number of intervals and both ends of each.
+    pub fn add_intervals(&mut self, intervals: &Intervals) {
+        self.add(intervals.len() as u64);
+        for interval in intervals.iter() {
+            self.add_time(interval.start);
+            self.add_time(interval.end);
+            self.add(interval.is_moment.into());
+        }
+    }
+
     /// Adds the time, the parameters and the normal of an impact, if there is one.
     pub fn add_impact(&mut self, impact: Option<Impact>) {
         self.add(impact.is_some().into());

@@ -9,7 +9,7 @@ pub mod digest;
 mod distances;
 pub mod extremes;
 pub mod hard;
-mod random;
+pub mod random;
 
 use exact_ccd::{Query, Separation};
 

@@ -6,6 +6,7 @@ use crate::primitives::Points;
 pub struct Random(pub u64);
 
 impl Random {
+    /// 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut x = self.0;
@@ -14,6 +15,7 @@ impl Random {
         x ^ (x >> 31)
     }
 
+    /// An integer from 0 to below the bound, which is not 0.
     pub fn below(&mut self, bound: usize) -> usize {
         (self.bits() % bound as u64) as usize
     }
@@ -52,6 +54,7 @@ impl Random {
         if self.below(2) == 0 { magnitude } else { -magnitude }
     }
 
+    /// Points with random coordinates.
     pub fn points(&mut self, mut coordinate: impl FnMut(&mut Self) -> f64) -> Points {
         let mut points = Points::default();
         for x in points.as_flattened_mut().as_flattened_mut() {
@@ -60,10 +63,12 @@ impl Random {
         points
     }
 
+    /// Points with coordinates in [−1, 1].
     pub fn fractions(&mut self) -> Points {
         self.points(Self::fraction)
     }
 
+    /// Points with integer coordinates of magnitude at most 4.
     pub fn small_integers(&mut self) -> Points {
         self.points(|random| random.integer(4))
     }

@@ -25,8 +25,10 @@ impl MovingPoints {
 
         let local = points.map(|point| point.map(|x| Polynomial::constant(in_unit(x, unit))));
         let count = K::SPAN[0].1;
-        let direction = [0, 1, 2].map(|axis: usize| &local[1][axis] - &local[0][axis]);
-        let moment = cross(&local[0], &local[1]);
+        // Without an edge, its line does not matter: zeros cost nothing.
+        let end = &local[if count > 1 { 1 } else { 0 }];
+        let direction = [0, 1, 2].map(|axis: usize| &end[axis] - &local[0][axis]);
+        let moment = cross(&local[0], end);
         let frame = Frame::new(count, &relative, [&moment, &direction], whole);
         let mut moving = local;
         for point in &mut moving[..count] {

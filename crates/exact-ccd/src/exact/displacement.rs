@@ -97,7 +97,7 @@ impl Displacement {
     /// The rotation of a vector, times |Q|².
     pub(super) fn turned(&self, vector: &Vector) -> Vector {
         let product = &self.turn * &Quaternion::pure(vector);
-        (&product * &self.turn.clone().conjugate()).into_vector()
+        product.vector_with_conjugate(&self.turn)
     }
 
     /// w = |Q|², in the degree of the points.
@@ -110,7 +110,7 @@ impl Displacement {
     pub(super) fn point(&self, place: &Vector) -> Vector {
         let turned = &self.turn * &Quaternion::pure(place);
         let sum = turned.plus(self.shift.clone());
-        (&sum * &self.turn.clone().conjugate()).into_vector()
+        sum.vector_with_conjugate(&self.turn)
     }
 
     /// The moment a × b of the line through two points, times w, given their moment μ and difference d in the
@@ -122,6 +122,6 @@ impl Displacement {
     pub(super) fn moment(&self, moment: &Vector, direction: &Vector) -> Vector {
         let turned = &self.turn * &Quaternion::pure(moment);
         let sum = turned.plus(&self.shift * &Quaternion::pure(direction));
-        (&sum * &self.turn.clone().conjugate()).into_vector()
+        sum.vector_with_conjugate(&self.turn)
     }
 }

@@ -60,10 +60,15 @@ impl Quaternion {
         &(&(&w + &x) + &y) + &z
     }
 
-    /// The part that is a vector.
-    pub(super) fn into_vector(self) -> Vector {
-        let [_, x, y, z] = self.0;
-        [x, y, z]
+    /// The vector of the product with the conjugate of another one. Its scalar is not computed.
+    pub(super) fn vector_with_conjugate(&self, other: &Self) -> Vector {
+        let ([a, b, c, d], [e, f, g, h]) = (&self.0, &other.0);
+        let sum = |[p, q]: [Polynomial; 2], [r, s]: [Polynomial; 2]| &(&p + &q) - &(&r + &s);
+        [
+            sum([b * e, d * g], [a * f, c * h]),
+            sum([b * h, c * e], [a * g, d * f]),
+            sum([c * f, d * e], [a * h, b * g]),
+        ]
     }
 }
 

@@ -4,8 +4,8 @@
 use exact_ccd::batch::{Instructions, Queries};
 use exact_ccd::predicates::{EdgeFace, orient3d};
 use exact_ccd::{
-    DistanceBounds, EdgeEdge, Gradient, Intervals, Kind, NotDifferentiable, Options, Point, Query,
-    Separation, VertexEdge, VertexFace, VertexVertex,
+    DistanceBounds, EdgeEdge, Gradient, Kind, NotDifferentiable, Options, Point, Query, Separation,
+    VertexEdge, VertexFace, VertexVertex,
 };
 
 use exact_ccd_testing::hard_cases::digest::Digest;
@@ -75,7 +75,7 @@ pub(crate) fn add_answers<K: Kind>(digest: &mut Digest, query: &Query<K>, d: Sep
     digest.add(collision.is_some().into());
     if let Some(collision) = collision {
         digest.add_time(collision.time());
-        add_intervals(digest, &collision.intervals());
+        digest.add_intervals(&collision.intervals());
         digest.add_impact(Some(collision.impact()));
         add_bounds(digest, collision.distance());
     }
@@ -85,21 +85,12 @@ pub(crate) fn add_answers<K: Kind>(digest: &mut Digest, query: &Query<K>, d: Sep
     if let Ok(bounds) = query.distance_at(0.375) {
         add_bounds(digest, bounds);
     }
-    add_intervals(digest, &query.exactly().intervals(d));
+    digest.add_intervals(&query.exactly().intervals(d));
 }
 
 fn add_bounds(digest: &mut Digest, bounds: DistanceBounds) {
     digest.add_number(bounds.lower);
     digest.add_number(bounds.upper);
-}
-
-fn add_intervals(digest: &mut Digest, intervals: &Intervals) {
-    digest.add(intervals.len() as u64);
-    for interval in intervals.iter() {
-        digest.add_time(interval.start);
-        digest.add_time(interval.end);
-        digest.add(interval.is_moment.into());
-    }
 }
 
 fn add_gradient<K: Kind>(digest: &mut Digest, gradient: Result<Gradient<K>, NotDifferentiable>) {

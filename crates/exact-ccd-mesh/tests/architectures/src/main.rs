@@ -1,11 +1,12 @@
 //! The answers to generated queries and steps in three numbers, which are the same on every machine:
-//! `scripts/check architectures` runs the program, and `cargo test` compares the numbers too.
+//! `scripts/check architectures` runs the program, and `cargo test` compares them too.
 //!
 //! The exit status is 0 if all equal the numbers recorded here. For each file of raw queries (`raw.rs`), it
 //! prints a line with the digest of the answers.
 
 mod kernel;
 mod meshes;
+mod motions;
 #[cfg(not(test))]
 mod raw;
 
@@ -15,6 +16,8 @@ const KERNEL: u64 = 0x34a9_b65f_c6b6_ce4b;
 const STAGES: u64 = 0x5431_ef8d_6296_9dbd;
 /// The digest of the answers to steps of meshes.
 const MESHES: u64 = 0x8387_125a_322a_943b;
+/// The digest of the answers about curved motion.
+const MOTIONS: u64 = 0x8f27_ffa9_b2df_7206;
 
 #[cfg(not(test))]
 fn main() -> std::process::ExitCode {
@@ -27,6 +30,7 @@ fn main() -> std::process::ExitCode {
     };
     check("kernel", kernel::digest(), KERNEL);
     check("stages", kernel::stages(), STAGES);
+    check("motions", motions::digest(), MOTIONS);
     for threads in meshes::THREADS {
         let found = meshes::digest(threads);
         check(&format!("meshes, threads {threads}"), found, MESHES);
@@ -51,6 +55,11 @@ fn the_answers_of_the_kernel_are_those_recorded() {
 #[test]
 fn the_stages_of_the_kernel_are_those_recorded() {
     assert_eq!(kernel::stages(), STAGES);
+}
+
+#[test]
+fn the_answers_about_curved_motion_are_those_recorded() {
+    assert_eq!(motions::digest(), MOTIONS);
 }
 
 #[test]
