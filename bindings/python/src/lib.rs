@@ -58,5 +58,5 @@ mod _native {
     #[pymodule_export]
     use crate::queries::{collides, impact, intervals, time_and_count, time_of_impact};
     #[pymodule_export]
-    use crate::repair::repair;
+    use crate::repair::{repair, repair_recording};
 }

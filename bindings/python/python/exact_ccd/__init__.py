@@ -19,7 +19,7 @@ from .groups import CanCollide, Place
 from .meshes import Mesh, MeshFile, read_mesh
 from .poses import NearestPoses, nearest_poses
 from .queries import IMPACT, Intervals, Kind, Queries
-from .repairs import Change, Repair, RepairProgress, repair
+from .repairs import Blocked, Change, Repair, RepairedRecording, RepairProgress, repair, repair_recording
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
 from .violations import AuditReport, Violation
@@ -32,6 +32,7 @@ __all__ = [
     "PAIR",
     "Answer",
     "AuditReport",
+    "Blocked",
     "Bodies",
     "BodiesReport",
     "BodyContact",
@@ -56,6 +57,7 @@ __all__ = [
     "Queries",
     "Repair",
     "RepairProgress",
+    "RepairedRecording",
     "StepReport",
     "StepReports",
     "UncertifiedError",
@@ -68,4 +70,5 @@ __all__ = [
     "nearest_poses",
     "read_mesh",
     "repair",
+    "repair_recording",
 ]
