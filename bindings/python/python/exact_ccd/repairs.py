@@ -262,7 +262,7 @@ def repair_recording(
     mesh: Union[Mesh, Indices],
     frames: ArrayLike,
     *,
-    pinned: Optional[Indices] = None,
+    pinned: Optional[ArrayLike] = None,
     min_distance: float = 0.0,
     max_rounds: int = 2000,
     seconds: Optional[float] = None,
@@ -304,7 +304,7 @@ def repair_recording(
     )
 
 
-def _pinned(pinned: Optional[Indices]) -> NDArray[np.uint32]:
+def _pinned(pinned: Optional[ArrayLike]) -> NDArray[np.uint32]:
     return np.empty(0, np.uint32) if pinned is None else indices("pinned", pinned, (None,))
 
 
