@@ -56,7 +56,7 @@ mod _native {
     use crate::queries::{collides, impact, intervals, time_and_count, time_of_impact};
     #[cfg(feature = "repair")]
     #[pymodule_export]
-    use crate::repair::repair;
+    use crate::repair::{repair, repair_recording};
     #[pymodule_export]
     use crate::turns::turns;
 }

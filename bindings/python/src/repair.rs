@@ -5,8 +5,9 @@ use std::time::Instant;
 
 use exact_ccd::Separation;
 use exact_ccd_mesh::{Intersection, Pair};
-use exact_ccd_repair::{Change, Outcome, Phase, Progress, Reason, RepairOptions, repair as repaired};
-use exact_ccd_repair::{Repaired, Unrepaired, repair_in_f32};
+use exact_ccd_repair::repair_recording as recording;
+use exact_ccd_repair::{Change, Outcome, Phase, Progress, Reason, RepairError, RepairOptions};
+use exact_ccd_repair::{Repaired, Unrepaired, repair as repaired, repair_in_f32};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
@@ -44,7 +45,89 @@ pub(crate) fn repair<'py>(
     settings: Settings,
     stop: Option<Py<PyAny>>,
 ) -> PyResult<Columns<'py>> {
-    let (min_distance, max_rounds, seconds, threads) = settings;
+    let world = positions.rows();
+    let outcome = with_options(py, mesh, &pinned, settings, stop, |options| {
+        let run = if single { repair_in_f32 } else { repaired };
+        run(mesh.mesh(), &world.row(0), options)
+    })?;
+    match outcome {
+        Outcome::Repaired(Repaired {
+            positions,
+            crossings,
+            contacts,
+            change,
+            ..
+        }) => Ok((
+            rows(py, positions)?,
+            Some((crossings, contacts)),
+            None,
+            edges_and_faces(py, &[])?,
+            remaining(py, mesh, &[])?,
+            Some(change.into()),
+        )),
+        Outcome::Unrepaired(Unrepaired {
+            positions,
+            crossings,
+            contacts,
+            reason,
+            ..
+        }) => Ok((
+            rows(py, positions)?,
+            None,
+            Some((name(reason), reason.to_string())),
+            edges_and_faces(py, &crossings)?,
+            remaining(py, mesh, &contacts)?,
+            None,
+        )),
+    }
+}
+
+/// The positions of all repaired frames, one after the other, the change of each, and the frame that is
+/// blocked, with its crossings and contacts.
+type Frames<'py> = (
+    Table<'py, f64>,
+    Vec<Numbers>,
+    Option<(usize, Table<'py, u32>, PairColumns<'py>)>,
+);
+
+/// Positions near the given ones of each world, in which the mesh is free, as is the straight motion from
+/// each to the next one. `stop` is called before each round and each frame.
+#[pyfunction]
+pub(crate) fn repair_recording<'py>(
+    py: Python<'py>,
+    mesh: &Mesh,
+    positions: Positions<'py>,
+    pinned: PyReadonlyArray1<'py, u32>,
+    settings: Settings,
+    stop: Option<Py<PyAny>>,
+) -> PyResult<Frames<'py>> {
+    let worlds = positions.rows();
+    let recording = with_options(py, mesh, &pinned, settings, stop, |options| {
+        let frames: Vec<_> = (0..worlds.count())
+            .map(|frame| worlds.row(frame).to_vec())
+            .collect();
+        recording(mesh.mesh(), &frames, options)
+    })?;
+    let blocked = recording.blocked.map(|blocked| {
+        let crossings = edges_and_faces(py, &blocked.crossings)?;
+        PyResult::Ok((blocked.frame, crossings, remaining(py, mesh, &blocked.contacts)?))
+    });
+    Ok((
+        rows(py, recording.frames.into_iter().flatten())?,
+        recording.changes.into_iter().map(Numbers::from).collect(),
+        blocked.transpose()?,
+    ))
+}
+
+/// Runs a repair with the options of its caller, whose `stop` is asked, as are the seconds and Ctrl-C.
+fn with_options<T: Send>(
+    py: Python<'_>,
+    mesh: &Mesh,
+    pinned: &PyReadonlyArray1<'_, u32>,
+    (min_distance, max_rounds, seconds, threads): Settings,
+    stop: Option<Py<PyAny>>,
+    run: impl FnOnce(&RepairOptions<'_>) -> Result<T, RepairError> + Send,
+) -> PyResult<T> {
     let min_distance =
         Separation::new(min_distance).map_err(|error| refused(format_args!("min_distance: {error}")))?;
     if let Some(seconds) = seconds.filter(|seconds| seconds.is_nan() || *seconds < 0.0) {
@@ -76,42 +159,9 @@ pub(crate) fn repair<'py>(
         .with_can_collide(mesh.ruled(mesh.shared_rule(py), &watch, &failure))
         .with_max_rounds(max_rounds)
         .with_stop(&ends);
-    let world = positions.rows();
-    let outcome = compute(py, threads, None, &watch, || {
-        let run = if single { repair_in_f32 } else { repaired };
-        run(mesh.mesh(), &world.row(0), &options)
-    });
+    let outcome = compute(py, threads, None, &watch, || run(&options));
     let failure = failure.lock().unwrap_or_else(PoisonError::into_inner).take();
-    match failure.map_or(outcome, Err)?.map_err(refused)? {
-        Outcome::Repaired(Repaired {
-            positions,
-            crossings,
-            contacts,
-            change,
-            ..
-        }) => Ok((
-            rows(py, positions)?,
-            Some((crossings, contacts)),
-            None,
-            edges_and_faces(py, &[])?,
-            remaining(py, mesh, &[])?,
-            Some(change.into()),
-        )),
-        Outcome::Unrepaired(Unrepaired {
-            positions,
-            crossings,
-            contacts,
-            reason,
-            ..
-        }) => Ok((
-            rows(py, positions)?,
-            None,
-            Some((name(reason), reason.to_string())),
-            edges_and_faces(py, &crossings)?,
-            remaining(py, mesh, &contacts)?,
-            None,
-        )),
-    }
+    failure.map_or(outcome, Err)?.map_err(refused)
 }
 
 /// The phase of a repair, its round, and the number of pairs.

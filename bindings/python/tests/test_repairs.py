@@ -267,3 +267,26 @@ def test_hostile_arguments() -> None:
 
         answers += survive(call)
     assert 0 < answers < CASES
+
+
+def test_a_recording_is_free_in_all_frames_and_between_them() -> None:
+    # The second triangle sinks into the first one, which is pinned, and rises again.
+    frames = np.array([X + [0, 0, 2], X + [0, 0, 1], X, X + [0, 0, 1]])
+    frames[:, :3] = X[:3]
+    recording = exact_ccd.repair_recording(FACES, frames, pinned=[0, 1, 2])
+    assert recording.blocked is None and recording.frames.shape == frames.shape
+    assert len(recording.changes) == 4 and recording.changes[2].moved > 0
+    assert_array_equal(recording.frames[:, :3], frames[:, :3])
+    detector = Detector(Mesh(6, FACES))
+    for before, after in zip(recording.frames, recording.frames[1:]):
+        assert len(detector.intersections(after)) == 0
+        assert not detector.collides(before, after)
+
+
+def test_a_recording_without_a_way_ends_before_the_frame() -> None:
+    frames = np.array([X + [0, 0, 2], X + [0, 0, 1], X])
+    frames[:, :3] = X[:3]
+    recording = exact_ccd.repair_recording(FACES, frames, pinned=range(6))
+    assert recording.blocked is not None and recording.blocked.frame == 2
+    assert len(recording.blocked.contacts) > 0
+    assert_array_equal(recording.frames, frames[:2])

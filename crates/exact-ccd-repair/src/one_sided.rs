@@ -11,7 +11,7 @@ use exact_ccd_mesh::{CanCollide, TriangleMesh};
 /// sphere (Alexander duality), which has no torsion. So the surface does not embed, even if several of its
 /// parts meet in a vertex. Positions in which the mesh is free would be an embedding: see
 /// [`Meeting`](exact_ccd_mesh::Meeting); faces without an area get one by a small displacement, after which
-/// the mesh is still free. A surface of which some pairs may intersect is passed over.
+/// the mesh is still free. A surface is passed over if some of its pairs may intersect.
 pub(crate) fn one_sided_surface(mesh: &TriangleMesh, can_collide: &CanCollide) -> Option<u32> {
     let faces = mesh.faces();
     let mut sides = Vec::with_capacity(3 * faces.len());

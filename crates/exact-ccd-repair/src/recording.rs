@@ -183,9 +183,8 @@ struct Way<'a> {
 }
 
 impl Way<'_> {
-    /// A certified step from positions `x`, in which pinned vertices go to their places at the part `place`
-    /// of the way between the frames, and the others towards their targets: by the part `follows` of the
-    /// way that is left.
+    /// A certified step from positions `x`. Pinned vertices go to their places at the part `place` of the
+    /// way between the frames. The others go by the part `follows` of the way to their targets.
     fn towards(&mut self, x: &[Point], place: f64, follows: f64) -> Result<FreeSteps, RepairError> {
         let problem = &mut self.problem;
         let (given, before) = (problem.given, self.before);

@@ -21,7 +21,7 @@ from .notebooks import NotebookPage
 from .poses import NearestPoses, nearest_poses
 from .queries import IMPACT, Intervals, Kind, Queries
 from .recordings import Frames, open_recording
-from .repairs import Change, Repair, RepairProgress, repair
+from .repairs import Blocked, Change, Repair, RepairedRecording, RepairProgress, repair, repair_recording
 from .scenes import PlacedMesh, from_trimesh
 from .steps import FirstContacts, FreeStep, FreeSteps, PairCounts, StepReport
 from .tables import Answer, answer_table
@@ -35,6 +35,7 @@ __all__ = [
     "PAIR",
     "Answer",
     "AuditReport",
+    "Blocked",
     "Bodies",
     "BodiesReport",
     "BodyContact",
@@ -63,6 +64,7 @@ __all__ = [
     "Queries",
     "Repair",
     "RepairProgress",
+    "RepairedRecording",
     "StepReport",
     "StepReports",
     "UncertifiedError",
@@ -77,4 +79,5 @@ __all__ = [
     "open_recording",
     "read_mesh",
     "repair",
+    "repair_recording",
 ]

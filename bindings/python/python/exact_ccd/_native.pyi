@@ -15,7 +15,7 @@ _Settings = tuple[float, float, Optional[int]]
 _PairColumns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64]]
 _Columns = tuple[NDArray[np.int64], _PairColumns, _Floats, _Floats]
 _Phase = Literal["loosen", "separate", "return", "follow"]
-_Reason = Literal["pinned", "one-sided", "rounds", "rounding", "stopped", "other"]
+_Reason = Literal["pinned", "one-sided", "linked", "stalled", "rounds", "rounding", "stopped", "other"]
 
 _BodyColumns = tuple[NDArray[np.uint8], NDArray[np.int64], _Integers, _Floats]
 
@@ -41,6 +41,7 @@ __all__ = [
     "parse_mesh",
     "read_mesh",
     "repair",
+    "repair_recording",
     "time_and_count",
     "time_of_impact",
 ]
@@ -90,6 +91,13 @@ def repair(
     _PairColumns,
     Optional[dict[str, Any]],
 ]: ...
+def repair_recording(
+    mesh: Mesh,
+    positions: _Positions,
+    pinned: _Integers,
+    settings: tuple[float, int, Optional[float], Optional[int]],
+    stop: Optional[Callable[[_Phase, int, int], object]],
+) -> tuple[_Floats, list[dict[str, Any]], Optional[tuple[int, _Integers, _PairColumns]]]: ...
 @final
 class FrameSequence:
     def __new__(cls, path: _Path, cache: Optional[_Path] = None) -> FrameSequence: ...

@@ -207,25 +207,12 @@ def repair(
         raise ImportError(_MISSING)
     given = mesh if isinstance(mesh, Mesh) else Mesh(len(floats("positions", positions, (None, 3))), mesh)
     x = _arrays.positions("positions", positions, (given.vertex_count, 3))
-    held = np.empty(0, np.uint32) if pinned is None else indices("pinned", pinned, (None,))
+    held = _pinned(pinned)
     is_single = _is_single(dtype)
     if is_single:
         _check_pinned(x, held)
-    if stop is not None and not callable(stop):
-        raise TypeError(f"stop is of type {type(stop).__name__}, expected a function")
-    columns = _native.repair(
-        given._native,
-        x[None],
-        held,
-        is_single,
-        (
-            number("min_distance", min_distance),
-            integer("max_rounds", max_rounds, 0, _MOST_ROUNDS),
-            None if seconds is None else number("seconds", seconds),
-            thread_count(threads),
-        ),
-        None if stop is None else lambda *state: stop(RepairProgress(*state)),
-    )
+    settings = _settings(min_distance, max_rounds, seconds, threads)
+    columns = _native.repair(given._native, x[None], held, is_single, settings, _asked(stop))
     after, before, failed, crossings, contacts, change = columns
     reason, message = (None, None) if failed is None else failed
     return Repair(
@@ -238,6 +225,117 @@ def repair(
         before,
         None if change is None else Change(**change),
     )
+
+
+@by_value
+class Blocked(NamedTuple):
+    """The frame of a recording for which the method found no free positions, or no free motion that leads there.
+
+    Attributes
+    ----------
+    frame : int
+        The frame, from 0.
+    crossings : uint32 array of shape (M, 2)
+        For the first frame, the edges that still pass through faces, as of :class:`Repair`.
+    contacts : structured array of shape (N,)
+        The pairs that touch, or come within the minimum distance: for the first frame at rest, for another one in
+        the last motion that was tried.
+    """
+
+    frame: int
+    crossings: NDArray[np.uint32]
+    contacts: NDArray[np.void]
+
+
+@by_value
+class RepairedRecording(NamedTuple):
+    """The result of :func:`repair_recording`.
+
+    Attributes
+    ----------
+    frames : float64 array of shape (F, V, 3)
+        The repaired frames: all, or those before `blocked`, or before the repair was stopped. No frame
+        intersects, and the straight motion between them is free: decided exactly for these positions.
+    changes : list of Change
+        The change of each of these frames.
+    blocked : Blocked or None
+        The frame that ended the repair, if there is one.
+    """
+
+    frames: NDArray[np.float64]
+    changes: list[Change]
+    blocked: Optional[Blocked]
+
+
+def repair_recording(
+    mesh: Union[Mesh, Indices],
+    frames: ArrayLike,
+    *,
+    pinned: Optional[ArrayLike] = None,
+    min_distance: float = 0.0,
+    max_rounds: int = 2000,
+    seconds: Optional[float] = None,
+    stop: Optional[Callable[[RepairProgress], object]] = None,
+    threads: Optional[int] = None,
+) -> RepairedRecording:
+    """Repair the frames of a recording, such that the straight motion from frame to frame is free of contact.
+
+    Parameters
+    ----------
+    mesh : Mesh, or int array of shape (N, 3)
+        The mesh, or its triangles.
+    frames : real array of shape (F, V, 3)
+        The positions of the vertices in each frame.
+    pinned : int array of shape (N,), optional
+        The indices of vertices that have their given positions in all frames.
+    min_distance, max_rounds, seconds, stop, threads
+        As of :func:`repair`.
+
+    Returns
+    -------
+    RepairedRecording
+        The frames, and the one that is blocked.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As of :func:`repair`.
+    """
+    count = np.shape(frames)[1] if np.ndim(frames) == 3 else 0
+    given = mesh if isinstance(mesh, Mesh) else Mesh(count, mesh)
+    x = _arrays.positions("frames", frames, (None, given.vertex_count, 3))
+    settings = _settings(min_distance, max_rounds, seconds, threads)
+    columns = _native.repair_recording(given._native, x, _pinned(pinned), settings, _asked(stop))
+    after, changes, ended = columns
+    blocked = None if ended is None else Blocked(ended[0], ended[1], pairs(ended[2]))
+    return RepairedRecording(
+        after.reshape(len(changes), given.vertex_count, 3), [Change(**change) for change in changes], blocked
+    )
+
+
+def _pinned(pinned: Optional[ArrayLike]) -> NDArray[np.uint32]:
+    return np.empty(0, np.uint32) if pinned is None else indices("pinned", pinned, (None,))
+
+
+def _settings(
+    min_distance: float, max_rounds: int, seconds: Optional[float], threads: Optional[int]
+) -> tuple[float, int, Optional[float], Optional[int]]:
+    return (
+        number("min_distance", min_distance),
+        integer("max_rounds", max_rounds, 0, _MOST_ROUNDS),
+        None if seconds is None else number("seconds", seconds),
+        thread_count(threads),
+    )
+
+
+def _asked(
+    stop: Optional[Callable[[RepairProgress], object]],
+) -> Optional[Callable[[Phase, int, int], object]]:
+    if stop is None:
+        return None
+    if not callable(stop):
+        raise TypeError(f"stop is of type {type(stop).__name__}, expected a function")
+    return lambda *state: stop(RepairProgress(*state))
 
 
 def _is_single(dtype: DTypeLike) -> bool:
