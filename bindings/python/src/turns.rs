@@ -7,11 +7,12 @@ use pyo3::prelude::*;
 use crate::mesh::Mesh;
 use crate::positions::points;
 
-/// The first vertex of a part that turns, its angle in degrees, its shrinkage halfway relative to its size, and
-/// the number of steps that would keep the shrinkage below 0.1 %.
+/// The first vertex of a part that turns, its angle in degrees, its shrinkage halfway relative to its size,
+/// and the number of steps that would keep the shrinkage below 0.1 %.
 type Turn = (u32, f64, f64, f64);
 
-/// The connected parts of a mesh that turn in a step as rigid bodies, such that the straight motion shrinks them.
+/// The connected parts of a mesh that turn in a step as rigid bodies, such that the straight motion shrinks
+/// them.
 #[pyfunction]
 pub(crate) fn turns(
     py: Python<'_>,
