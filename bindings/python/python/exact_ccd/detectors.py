@@ -194,7 +194,9 @@ class Detector(Searcher):
         turns = Turns(self._mesh)
         turns.add(x0, x1, "in the step")
         turns.warn(stacklevel=3)
-        found = [] if self._settings.start_check else self._crossings(x0)
+        if self._settings.start_check:
+            return
+        found = self._crossings(x0)
         if len(found):
             edge, face = found[0].tolist()
             first, second = self._mesh.place("edge", edge), self._mesh.place("face", face)
