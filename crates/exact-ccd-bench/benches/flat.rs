@@ -20,6 +20,7 @@ use exact_ccd_mesh::{Bvh, Candidates, Detector, Frame, Step, StepReport, Triangl
 use rayon::ThreadPoolBuilder;
 
 use exact_ccd_testing::meshes::flat::{Scene, scenes};
+use exact_ccd_testing::meshes::general::general_scenes;
 
 const ROUNDS: usize = 5;
 const SAMPLE: usize = 20_000;
@@ -29,14 +30,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .skip(1)
         .find(|argument| !argument.starts_with('-'));
     if let Some(folder) = folder {
-        for scene in scenes(1) {
-            write(Path::new(&folder), &scene)?;
+        for scene in scenes(1).iter().chain(&general_scenes(1)) {
+            write(Path::new(&folder), scene)?;
         }
         return Ok(());
     }
     ThreadPoolBuilder::new().num_threads(1).build_global()?;
     let scenes: Vec<(Scene, TriangleMesh)> = scenes(1)
         .into_iter()
+        .chain(general_scenes(1))
         .map(|scene| {
             let mesh = TriangleMesh::new(scene.ends[0].len(), scene.faces.clone());
             (scene, mesh.expect("the faces have vertices"))

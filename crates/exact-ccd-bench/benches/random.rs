@@ -1,5 +1,6 @@
 //! The share of random queries that the filters leave to integers, and the time of a decision; and the step
-//! sizes of meshes along huge directions, by the exact search and by bisection.
+//! sizes of meshes along huge directions, by the exact search and by bisection. The last queries are
+//! published data.
 //!
 //! `cargo bench -p exact-ccd-bench --bench random [-- QUERIES]`, on one thread; 100,000 queries of each row
 //! if no number is given. The seed is fixed. A direction of a search may be huge: all of a body then passes
@@ -9,17 +10,22 @@
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
 use std::collections::HashMap;
+use std::fs;
 use std::hint::black_box;
+use std::path::Path;
 use std::time::Instant;
 
 use exact_ccd::{CONTACT, EdgeEdge, Exact, Kind, Point, Query, Stage, VertexFace};
 use exact_ccd_bench::median;
+use exact_ccd_data::DataFolder;
 use exact_ccd_mesh::{
     Bvh, Candidates, Detector, FreeStepOptions, LineSearchError, Step, Tolerance, TriangleMesh, advance,
     bisect,
 };
 use fastrand::Rng;
 use rayon::ThreadPoolBuilder;
+
+const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 type Four = [Point; 4];
 type Family = fn(&mut Rng) -> [Four; 2];
@@ -38,8 +44,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("| queries | collide, % | fixed width, % | exact, % | mean ns | worst µs |");
     println!("|---|{}", "---:|".repeat(5));
     for (name, family) in FAMILIES {
-        print_row::<VertexFace>(&format!("{name}, vf"), family, count);
-        print_row::<EdgeEdge>(&format!("{name}, ee"), family, count);
+        print_row::<VertexFace>(&format!("{name}, vf"), &generated(family, count));
+        print_row::<EdgeEdge>(&format!("{name}, ee"), &generated(family, count));
+    }
+    for file in DataFolder::find(Path::new(REPOSITORY))?.implosion()? {
+        let queries = array(&fs::read(&file)?);
+        if file.ends_with("vf.npy") {
+            print_row::<VertexFace>("a shell thrown through its center by a simulation, vf", &queries);
+        } else {
+            print_row::<EdgeEdge>("a shell thrown through its center by a simulation, ee", &queries);
+        }
     }
     println!("\n| mesh | step | by bisection | exact ms | bisection ms |");
     println!("|---|{}", "---:|".repeat(4));
@@ -168,12 +182,31 @@ fn unit(x: Point) -> Point {
     x.map(|x| x / length)
 }
 
-fn print_row<K: Kind<Points = Four>>(name: &str, family: Family, count: usize) {
+/// Queries of a family.
+fn generated(family: Family, count: usize) -> Vec<[Four; 2]> {
     let mut random = Rng::with_seed(1);
+    std::iter::repeat_with(|| family(&mut random))
+        .take(count)
+        .collect()
+}
+
+/// Queries in an array of numpy, of the shape (n, 8, 3), after its header.
+fn array(bytes: &[u8]) -> Vec<[Four; 2]> {
+    let header = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+    let numbers = bytes[header..]
+        .as_chunks()
+        .0
+        .iter()
+        .map(|&bytes| f64::from_le_bytes(bytes));
+    let numbers: Vec<f64> = numbers.collect();
+    let queries = numbers.as_chunks::<3>().0.as_chunks::<4>().0.as_chunks::<2>().0;
+    queries.to_vec()
+}
+
+fn print_row<K: Kind<Points = Four>>(name: &str, queries: &[[Four; 2]]) {
     let (mut colliding, mut settled) = (0, [0; Stage::ALL.len()]);
     let (mut sum, mut worst) = (0.0, 0.0_f64);
-    for _ in 0..count {
-        let [start, end] = family(&mut random);
+    for &[start, end] in queries {
         let query = Query::<K>::new(start, end).expect("all coordinates are finite");
         let clock = Instant::now();
         let (collision, stage) = black_box(&query).decide(CONTACT);
@@ -183,13 +216,14 @@ fn print_row<K: Kind<Points = Four>>(name: &str, family: Family, count: usize) {
         colliding += usize::from(collision.is_some());
         settled[stage as usize] += 1;
     }
-    let share = |queries: usize| 100.0 * queries as f64 / count as f64;
+    let count = queries.len() as f64;
+    let share = |queries: usize| 100.0 * queries as f64 / count;
     println!(
         "| {name} | {:.2} | {:.3} | {:.3} | {:.0} | {:.0} |",
         share(colliding),
         share(settled[Stage::FixedWidth as usize]),
         share(settled[Stage::Exact as usize]),
-        1e9 * sum / count as f64,
+        1e9 * sum / count,
         1e6 * worst
     );
 }

@@ -79,6 +79,15 @@ impl DataFolder {
         list(&self.0.join("nonlinear"))
     }
 
+    /// The files of a simulation in which a shell is thrown through its centre: arrays of queries, `ee.npy`
+    /// and `vf.npy`.
+    ///
+    /// # Errors
+    /// If the folder cannot be read.
+    pub fn implosion(&self) -> Result<Vec<PathBuf>, DataError> {
+        list(&self.0.join("implosion"))
+    }
+
     /// All scenes.
     ///
     /// # Errors

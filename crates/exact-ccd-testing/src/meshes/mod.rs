@@ -3,3 +3,4 @@
 pub mod cloth;
 pub mod drape;
 pub mod flat;
+pub mod general;

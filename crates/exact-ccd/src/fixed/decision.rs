@@ -7,6 +7,7 @@
 
 use core::cmp::Ordering;
 
+use super::coplanar;
 use super::dyadic::Dyadic;
 use super::exact_cubic::ExactCubic;
 use super::fraction::Fraction;
@@ -29,11 +30,13 @@ pub(crate) fn first_moment<K: Tables>(points: &Points<f64>) -> Option<Option<Mom
     }
     let cubic = integers.rest_of_cubic();
     if cubic == [Volume::ZERO; 4] {
-        let touches = integers.touches(&Moment::Later)?;
-        return (!touches).then_some(None);
+        return match integers.touches(&Moment::Later) {
+            Some(touches) => (!touches).then_some(None),
+            None => coplanar::first(&integers),
+        };
     }
-    for moment in coplanar(&integers, &cubic)? {
-        let (moment, touches) = decided(&integers, &cubic, moment)?;
+    for moment in moments_in_plane(&integers, &cubic)? {
+        let (moment, touches) = integers.decided(moment, |moment| narrower(&cubic, moment))?;
         if touches {
             return Some(Some(moment));
         }
@@ -59,18 +62,20 @@ pub(crate) fn moments<K: Tables>(points: &Points<f64>) -> Option<Intervals> {
         });
     }
     let times = ExactCubic::new(cubic);
-    let of_contact = coplanar(&integers, &cubic)?.into_iter().filter_map(|moment| {
-        match decided(&integers, &cubic, moment) {
-            Some((_, false)) => None,
-            Some((moment, true)) => Some(times.time(&moment)),
-            None => Some(None),
-        }
-    });
+    let of_contact = moments_in_plane(&integers, &cubic)?
+        .into_iter()
+        .filter_map(
+            |moment| match integers.decided(moment, |moment| narrower(&cubic, moment)) {
+                Some((_, false)) => None,
+                Some((moment, true)) => Some(times.time(&moment)),
+                None => Some(None),
+            },
+        );
     of_contact.map(|time| time.map(Interval::moment)).collect()
 }
 
 /// The moments at which the points are coplanar, with the cubic without its factors, if they are certain.
-fn coplanar<K: Tables>(integers: &Integers<K>, cubic: &[Volume; 4]) -> Option<Moments> {
+fn moments_in_plane<K: Tables>(integers: &Integers<K>, cubic: &[Volume; 4]) -> Option<Moments> {
     let mut moments = zeros(cubic)?;
     for &time in integers.zeros_of_factors() {
         insert(&mut moments, cubic, time)?;
@@ -78,21 +83,22 @@ fn coplanar<K: Tables>(integers: &Integers<K>, cubic: &[Volume; 4]) -> Option<Mo
     Some(moments)
 }
 
-/// A moment at which the cubic vanishes, in a narrower window if that is necessary, and true if the
-/// primitives touch then; `None` if that is not certain.
-fn decided<K: Tables>(integers: &Integers<K>, cubic: &[Volume; 4], moment: Moment) -> Option<(Moment, bool)> {
-    if let Some(touches) = integers.touches(&moment) {
-        return Some((moment, touches));
+/// A moment at which a cubic vanishes, in a narrower window if it is a root.
+fn narrower(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
+    match moment {
+        Moment::Root(window, root) => narrowed(cubic, window, root),
+        moment => Some(moment.clone()),
     }
-    let narrow = narrowed(cubic, &moment)?;
-    let touches = integers.touches(&narrow)?;
-    Some((narrow, touches))
 }
 
 /// The time of a moment of contact. A known time needs no integers.
 pub(crate) fn time<K: Tables>(points: &Points<f64>, moment: &Moment) -> Option<ContactTime> {
-    if let Moment::At(time) = moment {
-        return Some(time.time());
+    match moment {
+        Moment::At(time) => return Some(time.time()),
+        Moment::QuadraticRoot(of) => {
+            return ExactCubic::new(of.raised()).time(&Moment::Root(of.window, of.root));
+        }
+        Moment::Root(..) | Moment::Later => {}
     }
     ExactCubic::new(Integers::<K>::new(points)?.rest_of_cubic()).time(moment)
 }

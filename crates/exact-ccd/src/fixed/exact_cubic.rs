@@ -57,8 +57,8 @@ impl ExactCubic {
                 let precise = is_step.then(|| self.between_adjacent(root)).flatten();
                 precise.or_else(|| window.time(&self.coefficients, root))
             }
-            // An interval of times has none.
-            Moment::Later => None,
+            // A root of another polynomial, and an interval of times.
+            Moment::QuadraticRoot(_) | Moment::Later => None,
         }
     }
 

@@ -5,10 +5,12 @@ use core::cell::OnceCell;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
+use super::common_root::{Quadratics, vanishes_at_cubic_root};
 use super::factors::{Ends, Factors, difference};
 use super::fraction::Fraction;
-use super::length::{Length, Volume};
+use super::length::{Area, Length, Volume};
 use super::moment::Moment;
+use super::wide::Wide;
 use crate::exact::parts;
 use crate::tables::{Difference, Points, Side, Tables};
 
@@ -50,8 +52,8 @@ impl<K: Tables> Integers<K> {
     /// The coplanarity cubic without its linear [`Factors`], times a constant, in the same form.
     pub(super) fn rest_of_cubic(&self) -> [Volume; 4] {
         match self {
-            Self::Short(lattice) => cubic(&lattice.factors().rows),
-            Self::Long(lattice) => cubic(&lattice.factors().rows),
+            Self::Short(lattice) => lattice.rest_of_cubic(),
+            Self::Long(lattice) => lattice.rest_of_cubic(),
         }
     }
 
@@ -63,6 +65,15 @@ impl<K: Tables> Integers<K> {
         }
     }
 
+    /// The quadratics that are not zero and whose signs decide contact if the points are coplanar at all
+    /// times.
+    pub(super) fn quadratics(&self) -> Quadratics {
+        match self {
+            Self::Short(lattice) => lattice.quadratics(),
+            Self::Long(lattice) => lattice.quadratics(),
+        }
+    }
+
     /// Returns true if the primitives touch at each time of a moment, false if they do so at none, if it is
     /// certain; the four points are coplanar then. The tests are the same as on the exact path.
     pub(super) fn touches(&self, moment: &Moment) -> Option<bool> {
@@ -71,7 +82,27 @@ impl<K: Tables> Integers<K> {
             Self::Long(lattice) => lattice.position(moment),
         }
     }
+
+    /// A moment, in a narrower window if that is necessary, and true if the primitives touch then; `None` if
+    /// that is not certain.
+    pub(super) fn decided(
+        &self,
+        mut moment: Moment,
+        narrowed: impl Fn(&Moment) -> Option<Moment>,
+    ) -> Option<(Moment, bool)> {
+        for _ in 0..MOST_NARROWINGS {
+            if let Some(touches) = self.touches(&moment) {
+                return Some((moment, touches));
+            }
+            moment = narrowed(&moment)?;
+        }
+        let touches = self.touches(&moment)?;
+        Some((moment, touches))
+    }
 }
+
+/// The number of times that a window is made narrower.
+const MOST_NARROWINGS: usize = 2;
 
 /// The points in integers of one width.
 pub(super) struct Lattice<K, L> {
@@ -122,7 +153,7 @@ impl<K: Tables, L: Length> Lattice<K, L> {
     fn difference(&self, moment: &Moment, of: Difference) -> Ends<L> {
         let points = match moment {
             Moment::Root(..) => &self.factors().at_rest,
-            Moment::At(_) | Moment::Later => &self.points,
+            Moment::At(_) | Moment::QuadraticRoot(_) | Moment::Later => &self.points,
         };
         difference(points, of)
     }
@@ -147,11 +178,11 @@ impl<K: Tables, L: Length> Lattice<K, L> {
     }
 
     fn touches(&self, moment: &Moment) -> Option<bool> {
-        let [e1, e2] = [1, 2].map(|i: usize| self.difference(moment, K::SPAN[i]));
+        let span = [1, 2].map(|i: usize| self.difference(moment, K::SPAN[i]));
         let mut facing = Some(Ordering::Equal);
         let mut along = 0;
         for axis in 0..3 {
-            match sign(moment, &e1, &e2, |a, b| component(axis, a, b)) {
+            match self.sign(moment, &span, |a, b| component(axis, a, b)) {
                 Some(Ordering::Equal) => {}
                 None => facing = None,
                 certain => {
@@ -165,20 +196,80 @@ impl<K: Tables, L: Length> Lattice<K, L> {
             return holds(K::SIDES.iter().map(|side| self.lies_on(side, moment)), true);
         }
         let is_inside = |side: &Side| {
-            let [x, y] = self.edge(side, moment);
+            let edge = self.edge(side, moment);
             let inside = if side.along { facing } else { facing.reverse() };
-            let sign = sign(moment, &x, &y, |a, b| component(along, a, b))?;
+            let sign = self.sign(moment, &edge, |a, b| component(along, a, b))?;
             Some(sign.is_eq() || sign == inside)
         };
         holds(K::SIDES.iter().map(is_inside), false)
     }
 
+    /// The normal and the sides along one axis if the normal is not zero there at all times. Otherwise, the
+    /// primitives are parallel at all times, and vertices lie on edges or do not.
+    fn quadratics(&self) -> Quadratics {
+        let mut quadratics = Quadratics::new();
+        let mut push = |[a, b]: [Ends<L>; 2], product: &dyn Fn([L; 3], [L; 3]) -> L::Area| {
+            let quadratic = [0, 1, 2].map(|i| coefficient_of(i, &a, &b, product).widened());
+            let is_zero = quadratic.iter().all(Wide::is_zero);
+            // There is space for all of them.
+            let _ = is_zero || quadratics.try_push(quadratic).is_err();
+            !is_zero
+        };
+        let span = [1, 2].map(|i: usize| difference(&self.points, K::SPAN[i]));
+        let edges = || {
+            K::SIDES
+                .iter()
+                .map(|side| side.edge.map(|end| difference(&self.points, (end, side.vertex))))
+        };
+        let normal = (0..3).find(|&axis| push(span, &|a, b| component(axis, a, b)));
+        match normal {
+            Some(axis) => edges().for_each(|edge| {
+                push(edge, &|a, b| component(axis, a, b));
+            }),
+            None => edges().for_each(|edge| {
+                (0..3).for_each(|axis| {
+                    push(edge, &|a, b| component(axis, a, b));
+                });
+                push(edge, &dot);
+            }),
+        }
+        quadratics
+    }
+
+    /// The sign of a bilinear product of two differences at a moment. Where roundings leave it open, it may
+    /// be zero because the product and the polynomial of the moment have a root in common.
+    #[inline(always)]
+    fn sign(
+        &self,
+        moment: &Moment,
+        [a, b]: &[Ends<L>; 2],
+        product: impl Fn([L; 3], [L; 3]) -> L::Area,
+    ) -> Option<Ordering> {
+        let coefficient = |i| coefficient_of(i, a, b, &product);
+        moment.sign(coefficient).or_else(|| {
+            let quadratic = || [0, 1, 2].map(|i| coefficient(i).widened());
+            let is_zero = match moment {
+                Moment::Root(window, root) => {
+                    vanishes_at_cubic_root(&quadratic(), &self.rest_of_cubic(), window.bracket(root))
+                }
+                Moment::QuadraticRoot(root) => root.is_root_of(&quadratic()),
+                Moment::At(_) | Moment::Later => false,
+            };
+            is_zero.then_some(Ordering::Equal)
+        })
+    }
+
+    /// The coplanarity cubic without its factors.
+    fn rest_of_cubic(&self) -> [Volume; 4] {
+        cubic(&self.factors().rows)
+    }
+
     /// Returns true if a vertex lies on an edge.
     fn lies_on(&self, side: &Side, moment: &Moment) -> Option<bool> {
-        let [x, y] = self.edge(side, moment);
-        let is_on_line = |axis| Some(sign(moment, &x, &y, |a, b| component(axis, a, b))?.is_eq());
+        let edge = self.edge(side, moment);
+        let is_on_line = |axis| Some(self.sign(moment, &edge, |a, b| component(axis, a, b))?.is_eq());
         if holds((0..3).map(is_on_line), false)? {
-            return sign(moment, &x, &y, dot).map(Ordering::is_le);
+            return self.sign(moment, &edge, dot).map(Ordering::is_le);
         }
         Some(false)
     }
@@ -237,17 +328,6 @@ fn coefficient_of<L: Length>(
     }
 }
 
-/// The sign of a bilinear product of two differences.
-#[inline(always)]
-fn sign<L: Length>(
-    moment: &Moment,
-    a: &Ends<L>,
-    b: &Ends<L>,
-    product: impl Fn([L; 3], [L; 3]) -> L::Area,
-) -> Option<Ordering> {
-    moment.sign(|coefficient| coefficient_of(coefficient, a, b, &product))
-}
-
 /// One component of a × b.
 #[inline(always)]
 fn component<L: Length>(axis: usize, a: [L; 3], b: [L; 3]) -> L::Area {
@@ -274,15 +354,15 @@ mod tests {
     #[test]
     fn integers_are_short_or_long_or_none_by_the_longest_axis() {
         for exponent in [-900, -30, 0, 700] {
-            for bits in 1..120 {
+            for bits in 1..150 {
                 let unit = libm::ldexp(1.0, exponent);
                 let far = libm::ldexp(unit, bits - 1);
                 let start = [[unit, 0.0, far], [unit; 3], [far, unit, unit], [0.0; 3]];
                 let points = [start, [[unit; 3]; 4]];
                 let is_as_expected = match Integers::<VertexFace>::new(&points) {
                     Some(Integers::Short(_)) => bits <= 61,
-                    Some(Integers::Long(_)) => bits > 61 && bits <= 81,
-                    None => bits > 81,
+                    Some(Integers::Long(_)) => bits > 61 && bits <= 123,
+                    None => bits > 123,
                 };
                 assert!(is_as_expected, "{exponent} {bits}");
             }

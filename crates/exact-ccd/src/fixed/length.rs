@@ -1,19 +1,22 @@
-//! Lengths and areas in integers of two widths: the short ones serve nearly all queries, the long ones the
-//! rest.
+//! Lengths and areas in integers of two widths: the short ones serve where coordinates have one size, the
+//! long ones where some are far smaller than others on their axis, as rounded zeros are.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Shl, Shr, Sub};
 
 use super::wide::Wide;
 
-/// An integer of 256 bits, for products of three lengths.
-pub(super) type Volume = Wide<4>;
+/// An integer of 384 bits, for products of three lengths.
+pub(super) type Volume = Wide<6>;
+
+/// An integer of 256 bits, for products of two long lengths.
+pub(super) type LongArea = Wide<4>;
 
 /// A difference of two coordinates.
 ///
 /// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹, the terms of a coefficient of the cubic below
 /// 2³ᵇ⁺³, and there are at most 18 of them. Without [the roots at the ends](super::zeros::without_ends),
-/// a coefficient is a sum of at most three: below 54 · 2³ᵇ⁺³, which is less than 2²⁵² for b = 81.
+/// a coefficient is a sum of at most three: below 54 · 2³ᵇ⁺³, which is less than 2³⁷⁸ for b = 123.
 pub(super) trait Length: Copy + Default + PartialEq + Into<i128> + Sub<Output = Self> {
     /// The largest number of bits of coordinates.
     const MOST_BITS: u32;
@@ -46,7 +49,7 @@ pub(super) trait Area: Copy + PartialEq + Add<Output = Self> + Sub<Output = Self
     /// An approximation, rounded once.
     fn value(self) -> f64;
 
-    fn widened(self) -> Volume;
+    fn widened(self) -> LongArea;
 }
 
 /// If coordinates are below 2ᵇ, lengths are below 2ᵇ⁺¹ and six products of them below 2²ᵇ⁺⁵: 2¹²⁷ for b = 61.
@@ -91,14 +94,15 @@ impl Area for i128 {
     }
 
     #[inline(always)]
-    fn widened(self) -> Volume {
+    fn widened(self) -> LongArea {
         self.into()
     }
 }
 
+/// Six products are below 2²ᵇ⁺⁵: 2²⁵¹ for b = 123.
 impl Length for i128 {
-    const MOST_BITS: u32 = 81;
-    type Area = Volume;
+    const MOST_BITS: u32 = 123;
+    type Area = LongArea;
 
     fn scaled(mantissa: i64, k: u32) -> (Self, bool) {
         halved(
@@ -107,16 +111,16 @@ impl Length for i128 {
         )
     }
 
-    fn times(self, other: Self) -> Volume {
-        Volume::from(self) * other.into()
+    fn times(self, other: Self) -> LongArea {
+        LongArea::from(self) * other.into()
     }
 
-    fn volume(self, area: Volume) -> Volume {
-        Volume::from(self) * area
+    fn volume(self, area: LongArea) -> Volume {
+        Volume::from(self) * Wide::widened(area)
     }
 }
 
-impl Area for Volume {
+impl Area for LongArea {
     fn sign(self) -> Ordering {
         Self::sign(&self)
     }
@@ -125,7 +129,7 @@ impl Area for Volume {
         self.approximate().high
     }
 
-    fn widened(self) -> Volume {
+    fn widened(self) -> LongArea {
         self
     }
 }
@@ -153,7 +157,7 @@ mod tests {
                 <i64 as Length>::times(lengths[0], lengths[1]).widened(),
                 <i128 as Length>::times(a, b).widened(),
             ];
-            assert!(areas == [Volume::from(a * b); 2], "{lengths:?}");
+            assert!(areas == [LongArea::from(a * b); 2], "{lengths:?}");
             assert_eq!(lengths.map(Length::value), lengths.map(|x| x as f64));
             assert_eq!([a, b, c].map(Length::value), lengths.map(|x| x as f64));
         }
@@ -165,11 +169,11 @@ mod tests {
             for mantissa in [0, 1, -1, 3, -3, 1 << 52, -(1 << 52), (1 << 53) - 1, 1 - (1 << 53)] {
                 let check = |scaled: (i128, bool), bits: u32| {
                     let whole = i128::from(mantissa) << (bits - 53);
-                    let unit = 1_i128 << k.min(100);
+                    let unit = 1_i128 << k.min(126);
                     let expected = (whole.div_euclid(unit), whole.rem_euclid(unit) == 0);
                     assert_eq!(scaled, expected, "{mantissa} {k}");
                 };
-                check(<i128 as Length>::scaled(mantissa, k), 81);
+                check(<i128 as Length>::scaled(mantissa, k), 123);
                 let (short, is_integer) = <i64 as Length>::scaled(mantissa, k);
                 check((short.into(), is_integer), 61);
             }

@@ -9,6 +9,8 @@
 //! digits, at which the exact value is zero, or a zero of a linear factor ([`factors`]). Roots next to each
 //! other are separated by narrow windows ([`zeros`]); other ones are left to the exact path.
 
+mod common_root;
+mod coplanar;
 mod decision;
 mod dyadic;
 pub(crate) mod exact_cubic;
@@ -17,6 +19,7 @@ mod fraction;
 mod lattice;
 mod length;
 pub(crate) mod moment;
+mod quadratic_root;
 mod wide;
 pub(crate) mod window;
 mod zeros;

@@ -5,6 +5,7 @@ use core::cmp::Ordering;
 
 use super::fraction::Fraction;
 use super::length::Area;
+use super::quadratic_root::QuadraticRoot;
 use super::window::{Window, quadratic_sign_at};
 use crate::numbers::cubic::Root;
 use crate::numbers::number::Lanes;
@@ -20,6 +21,8 @@ pub(crate) enum Moment {
     Later,
     /// The root in a bracket of a window.
     Root(Window, Root),
+    /// A root of a quadratic, where the cubic vanishes at all times.
+    QuadraticRoot(QuadraticRoot),
 }
 
 impl Moment {
@@ -37,6 +40,7 @@ impl Moment {
                 _ => quadratic_sign_at([0, 1, 2].map(coefficient), *time),
             }),
             Self::Root(window, root) => near([0, 1, 2].map(coefficient), window, root),
+            Self::QuadraticRoot(of) => near([0, 1, 2].map(coefficient), &of.window, &of.root),
             Self::Later => {
                 let last = coefficient(2).sign();
                 let are_certain = (0..2).all(|i| {
@@ -55,8 +59,10 @@ impl Moment {
     /// are at most 2 (|d₀| + |d₁|). The slope is at most |d₀| + |d₁|. The radius in time is the radius in
     /// the window times its width, with a factor of two for roundings.
     pub(crate) fn sign_of_linear(&self, [start, end]: [f64; 2]) -> Option<Ordering> {
-        let Self::Root(window, root) = self else {
-            return None;
+        let (window, root) = match self {
+            Self::Root(window, root) => (window, root),
+            Self::QuadraticRoot(of) => (&of.window, &of.root),
+            Self::At(_) | Self::Later => return None,
         };
         let t = window.time_at(root.near);
         let radius = window.width() * root.radius();

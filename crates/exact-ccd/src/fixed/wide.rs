@@ -9,7 +9,7 @@ use crate::numbers::double_double::DoubleDouble;
 ///
 /// All operations are modulo 2⁶⁴ᴺ. A result whose magnitude is less than half of that is exact, whatever
 /// the intermediate results: users derive bounds of their results only.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Wide<const N: usize>([u64; N]);
 
 /// The number of leading bits from which an approximation is made.

@@ -14,14 +14,14 @@ use super::wide::Wide;
 use crate::numbers::cubic::Root;
 use crate::values::ContactTime;
 
-/// An integer of 512 bits.
+/// An integer of 576 bits.
 ///
-/// [Coefficients of a cubic](super::length::Length) are below 2²⁵², three times one below 2²⁵⁴. The weights
+/// [Coefficients of a cubic](super::length::Length) are below 2³⁷⁸, three times one below 2³⁸⁰. The weights
 /// of a time add up to 2⁶² if it is a [`Dyadic`], and to less than 2⁶⁴ if it is a [`Fraction`]; there are
 /// three, one for each argument of the blossom. So coefficients in a window are 2¹⁸⁶ times as large, three
-/// times that below 2⁴⁴², and [without roots at the ends](super::zeros::without_ends) below 2⁴⁴⁵; a value is
-/// below 2⁴⁴⁶.
-pub(super) type Integer = Wide<8>;
+/// times that below 2⁵⁶⁸, and [without roots at the ends](super::zeros::without_ends) below 2⁵⁷¹; a value is
+/// below 2⁵⁷².
+pub(super) type Integer = Wide<9>;
 
 /// An interval of times.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,10 +85,16 @@ impl Window {
         [floor, if is_exact { floor } else { floor.plus(1) }]
     }
 
-    /// The time strictly inside a bracket that has the fewest digits.
-    pub(super) fn shortest(&self, root: &Root) -> Option<Dyadic> {
+    /// The ends of a bracket, rounded outward.
+    pub(super) fn bracket(&self, root: &Root) -> [Dyadic; 2] {
         let [low, _] = self.around(root.low);
         let [_, high] = self.around(root.high);
+        [low, high]
+    }
+
+    /// The time strictly inside a bracket that has the fewest digits.
+    pub(super) fn shortest(&self, root: &Root) -> Option<Dyadic> {
+        let [low, high] = self.bracket(root);
         Dyadic::between(low, high)
     }
 
@@ -134,9 +140,7 @@ impl Window {
     /// The bracket has no other root, and the cubic opposite signs on both sides of it. The root stays
     /// between `before` and `after`. Before 2⁻¹⁰, the f64 between these may be no multiples of the unit.
     pub(super) fn time(&self, cubic: &[Volume; 4], root: &Root) -> Option<ContactTime> {
-        let [low, _] = self.around(root.low);
-        let [_, high] = self.around(root.high);
-        let [low, high] = [low, high].map(|end| Fraction::from(end).time());
+        let [low, high] = self.bracket(root).map(|end| Fraction::from(end).time());
         let (mut before, mut after) = (low.lower(), high.upper());
         while before.next_up() < after {
             let middle = 0.5 * (before + after);
@@ -154,6 +158,29 @@ impl Window {
 /// The sign of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ at a time.
 pub(super) fn sign_at(cubic: &[Volume; 4], time: impl Into<Fraction>) -> Ordering {
     cubic_value(&of_cubic(cubic), time.into()).sign()
+}
+
+/// Returns true if a cubic certainly has one root between two times, and none at these.
+///
+/// The bracket of a root is rounded outward to units of time, so that it may contain two roots. The number of
+/// sign changes is at least the number of roots, and has the same parity (Descartes' rule).
+pub(super) fn has_one_root(cubic: &[Volume; 4], [low, high]: [Dyadic; 2]) -> bool {
+    Window::new(low, high).is_some_and(|window| {
+        let coefficients = window.cubic(cubic);
+        let is_zero_at_end = coefficients[0].is_zero() || coefficients[3].is_zero();
+        !is_zero_at_end && changes_of_sign(&coefficients) == 1
+    })
+}
+
+/// The number of sign changes in the sequence of nonzero coefficients.
+pub(super) fn changes_of_sign<const N: usize>(coefficients: &[Wide<N>; 4]) -> usize {
+    let signs = coefficients.map(|c| c.sign());
+    let nonzero = signs.into_iter().filter(|sign| sign.is_ne());
+    nonzero
+        .clone()
+        .zip(nonzero.skip(1))
+        .filter(|(before, sign)| before != sign)
+        .count()
 }
 
 /// The coefficients of the powers of the units since a time, rounded, of this cubic in some unit.
@@ -178,15 +205,22 @@ pub(super) fn quadratic_sign_at<A: Area>(quadratic: [A; 3], time: Fraction) -> O
     quadratic_value(&of_quadratic(quadratic), time).sign()
 }
 
+/// The sign of the linear function with these values at the ends of the step, at a time. The sum of the
+/// weights is below 2⁶⁴: the values must be below 2⁶⁴ᵂ⁻⁶⁵.
+pub(super) fn linear_sign_at<const W: usize>(ends: &[Wide<W>; 2], time: Fraction) -> Ordering {
+    let [value] = interpolate(ends, time);
+    value.sign()
+}
+
 /// Three times its Bernstein coefficients.
 fn of_cubic([c0, c1, c2, c3]: &[Volume; 4]) -> [Integer; 4] {
     let [c0, c1, c2, c3] = [c0, c1, c2, c3].map(|c| c.widened());
     [c0 + c0 + c0, c1, c2, c3 + c3 + c3]
 }
 
-/// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2¹⁶⁷, and two weights of the
-/// blossom make twice that at most 2¹²⁸ times as large, less than 2²⁹⁶; twice that in the middle of a window.
-fn of_quadratic<A: Area>(quadratic: [A; 3]) -> [Wide<5>; 3] {
+/// Twice its Bernstein coefficients: [areas](super::length::Length) are below 2²⁵¹, and two weights of the
+/// blossom make twice that at most 2¹²⁸ times as large, less than 2³⁸⁰; twice that in the middle of a window.
+fn of_quadratic<A: Area>(quadratic: [A; 3]) -> [Volume; 3] {
     let [q0, q1, q2] = quadratic.map(|q| q.widened().widened());
     [q0 + q0, q1, q2 + q2]
 }

@@ -9,7 +9,7 @@ use super::fraction::Fraction;
 use super::length::Volume;
 use super::moment::Moment;
 use super::wide::Wide;
-use super::window::{Window, powers_since, sign_at};
+use super::window::{Window, changes_of_sign, powers_since, sign_at};
 use crate::numbers::cubic::{Cubic, Root};
 
 /// Moments in increasing order.
@@ -21,8 +21,14 @@ const MOST_CUTS: u32 = 3;
 /// The widest bracket of a root, as a fraction of its window, if that can be cut.
 const WIDEST: f64 = 1.0 / (1_u64 << 10) as f64;
 
+/// The binary logarithm of the quotient of a window and the part that is cut off beside an end.
+const PART_AT_END: u32 = 20;
+
 /// Half of the narrowest window around a cluster of roots, in units.
 const LEAST_HALF: i64 = 1 << 2;
+
+/// 2⁻¹²⁸.
+const SCALE: f64 = f64::from_bits((1023 - 128) << 52);
 
 /// The moments at which a cubic that is not zero vanishes, if they are certain.
 pub(super) fn zeros(cubic: &[Volume; 4]) -> Option<Moments> {
@@ -51,15 +57,24 @@ pub(super) fn insert(moments: &mut Moments, cubic: &[Volume; 4], time: Fraction)
 }
 
 /// The order of a moment at which a cubic vanishes and a time, if it is certain.
+fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Ordering> {
+    match moment {
+        Moment::At(other) => Some(other.cmp(&time)),
+        Moment::Root(window, root) => order_of_root(window, root, cubic, time),
+        Moment::QuadraticRoot(_) | Moment::Later => None,
+    }
+}
+
+/// The order of a root of a cubic and a time, if it is certain.
 ///
 /// A root is strictly inside its window. The cubic may vanish at the ends of the window too. Between these
 /// ends, the cubic has one root in the bracket, and opposite signs on both sides of it.
-fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Ordering> {
-    let (window, root) = match moment {
-        Moment::At(other) => return Some(other.cmp(&time)),
-        Moment::Root(window, root) => (window, root),
-        Moment::Later => return None,
-    };
+pub(super) fn order_of_root(
+    window: &Window,
+    root: &Root,
+    cubic: &[Volume; 4],
+    time: Fraction,
+) -> Option<Ordering> {
     let [first, last] = window.ends().map(Fraction::from);
     if time <= first {
         return Some(Ordering::Greater);
@@ -81,20 +96,16 @@ fn order(moment: &Moment, cubic: &[Volume; 4], time: Fraction) -> Option<Orderin
     }
 }
 
-/// The same moment, if it certainly is a time with few digits, or a root in a narrower window.
+/// The same root, if it certainly is a time with few digits, or the root in a narrower window.
 ///
 /// The only root in a window that contains the bracket is the root of the bracket.
-pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
-    let Moment::Root(window, root) = moment else {
-        return None;
-    };
+pub(super) fn narrowed(cubic: &[Volume; 4], window: &Window, root: &Root) -> Option<Moment> {
     if let Some(time) = window.shortest(root)
         && sign_at(cubic, time).is_eq()
     {
         return Some(Moment::At(time.into()));
     }
-    let [low, _] = window.around(root.low);
-    let [_, high] = window.around(root.high);
+    let [low, high] = window.bracket(root);
     let width = high.units() - low.units();
     if width > window.units() / 64 {
         return None;
@@ -112,9 +123,9 @@ pub(super) fn narrowed(cubic: &[Volume; 4], moment: &Moment) -> Option<Moment> {
 /// The number of sign changes of the exact coefficients is at least the number of roots, and has the same
 /// parity: none and one are certain (Descartes' rule). Otherwise the bounds of [`Cubic::new`] hold with the
 /// largest coefficient as magnitude: each coefficient is rounded once, n = 1 of the ten roundings there,
-/// and the largest rounded one is below its integer by one rounding at most. Coefficients are below 2⁴⁴⁵
-/// ([`Window::cubic`]): nothing overflows. The largest is at least 1, so that underflow is far below
-/// the bounds. If these do not suffice, the window is cut.
+/// and the largest rounded one is below its integer by one rounding at most. Coefficients are below 2⁵⁷¹
+/// ([`Window::cubic`]), and scaled by 2⁻¹²⁸: products of two do not overflow. The largest is at least 2⁻¹²⁸,
+/// so that underflow is far below the bounds. If these do not suffice, the window is cut.
 fn push_zeros_inside(
     cubic: &[Volume; 4],
     window: Window,
@@ -126,7 +137,7 @@ fn push_zeros_inside(
     if changes == 0 {
         return Some(());
     }
-    let values = inner.map(|c| c.approximate().high);
+    let values = inner.map(|c| c.approximate().high * SCALE);
     let local = Cubic::new(values, largest(values));
     let roots = if changes == 1 {
         Some([local.only_root()].into_iter().collect())
@@ -154,15 +165,27 @@ fn push_zeros_inside(
     Some(())
 }
 
-/// The ends of narrow windows around almost triple roots of a cubic, or else around almost double ones, in
-/// increasing order; with the time of fewest digits in each, if the cubic vanishes there.
+/// The times at which a window is cut, in increasing order.
 ///
-/// An almost triple root is near the zero of c″, an almost double one near a zero of c′.
+/// These are the ends of narrow windows around almost triple roots of a cubic, or else around almost double
+/// ones; with the time of fewest digits in each, if the cubic vanishes there. An almost triple root is near
+/// the zero of c″, an almost double one near a zero of c′. If there are none, the part beside an end at which
+/// the rounded cubic has no certain sign is cut off: there, the sign of the exact coefficient counts.
 fn cuts(cubic: &[Volume; 4], window: Window, local: &Cubic<f64>) -> ArrayVec<Dyadic, 6> {
     let mut cuts = ArrayVec::new();
     push_cuts(cubic, window, &[local.inflection()], 3, &mut cuts);
     if cuts.is_empty() {
         push_cuts(cubic, window, &local.cuts(), 2, &mut cuts);
+    }
+    let part = window.units() >> PART_AT_END;
+    if cuts.is_empty() && part > 0 {
+        let [low, high] = window.ends();
+        let beside = [low.plus(part), high.plus(-part)];
+        cuts.extend(
+            (0..2)
+                .filter(|&end| !local.is_certain_at(end))
+                .map(|end| beside[end]),
+        );
     }
     cuts
 }
@@ -210,17 +233,6 @@ fn radius(cubic: &[Volume; 4], time: Dyadic, roots: usize) -> i64 {
 /// The largest magnitude.
 pub(super) fn largest(values: [f64; 4]) -> f64 {
     values.into_iter().map(f64::abs).fold(0.0, f64::max)
-}
-
-/// The number of sign changes in the sequence of nonzero coefficients.
-fn changes_of_sign<const N: usize>(coefficients: &[Wide<N>; 4]) -> usize {
-    let signs = coefficients.map(|c| c.sign());
-    let nonzero = signs.into_iter().filter(|sign| sign.is_ne());
-    nonzero
-        .clone()
-        .zip(nonzero.skip(1))
-        .filter(|(before, sign)| before != sign)
-        .count()
 }
 
 /// The cubic without its roots at t = 0 and t = 1.

@@ -24,6 +24,30 @@ pub(crate) fn digest() -> u64 {
     digest.0
 }
 
+/// The digest of the stages that decide the queries: the filters compute the same bits.
+pub(crate) fn stages() -> u64 {
+    let mut digest = Digest::default();
+    add_stages::<VertexFace>(&mut digest);
+    add_stages::<EdgeEdge>(&mut digest);
+    add_stages::<VertexEdge>(&mut digest);
+    add_stages::<VertexVertex>(&mut digest);
+    digest.0
+}
+
+fn add_stages<K: Hard>(digest: &mut Digest) {
+    for Case { query, distance, .. } in cases::<K>(COUNT) {
+        add_stage(digest, &query, distance);
+    }
+}
+
+/// The stage that decides a query.
+pub(crate) fn add_stage<K: Kind>(digest: &mut Digest, query: &Query<K>, d: Separation) {
+    let (_, stage) = query.decide(d);
+    format!("{stage:?}")
+        .bytes()
+        .for_each(|byte| digest.add(byte.into()));
+}
+
 fn add_kind<K: Hard>(digest: &mut Digest) {
     let cases: Vec<Case<K>> = cases(COUNT).collect();
     for (index, Case { query, distance, .. }) in cases.iter().enumerate() {
@@ -47,11 +71,7 @@ fn add_kind<K: Hard>(digest: &mut Digest) {
 
 /// All answers to a query.
 pub(crate) fn add_answers<K: Kind>(digest: &mut Digest, query: &Query<K>, d: Separation) {
-    // The stage too: the filters compute the same bits.
-    let (collision, stage) = query.decide(d);
-    format!("{stage:?}")
-        .bytes()
-        .for_each(|byte| digest.add(byte.into()));
+    let (collision, _) = query.decide(d);
     digest.add(collision.is_some().into());
     if let Some(collision) = collision {
         digest.add_time(collision.time());

@@ -9,7 +9,7 @@ use std::io;
 
 use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexFace};
 
-use crate::kernel::add_answers;
+use crate::kernel::{add_answers, add_stage};
 use exact_ccd_testing::hard_cases::digest::Digest;
 
 const BYTES: usize = 26 * size_of::<f64>();
@@ -40,6 +40,7 @@ fn add_query<K: Kind<Points = [Point; 4]>>(
     d: Separation,
 ) {
     if let Ok(query) = Query::<K>::new(start, end) {
+        add_stage(digest, &query, d);
         add_answers(digest, &query, d);
     }
 }

@@ -101,7 +101,7 @@ fn times_of_early_roots_are_right_or_unknown() {
         expected.sort_unstable();
         expected.dedup();
         for moment in zeros(&cubic).unwrap_or_default() {
-            let narrow = narrowed(&cubic, &moment);
+            let narrow = narrower(&cubic, &moment);
             for time in [Some(moment), narrow]
                 .iter()
                 .flatten()
@@ -306,7 +306,7 @@ fn a_narrower_window_has_the_same_root() {
         let roots = [(); 3].map(|()| [random.i128(1..1 << 20), random.i128(1..1 << 20)]);
         let cubic = product(roots.map(|[a, b]| [-a, b]));
         for moment in zeros(&cubic).expect("the roots are apart") {
-            if let Some(found) = narrowed(&cubic, &moment) {
+            if let Some(found) = narrower(&cubic, &moment) {
                 let exact = ExactCubic::new(cubic);
                 assert_eq!(exact.time(&found), exact.time(&moment));
                 if let Moment::Root(window, root) = &moment {
@@ -339,7 +339,7 @@ fn a_narrower_window_contains_brackets_of_few_units() {
             before: Ordering::Less,
         };
         let cubic = product([[-a, b], [1, 1], [1, 1]]);
-        if let Some(found) = narrowed(&cubic, &Moment::Root(Window::STEP, root)) {
+        if let Some(found) = narrowed(&cubic, &Window::STEP, &root) {
             assert!(contains(&found, &Window::STEP, &root), "{a} {b} {root:?}");
             narrow += 1;
         }
