@@ -16,7 +16,7 @@ copyright = author
 release = re.search(r'^version = "(.*)"', MANIFEST, re.M)[1]
 address = re.search(r'^repository = "(.*)"', MANIFEST, re.M)[1]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.mermaid", "breathe"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "breathe"]
 root_doc = "docs/site/index"
 include_patterns = [
     "*.md",
@@ -36,7 +36,6 @@ exclude_patterns = ["target", "**/target", "**/node_modules", "build", "result"]
 
 # Markdown as GitHub reads it.
 myst_heading_anchors = 4
-myst_fence_as_directive = ["mermaid"]
 myst_enable_extensions = ["strikethrough"]
 # A struct of the C header and the type of the same name are two declarations.
 suppress_warnings = ["myst.header", "myst.strikethrough", "duplicate_declaration.c"]
@@ -61,9 +60,13 @@ html_logo = "../figures/logo.svg"
 html_favicon = "../figures/logo.svg"
 html_copy_source = False
 html_show_sourcelink = False
-html_theme_options = {
+# Links to the sources, unless the address of the repository is a placeholder.
+sources = {} if "//example." in address else {
     "source_view_link": address + "/blob/main/{filename}",
     "source_edit_link": address + "/edit/main/{filename}",
+}
+html_theme_options = {
+    **sources,
     "sidebar_hide_name": False,
     "light_css_variables": {"color-brand-primary": "#0072b2", "color-brand-content": "#0072b2"},
     "dark_css_variables": {"color-brand-primary": "#56b4e9", "color-brand-content": "#56b4e9"},
@@ -78,6 +81,19 @@ def is_alias(app, what, name, item, skip, options):
     return skip or (getattr(item, "__doc__", None) or "").startswith("Alias for field number")
 
 
+def without_diagrams(app, name, source):
+    """Diagrams of Mermaid as lists: the program that draws them would be loaded from another host, and the site works offline."""
+    source[0] = re.sub(r"```mermaid\n(.*?)```", lambda found: as_list(found[1]), source[0], flags=re.S)
+
+
+def as_list(diagram):
+    """A flowchart as a list: each node with the nodes to which it has arrows."""
+    arrows = re.findall(r"^ *(\w+)(?:\[.*\])? --> (.*)$", diagram, re.M)
+    labels = dict(re.findall(r"(\w+)\[(.*?)\]", diagram))
+    return "".join(f"- {labels.get(node, node)} → {', '.join(to.split(' & '))}\n" for node, to in arrows)
+
+
 def setup(app):
-    """Leaves these fields out."""
+    """Leaves these fields out, and diagrams."""
     app.connect("autodoc-skip-member", is_alias)
+    app.connect("source-read", without_diagrams)

@@ -35,7 +35,6 @@ __all__ = [
     "impact",
     "in_order",
     "intervals",
-    "main",
     "mesh_format",
     "overlaps",
     "parse_mesh",
@@ -44,6 +43,7 @@ __all__ = [
     "repair_recording",
     "time_and_count",
     "time_of_impact",
+    "turns",
 ]
 
 __version__: str
@@ -58,7 +58,6 @@ class UncertifiedError(RuntimeError):
     pairs: int
     first: Optional[str]
 
-def main(arguments: Sequence[str]) -> int: ...
 def collides(queries: _Queries, settings: _Settings) -> NDArray[np.bool_]: ...
 def time_of_impact(queries: _Queries, settings: _Settings) -> _Floats: ...
 def time_and_count(queries: _Queries, settings: _Settings) -> tuple[_Floats, NDArray[np.int64]]: ...

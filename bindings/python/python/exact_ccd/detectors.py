@@ -194,12 +194,15 @@ class Detector(Searcher):
         turns = Turns(self._mesh)
         turns.add(x0, x1, "in the step")
         turns.warn(stacklevel=3)
-        found = [] if self._settings.start_check else self._crossings(x0)
+        if self._settings.start_check:
+            return
+        found = self._crossings(x0)
         if len(found):
             edge, face = found[0].tolist()
-            first, second = self._mesh.place("edge", edge), self._mesh.place("face", face)
+            first = self._mesh.place("edge", edge) or f"edge {edge}"
+            second = self._mesh.place("face", face) or f"face {face}"
             warnings.warn(
-                f"{first or f'edge {edge}'} passes through {second or f'face {face}'} at the start of the step, which is no contact of the step; "
+                f"{first} passes through {second} at the start of the step, which is no contact of the step; "
                 "Detector(..., start_check=True) refuses such a start. This is said once for each detector",
                 stacklevel=3,
             )

@@ -32,9 +32,9 @@ class PlacedMesh(NamedTuple):
 def from_trimesh(scene: Any, *, can_collide: Optional[CanCollide] = None) -> PlacedMesh:
     """Take a ``trimesh.Scene`` or a ``trimesh.Trimesh`` as one mesh with its positions.
 
-    The bodies of a scene are the nodes of its graph that have a geometry, in their order; each has the transform of its node, and
-    an instance of a geometry is a body of its own. For the end of a step, move the nodes and call the function again: the mesh
-    is the same.
+    The bodies of a scene are the nodes of its graph that have a geometry, in their order; each has the transform of
+    its node, and an instance of a geometry is a body of its own. For the end of a step, move the nodes and call the
+    function again: the mesh is the same.
 
     Parameters
     ----------
@@ -74,7 +74,8 @@ def from_trimesh(scene: Any, *, can_collide: Optional[CanCollide] = None) -> Pla
         matrix, key = scene.graph[name]
         body = scene.geometry[key]
         if not _is_shape(body):
-            raise TypeError(f"the node {name!r} has a geometry of type {type(body).__name__}, which has no faces: remove it")
+            kind = type(body).__name__
+            raise TypeError(f"the node {name!r} has a geometry of type {kind}, which has no faces: remove it")
         transform = floats(f"the transform of {name!r}", matrix, (4, 4))
         vertices = floats(f"the vertices of {name!r}", body.vertices, (None, 3))
         faces.append(indices(f"the faces of {name!r}", body.faces, (None, 3)).astype(np.int64) + sum(counts))

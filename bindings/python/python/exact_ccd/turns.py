@@ -31,8 +31,9 @@ class Turns:
                 body = f"the part with vertex {vertex}" if place is None else place.body
                 words = (
                     f"{body} turns by {angle:.1f}° {step} as a rigid body, but vertices move in straight lines: "
-                    f"halfway, they are up to {100 * shrinkage:.1f} % of its size too near to the axis, and the answer is about "
-                    f"this smaller body; {steps:.0f} steps in place of this one keep that below 0.1 %, and Bodies turn exactly"
+                    f"halfway, they are up to {100 * shrinkage:.1f} % of its size too near to the axis, and the answer "
+                    f"is about this smaller body; {steps:.0f} steps in place of this one keep that below 0.1 %, and "
+                    "Bodies turn exactly"
                 )
                 self._worst[vertex] = shrinkage, words
 

@@ -12,10 +12,10 @@ use crate::messages::notes::Notes;
 
 /// Convert a scene of another program to a scene of `exact-ccd simulate`
 ///
-/// SCENE is a text scene of IPC, whose name ends in .txt or .ipc, or a scene of PolyFEM, in .json.
-/// The TOML file has the same bodies, motions and settings, with the defaults of that program.
-/// An entry that exact-ccd cannot simulate is an error; one without a meaning for it is a note on standard
-/// error.
+/// SCENE is a text scene of IPC, whose name ends in .txt or .ipc, or a scene of
+/// PolyFEM, in .json. The TOML file has the same bodies, motions and settings,
+/// with the defaults of that program. An entry that exact-ccd cannot simulate is
+/// an error; one without a meaning for it is a note on standard error.
 ///
 /// `exact-ccd simulate` converts such scenes by itself.
 ///

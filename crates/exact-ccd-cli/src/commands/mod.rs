@@ -87,3 +87,31 @@ impl Command {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use crate::Program;
+
+    /// A text with lines of its own is not wrapped again on a terminal of 80 columns.
+    #[test]
+    fn texts_of_several_lines_fit_on_a_terminal() {
+        let program = Program::command();
+        let mut count = 0;
+        for command in program.get_subcommands() {
+            let text = command
+                .get_long_about()
+                .map(ToString::to_string)
+                .unwrap_or_default();
+            // A paragraph of one line is wrapped by its width.
+            for paragraph in text.split("\n\n").filter(|paragraph| paragraph.contains('\n')) {
+                for line in paragraph.lines() {
+                    assert!(line.chars().count() <= 80, "{}: {line}", command.get_name());
+                    count += 1;
+                }
+            }
+        }
+        assert!(count > 40, "{count}");
+    }
+}

@@ -33,22 +33,23 @@ use report::Report;
 
 /// Move the vertices of a mesh that intersects itself until it does not, and decide exactly that it does not
 ///
-/// Vertices, edges and faces that are examined stay, in their order. The output is a mesh in which no
-/// edge passes through a face and no pair touches; with --min-distance D, in which no
-/// pair is within D. This is decided exactly, for the coordinates as they are in the
-/// output file.
+/// Vertices, edges and faces that are examined stay, in their order. The output is
+/// a mesh in which no edge passes through a face and no pair touches; with
+/// --min-distance D, in which no pair is within D. This is decided exactly, for
+/// the coordinates as they are in the output file.
 ///
-/// The parts of --with are obstacles: they do not move. They may intersect each other
-/// and themselves. --pin names further parts or groups that do not move.
+/// The parts of --with are obstacles: they do not move. They may intersect each
+/// other and themselves. --pin names further parts or groups that do not move.
 ///
-/// Of several frames, as of `exact-ccd audit`, the output is a folder with a file for each, of the name
-/// of its source. The straight motion from each frame to the next is certified to be free, too.
+/// Of several frames, as of `exact-ccd audit`, the output is a folder with a file
+/// for each, of the name of its source. The straight motion from each frame to the
+/// next is certified to be free, too.
 ///
-/// Not every mesh can be repaired. A closed surface with one side, as a Klein bottle,
-/// is refused at once; otherwise, the program ends after --max-rounds.
+/// Not every mesh can be repaired. A closed surface with one side, as a Klein
+/// bottle, is refused at once; otherwise, the program ends after --max-rounds.
 ///
-/// Exit status: 0 free now, 1 not repaired, and no mesh is written without --partial,
-/// 2 error, 3 the mesh is written, but some pairs have no certificate.
+/// Exit status: 0 free now, 1 not repaired, and no mesh is written without
+/// --partial, 2 error, 3 the mesh is written, but some pairs have no certificate.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

@@ -12,31 +12,34 @@ use crate::view::View;
 
 /// Simulate a scene: elastic bodies with contact and friction, without intersections
 ///
-/// SCENE is a TOML file with bodies, materials, scripted motions and settings, or a scene of
-/// another program as of `exact-ccd import`. The key
-/// `settings.ccd` selects the method of continuous collision detection (CCD). The
-/// command prints one line for the scene and one for each time step.
+/// SCENE is a TOML file with bodies, materials, scripted motions and settings, or
+/// a scene of another program as of `exact-ccd import`. The key `settings.ccd`
+/// selects the method of continuous collision detection (CCD). The command prints
+/// one line for the scene and one for each time step.
 ///
 /// With --output, the command writes for each time step N
 ///   DIR/frames/N.ply     the surface
-///   DIR/vtu/N.vtu        tetrahedra, triangles, rods, particles, velocities, bodies;
+///   DIR/vtu/N.vtu        tetrahedra, triangles, rods, particles, velocities,
+///                        bodies;
 ///                        DIR/motion.pvd opens all time steps in ParaView
 ///   DIR/contacts/N.vtp   the contacts as points, with distance, force and bodies;
 ///                        DIR/contacts.pvd opens all of them
 ///   DIR/bodies.csv       number, name, kind and vertices of each body
-///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal distance,
-///                        energies and run times; column names end with units
+///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal
+///                        distance, energies and run times; column names end
+///                        with units
 ///   DIR/checkpoint.json  the state for --resume, which replaces the previous one
-/// An interrupted run continues with --resume from the last checkpoint: one is written with the files of a
-/// time step, at most about once a second. On the same machine, its results are identical to an
-/// uninterrupted run's. The results of an earlier run in DIR are an error without --resume
-/// or --overwrite. Without --output, only the files of --view and --dump-queries are written.
+/// An interrupted run continues with --resume from the last checkpoint: one is
+/// written with the files of a time step, at most about once a second. On the same
+/// machine, its results are identical to an uninterrupted run's. The results of an
+/// earlier run in DIR are an error without --resume or --overwrite. Without
+/// --output, only the files of --view and --dump-queries are written.
 ///
-/// Ctrl-C ends the run after the last complete time step, which is saved, and prints the
-/// command that continues it; a second Ctrl-C ends the process at once.
+/// Ctrl-C ends the run after the last complete time step, which is saved, and
+/// prints the command that continues it; a second Ctrl-C ends the process at once.
 ///
-/// Exit status: 0 success, 2 error, 130 after Ctrl-C. With --strict, a time step that does not converge is an
-/// error.
+/// Exit status: 0 success, 2 error, 130 after Ctrl-C. With --strict, a time step
+/// that does not converge is an error.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment, mut_arg("view_up", |up| up.help(UP)))]
 pub(crate) struct Arguments {
