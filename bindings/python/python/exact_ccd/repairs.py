@@ -22,11 +22,6 @@ RepairReason = Literal["pinned", "one-sided", "linked", "stalled", "rounds", "ro
 
 _MOST_ROUNDS = 2**32 - 1
 
-_MISSING = (
-    "this build of exact_ccd has no repair; in a checkout, "
-    "pip install ./bindings/python --config-settings build-args='--features repair' builds it with repair"
-)
-
 
 class RepairProgress(NamedTuple):
     """The state of a repair between two rounds.
@@ -203,8 +198,7 @@ def repair(
     >>> bool((result.positions[:3] == x[:3]).all()), bool(result.positions[3, 2] > 0)
     (True, True)
     """
-    if not hasattr(_native, "repair"):
-        raise ImportError(_MISSING)
+    _check_build()
     given = mesh if isinstance(mesh, Mesh) else Mesh(len(floats("positions", positions, (None, 3))), mesh)
     x = _arrays.positions("positions", positions, (given.vertex_count, 3))
     held = _pinned(pinned)
@@ -225,6 +219,15 @@ def repair(
         before,
         None if change is None else Change(**change),
     )
+
+
+def _check_build() -> None:
+    """Refuse a build of the package that has no repair."""
+    if not hasattr(_native, "repair"):
+        raise ImportError(
+            "this build of exact_ccd has no repair; in a checkout, "
+            "pip install ./bindings/python --config-settings build-args='--features repair' builds it with repair"
+        )
 
 
 @by_value
@@ -298,9 +301,10 @@ def repair_recording(
 
     Raises
     ------
-    TypeError, ValueError
+    TypeError, ValueError, ImportError
         As of :func:`repair`.
     """
+    _check_build()
     count = np.shape(frames)[1] if np.ndim(frames) == 3 else 0
     given = mesh if isinstance(mesh, Mesh) else Mesh(count, mesh)
     x = _arrays.positions("frames", frames, (None, given.vertex_count, 3))
