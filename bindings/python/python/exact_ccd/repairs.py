@@ -291,8 +291,16 @@ def repair_recording(
         The positions of the vertices in each frame.
     pinned : int array of shape (N,), optional
         The indices of vertices that have their given positions in all frames.
-    min_distance, max_rounds, seconds, stop, threads
+    min_distance : float
+        Pairs within this distance of each other count as touching, too.
+    max_rounds : int
+        The number of rounds after which a phase ends, in each frame.
+    seconds : float, optional
+        The time after which the repair is stopped as it stands, before its next round.
+    stop : callable, optional
         As of :func:`repair`.
+    threads : int, optional
+        The number of threads; by default the number of cores. The result does not depend on it.
 
     Returns
     -------

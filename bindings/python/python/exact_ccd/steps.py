@@ -70,7 +70,7 @@ class FreeStep(NamedTuple):
     """
 
     size: float
-    positions: NDArray[np.floating[Any]]
+    positions: NDArray[Any]
     contact: Optional[Contact]
     touching: PairCounts
 
@@ -117,6 +117,6 @@ class FreeSteps(NamedTuple):
     """
 
     sizes: NDArray[np.float64]
-    positions: NDArray[np.floating[Any]]
+    positions: NDArray[Any]
     rounds: int
     blocked: NDArray[np.void]

@@ -46,7 +46,7 @@ class WorldFreeSteps(NamedTuple):
     """
 
     size: NDArray[np.float64]
-    positions: NDArray[np.floating[Any]]
+    positions: NDArray[Any]
     contact: NDArray[np.void]
     touching: NDArray[np.int64]
 

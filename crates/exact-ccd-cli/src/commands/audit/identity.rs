@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::Arguments;
+use super::arguments::Arguments;
 use crate::assembly::Assembly;
 use crate::messages::failure::Failure;
 

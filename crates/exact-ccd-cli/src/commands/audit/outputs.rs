@@ -3,7 +3,7 @@
 use exact_ccd::Point;
 use exact_ccd_mesh::{Frame, Step, Violation};
 
-use super::Arguments;
+use super::arguments::Arguments;
 use crate::assembly::Assembly;
 use crate::contacts::{ContactList, ContactRecord};
 use crate::messages::failure::Failure;

@@ -6,10 +6,11 @@ use std::process::ExitCode;
 use exact_ccd::Point;
 use exact_ccd_mesh::{Audit, Frame, Violation};
 
+use super::arguments::Arguments;
 use super::frame_result::FrameResult;
+use super::identity::identity;
 use super::outputs::{record, show};
 use super::share::Share;
-use super::{Arguments, identity};
 use crate::assembly::{Assembly, Turns};
 use crate::contacts::{ContactList, ContactRecord, note_of_rounding};
 use crate::files::inputs::name;
@@ -96,7 +97,7 @@ impl<'a> Run<'a> {
 
     /// The identity of the audit: its frames and the options on which results depend.
     pub(super) fn identity(&self) -> Result<String, Failure> {
-        identity::identity(self.arguments, &self.scene)
+        identity(self.arguments, &self.scene)
     }
 
     /// Examines a frame and the step that leads to it.
