@@ -124,6 +124,7 @@ mod tests {
             assert_eq!(about.map(ToString::to_string).as_deref(), Some(summary), "{name}");
             assert!(found.next().is_none(), "{name}");
         }
-        assert_eq!(program.get_subcommands().count(), OPTIONAL.len() + 2);
+        // `step`, `audit` and `merge` have no feature.
+        assert_eq!(program.get_subcommands().count(), OPTIONAL.len() + 3);
     }
 }
