@@ -97,7 +97,8 @@ class BodyDistances(NamedTuple):
         The pairs, the lesser body first.
     lower, upper : float64 arrays of shape (N,)
         Certified bounds of the distances of the surfaces. A lower one is 0 if the bodies may touch or pass through
-        each other. They differ by some 1e-12 of the largest coordinates.
+        each other. They differ by some 1e-12 of the largest coordinates, and are 0 and infinite if coordinates are
+        above 2e120.
     points : float64 array of shape (N, 2, 3)
         A point of each body, in the coordinates of the world, rounded: the closest ones.
     """

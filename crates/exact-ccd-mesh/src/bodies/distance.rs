@@ -15,7 +15,7 @@ use super::shape::{Primitive, Shape};
 use super::sphere::{Sphere, length};
 use super::tree::Leaf;
 use super::world::World;
-use crate::vector::minus;
+use crate::vector::{cross, dot, minus};
 
 /// The distance of two bodies at rest, between two bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,10 +23,12 @@ pub struct BodyDistance {
     /// The indices of the bodies, the lesser first.
     pub bodies: [usize; 2],
     /// Bounds of the distance of the surfaces. The lower one is 0 if they may touch or pass through each
-    /// other. They differ by the error of places in the world: some 10⁻¹² of the largest coordinates.
+    /// other. They differ by the error of places in the world: some 10⁻¹² of the largest coordinates; they
+    /// are 0 and infinite if coordinates are above 2⁴⁰⁰.
     pub bounds: DistanceBounds,
     /// A point of each body, in the coordinates of the world, rounded; their distance is within the bounds up
-    /// to the error of the parameters of an [`Impact`](exact_ccd::Impact).
+    /// to the error of the parameters of an [`Impact`](exact_ccd::Impact). If the bodies pass through each
+    /// other, it may be one point of an edge and a face.
     pub points: [Point; 2],
 }
 
@@ -56,7 +58,7 @@ impl Bodies {
     /// ```
     ///
     /// # Errors
-    /// [`BodiesError::PoseCount`], if there is not one pose for each body.
+    /// [`BodiesError::PoseCount`], if there is not one pose for each body; [`BodiesError::TooManyBodies`].
     pub fn distances(&self, poses: &[Pose], cut_off: Separation) -> Result<Vec<BodyDistance>, BodiesError> {
         let motions = self.motions(poses, poses)?;
         let cut_off = cut_off.get();
@@ -226,13 +228,17 @@ impl Nearest<'_> {
             return;
         };
         if EdgeFace::new([a, b], [c, d, e]).is_ok_and(|query| query.intersects()) {
-            let middle = [0, 1, 2].map(|axis: usize| 0.5 * a[axis] + 0.5 * b[axis]);
+            let normal = cross(minus(d, c), minus(e, c));
+            let part = dot(normal, minus(c, a)) / dot(normal, minus(b, a));
+            // In a common plane, any point of the edge will do.
+            let part = if part.is_nan() { 0.5 } else { part.clamp(0.0, 1.0) };
+            let point = [0, 1, 2].map(|axis: usize| (1.0 - part) * a[axis] + part * b[axis]);
             self.take(
                 DistanceBounds {
                     lower: 0.0,
                     upper: 0.0,
                 },
-                [middle; 2],
+                [point; 2],
             );
         }
     }

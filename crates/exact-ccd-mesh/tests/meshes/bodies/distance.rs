@@ -110,10 +110,16 @@ fn distances_are_those_of_all_pairs_of_primitives() {
             );
             assert!(upper - lower < 1e-10, "{case} {distance:?}");
             let [a, b] = distance.points;
+            let between = length([0, 1, 2].map(|axis: usize| a[axis] - b[axis]));
             if expected == 0.0 {
+                let point = Frame::with_edges(vec![a], Vec::new(), &[]).unwrap();
+                let from = [i, j].map(|body| least(&point, &world[body]));
+                assert!(
+                    between < 1e-8 && from.iter().all(|&x| x < 1e-8),
+                    "{case} {distance:?} {from:?}"
+                );
                 crossing += 1;
             } else {
-                let between = length([0, 1, 2].map(|axis: usize| a[axis] - b[axis]));
                 assert!(
                     (between - expected).abs() < 1e-8 * (1.0 + expected),
                     "{case} {distance:?} {expected}"
